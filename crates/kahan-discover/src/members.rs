@@ -2,121 +2,176 @@
 //!
 //! An integral P/Q may be written by any two members of its pencil, and those with factors say most
 //! in the fewest letters. A polynomial F in two variables s, t of degree d is reducible over the
-//! complex numbers, or its square divides it, where ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H of
-//! degree d − 1 beside the multiples of ∇F (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math.
-//! Comp. 72, 2003). For F = Q + cP on a random plane these linear equations are linear in c, and
-//! the c for which they have solutions are the roots of a polynomial whose coefficients are
-//! rational functions of the parameters and ε: this is reconstructed and factored, so that the
-//! numbers of terms of P and Q do not matter. What holds: nothing is claimed here; each member is
-//! one of the pencil whatever c is.
+//! complex numbers, or a square divides it, where ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H of degree
+//! d − 1 beside the multiples of ∇F (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72,
+//! 2003). For F = P + cQ on a random plane these linear equations are linear in c, so the c for
+//! which they have solutions are the roots of a polynomial modulo a prime. A member that alone has
+//! its multiplicity there, its number of solutions and its monomials is told from the others at any
+//! parameters, so that its coefficients, one of them being 1, are interpolated by themselves: those
+//! of other members may be too long. What holds: a member is one of the pencil modulo a prime;
+//! integrals made of members are proved elsewhere.
 
-use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::rational::Rational;
-use kahan_algebra::symbols::Symbol;
 
 use crate::deadline::Deadline;
 use crate::family::evaluate;
-use crate::grading::{Grading, reconstruct_graded};
+use crate::matrix::Echelon;
 use crate::modulus::Modulus;
+use crate::monomials::Monomials;
 use crate::search_field::SearchField;
-use crate::space::{over_common, tidy};
+use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 
 /// The products modulo a prime that one search may take: some tenths of a second.
 const MOST_WORK: u64 = 200_000_000;
 
-/// The members Q + cP that fall apart, perhaps over a larger field, and those of lower degree, as
-/// far as c is a rational function of the parameters and ε; none where that is too much work.
+/// So often the members are looked at before one is told from the others.
+const LOOKS: usize = 5;
+
+/// The members of the pencil of P and Q that fall apart, perhaps over a larger field, and those of
+/// lower degree, as far as their coefficients are rational functions of the parameters and ε; none
+/// where that is too much work.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Vec<Polynomial> {
-    found(searched, numerator, denominator).unwrap_or_default()
-}
-
-fn found(
-    searched: &SearchField,
-    numerator: &Polynomial,
-    denominator: &Polynomial,
-) -> Option<Vec<Polynomial>> {
     let symbols = searched.family().symbols();
-    let degree = symbols.degree(numerator).max(symbols.degree(denominator)) as usize;
-    if degree < 2 || searched.dimension() < 2 {
-        return None;
-    }
-    let columns = (degree * (degree + 1) - 1) as u64;
-    let work = columns.pow(4);
+    let degree = symbols.degree(numerator).max(symbols.degree(denominator));
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let unknowns = searched.unknown_variables();
     let [above, below] = [numerator, denominator].map(|side| {
         let groups = side.group(|variable| symbols.is_state(variable)).into_iter();
-        let powers = |exponents: &[(Variable, u32)]| -> Vec<(usize, u32)> {
-            exponents.iter().map(|&(variable, exponent)| (usize::from(variable.0), exponent)).collect()
+        let index = |(monomial, own): (Monomial, Polynomial)| {
+            let exponents = (0..searched.dimension()).map(|i| monomial.exponent(symbols.state(i)));
+            let exponents: Vec<u32> = exponents.collect();
+            let found = (0..monomials.len()).find(|&index| monomials.exponents(index) == exponents);
+            (found.expect("its degree is the largest"), own)
         };
-        groups.map(|(monomial, own)| (powers(monomial.powers()), own)).collect::<Vec<_>>()
+        groups.map(index).collect::<Vec<_>>()
     });
-    let unknowns = searched.unknown_variables();
-    let mut left = MOST_WORK;
-    let mut count = None;
-    let mut oracle = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
-        left = left.checked_sub(work)?;
-        let plane = Plane::random(modulus, searched.dimension(), degree, random);
-        let side = |groups: &[(Vec<(usize, u32)>, Polynomial)]| {
-            let terms = groups.iter().map(|(powers, coefficient)| {
-                let value = evaluate(&modulus, coefficient, |variable| {
-                    unknowns.iter().position(|known| *known == variable).map_or(0, |place| values[place])
-                });
-                Some((&powers[..], value?))
-            });
-            terms.collect::<Option<Vec<_>>>().map(|terms| plane.restricted(&terms))
+    let pair = |modulus: Modulus, values: &[u64], _: &mut SplitMix64| {
+        let value = |variable: Variable| {
+            unknowns.iter().position(|known| *known == variable).map_or(0, |place| values[place])
         };
-        let roots = spectrum(&modulus, degree, &side(&above)?, &side(&below)?, random)?;
-        // Where two of them meet by accident there are fewer.
-        (*count.get_or_insert(roots.len()) == roots.len()).then_some(roots)
+        let side = |groups: &[(usize, Polynomial)]| {
+            let mut coefficients = vec![0; monomials.len()];
+            for (index, own) in groups {
+                coefficients[*index] = evaluate(&modulus, own, value)?;
+            }
+            Some(coefficients)
+        };
+        Some([side(&above)?, side(&below)?])
+    };
+    members(searched, &monomials, pair)
+}
+
+/// Those of the pencil of two polynomials whose coefficients of the monomials `pair` gives.
+pub(crate) fn members(
+    searched: &SearchField,
+    monomials: &Monomials,
+    mut pair: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<[Vec<u64>; 2]>,
+) -> Vec<Polynomial> {
+    let degree = monomials.degree() as usize;
+    if degree < 2 || searched.dimension() < 2 {
+        return Vec::new();
+    }
+    let work = ((degree * (degree + 1)) as u64).pow(4);
+    let mut left = MOST_WORK;
+    let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        left = left.checked_sub(work)?;
+        let pair = pair(modulus, values, random)?;
+        special(&modulus, monomials, &pair, random)
     };
     let random = &mut SplitMix64::new(59);
     let modulus = Modulus::mersenne_61();
-    let values: Vec<u64> = unknowns.iter().map(|_| modulus.sample(random)).collect();
-    let count = oracle(modulus, &values, random)?.len();
-    if count == 0 {
-        return None;
+    // How few of a kind there are: one that is no rational function comes and goes.
+    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    for look in 0..LOOKS {
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        for (kind, _) in at(modulus, &values, random).unwrap_or_default() {
+            match kinds.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, counts)) => counts[look] += 1,
+                None => {
+                    let mut counts = vec![0; LOOKS];
+                    counts[look] = 1;
+                    kinds.push((kind, counts));
+                }
+            }
+        }
     }
-    let weights = searched.weights();
-    let weight = |side: &Polynomial| {
-        let mut all = side.terms().map(|(monomial, _)| weights.of_monomial(monomial));
-        let first = all.next()?;
-        all.all(|other| other == first).then_some(first)
+    kinds.retain(|(_, counts)| counts.iter().min() == Some(&1));
+    let symbols = searched.family().symbols();
+    let mut found = Vec::new();
+    for (kind, _) in kinds {
+        let form = Form { support: kind.support.clone(), pivots: vec![0] };
+        let member = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let mut own = at(modulus, values, random)?.into_iter().filter(|(other, _)| *other == kind);
+            let (Some((_, only)), None) = (own.next(), own.next()) else { return None };
+            Space::of_form(&modulus, &form, vec![form.support.iter().map(|&index| only[index]).collect()])
+        };
+        let names = Names::of(searched);
+        let member = reconstruct_space(&names, monomials, &form, member, random, &Deadline::never());
+        found.extend(member.unwrap_or_default().iter().map(|member| tidy(symbols, member)));
+    }
+    found
+}
+
+/// What tells a member from others at all parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Kind {
+    multiplicity: usize,
+    solutions: usize,
+    support: Vec<usize>,
+}
+
+/// The members at one choice of the parameters and ε, as far as they lie in the prime field.
+fn special(
+    modulus: &Modulus,
+    monomials: &Monomials,
+    pair: &[Vec<u64>; 2],
+    random: &mut SplitMix64,
+) -> Option<Vec<(Kind, Vec<u64>)>> {
+    let combined = |[left, right]: &[Vec<u64>; 2], factor: u64| -> Vec<u64> {
+        let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
+        left.iter().zip(right).map(sum).collect()
     };
-    let (above, below) = (weight(numerator)?, weight(denominator)?);
-    let entry = |exponent: usize| {
-        let factor = Rational::from((count - exponent) as i64);
-        below.iter().zip(&above).map(|(below, above)| &(below - above) * &factor).collect()
-    };
-    let grading = Grading {
-        unknowns: unknowns.iter().map(|&unknown| weights.of_variable(unknown)).collect(),
-        entries: (0..count).map(entry).collect(),
-    };
-    let roots = reconstruct_graded(&mut oracle, &unknowns, &grading, random, &Deadline::never())?;
-    let (coefficients, leading) = over_common(&roots);
-    let c = symbols.variable(Symbol::SecondState(0));
-    let power = |exponent: usize| {
-        (0..exponent).fold(Polynomial::one(), |product, _| &product * &Polynomial::variable(c))
-    };
-    let sum = coefficients.iter().chain([&leading]).enumerate();
-    let sum = sum.fold(Polynomial::zero(), |sum, (exponent, own)| sum + own * &power(exponent));
-    let factors = kahan_factor::factors(&sum, &mut Budget::new(5_000, 5_000_000)).factors;
-    let member = |(factor, _): &(Polynomial, u32)| {
-        let mut parts = (factor.degree_in(c) == 1).then(|| factor.coefficients_in(c))?;
-        let (slope, rest) = (parts.remove(&1)?, parts.remove(&0).unwrap_or_default());
-        // c = −rest/slope
-        Some(tidy(symbols, &(&(&slope * denominator) - &(&rest * numerator))))
-    };
-    Some(factors.iter().filter_map(member).collect())
+    // No member stands where c is infinite.
+    let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
+    let degree = monomials.degree() as usize;
+    let plane = Plane::random(*modulus, monomials, random);
+    let [first, second] = pair.each_ref().map(|side| equations(modulus, degree, &plane.restricted(side)));
+    let mut spectrum = spectrum(modulus, &first, &second, random)?;
+    let mut found = Vec::new();
+    while let Some(root) = kahan_factor::root(
+        modulus.field(),
+        &spectrum.iter().map(|own| modulus.residue(*own)).collect::<Vec<_>>(),
+        || modulus.residue(modulus.sample(random)),
+    ) {
+        let root = modulus.integer(root);
+        let mut multiplicity = 0;
+        loop {
+            let (quotient, rest) =
+                divided(modulus, spectrum.clone(), &[modulus.opposite(root), modulus.one()]);
+            if rest.iter().any(|own| *own != 0) {
+                break;
+            }
+            spectrum = quotient;
+            multiplicity += 1;
+        }
+        let rows = first.iter().zip(&second).map(|(p, q)| combined(&[p.clone(), q.clone()], root)).collect();
+        let solutions = first.len() - Echelon::of(modulus, rows, first[0].len()).rank();
+        let member = combined(&pair, root);
+        let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+        found.push((Kind { multiplicity, solutions, support }, member));
+    }
+    Some(found)
 }
 
 /// A random plane: each state an affine function of s and t.
-struct Plane {
+struct Plane<'a> {
     modulus: Modulus,
-    degree: usize,
+    monomials: &'a Monomials,
     /// By state, then by exponent: its powers, as polynomials of the degree.
     powers: Vec<Vec<Vec<u64>>>,
 }
@@ -126,10 +181,11 @@ fn place(degree: usize, a: usize, b: usize) -> usize {
     a * (degree + 1) + b
 }
 
-impl Plane {
-    fn random(modulus: Modulus, dimension: usize, degree: usize, random: &mut SplitMix64) -> Self {
-        let mut plane = Plane { modulus, degree, powers: Vec::new() };
-        for _ in 0..dimension {
+impl<'a> Plane<'a> {
+    fn random(modulus: Modulus, monomials: &'a Monomials, random: &mut SplitMix64) -> Self {
+        let degree = monomials.degree() as usize;
+        let mut plane = Plane { modulus, monomials, powers: Vec::new() };
+        for _ in 0..monomials.variables() {
             let mut one = vec![0; (degree + 1) * (degree + 1)];
             let mut form = one.clone();
             one[0] = modulus.one();
@@ -156,14 +212,16 @@ impl Plane {
         product
     }
 
-    /// Σ value · ∏ states on the plane.
-    fn restricted(&self, terms: &[(&[(usize, u32)], u64)]) -> Vec<u64> {
-        let mut sum = vec![0; (self.degree + 1) * (self.degree + 1)];
-        for (powers, value) in terms {
+    /// The polynomial with these coefficients on the plane.
+    fn restricted(&self, coefficients: &[u64]) -> Vec<u64> {
+        let mut sum: Vec<u64> = vec![0; self.powers[0][0].len()];
+        for (index, &value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0) {
             let mut term = vec![0; sum.len()];
-            term[0] = *value;
-            for &(state, exponent) in *powers {
-                term = self.product(&term, &self.powers[state][exponent as usize]);
+            term[0] = value;
+            for (powers, &exponent) in self.powers.iter().zip(self.monomials.exponents(index)) {
+                if exponent > 0 {
+                    term = self.product(&term, &powers[exponent as usize]);
+                }
             }
             for (entry, own) in sum.iter_mut().zip(term) {
                 *entry = self.modulus.plus(*entry, own);
@@ -173,16 +231,9 @@ impl Plane {
     }
 }
 
-/// The monic polynomial without its leading 1, lowest coefficient first, of the c for which Q + cP
-/// falls apart, each a simple root.
-fn spectrum(
-    modulus: &Modulus,
-    degree: usize,
-    above: &[u64],
-    below: &[u64],
-    random: &mut SplitMix64,
-) -> Option<Vec<u64>> {
-    let [p, q] = [above, below].map(|side| equations(modulus, degree, side));
+/// The polynomial, lowest coefficient first, whose roots are the c for which the equations p + cq
+/// have solutions; each column of p and q stands for an unknown.
+fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
@@ -195,27 +246,18 @@ fn spectrum(
                 .map(|mixer| side.iter().map(|column| modulus.dot(mixer, column)).collect())
                 .collect()
         };
-        let (p, q) = (mixed(&p), mixed(&q));
+        let (p, q) = (mixed(p), mixed(q));
         let points: Vec<u64> = (0..=columns as u64).map(|value| modulus.integer(value)).collect();
         let values = points.iter().map(|&c| {
-            let entry = |(p, q): (&u64, &u64)| modulus.plus(*q, modulus.times(c, *p));
+            let entry = |(p, q): (&u64, &u64)| modulus.plus(*p, modulus.times(c, *q));
             let rows = p.iter().zip(&q).map(|(p, q)| p.iter().zip(q).map(entry).collect());
             determinant(modulus, rows.collect())
         });
         let values: Vec<u64> = values.collect();
         determinants.push(interpolated(modulus, &points, &values)?);
     }
-    let common = gcd(modulus, determinants[0].clone(), determinants[1].clone())?;
-    let slope: Vec<u64> = common
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(exponent, &own)| modulus.times(modulus.integer(exponent as u64), own))
-        .collect();
-    let repeated = gcd(modulus, common.clone(), slope).unwrap_or_else(|| vec![modulus.one()]);
-    let mut simple = divided(modulus, common, &repeated).0;
-    simple.pop();
-    Some(simple)
+    let [first, second] = determinants.try_into().ok()?;
+    gcd(modulus, first, second)
 }
 
 /// F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial in G and in H of a degree below that of
