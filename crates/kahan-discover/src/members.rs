@@ -28,8 +28,8 @@ const MOST_WORK: u64 = 200_000_000;
 /// So often the members are looked at before one is told from the others.
 const LOOKS: usize = 5;
 
-/// The members of the pencil of P and Q that fall apart, perhaps over a larger field, and those of
-/// lower degree, as far as their coefficients are rational functions of the parameters and ε; none
+/// The members of the pencil of P and Q that fall apart, perhaps over a larger field, those of lower
+/// degree, and one that does not depend on ε, as far as their coefficients are rational functions of the parameters and ε; none
 /// where that is too much work.
 pub(crate) fn special_members(
     searched: &SearchField,
@@ -78,13 +78,46 @@ pub(crate) fn members(
     }
     let work = ((degree * (degree + 1)) as u64).pow(4);
     let mut left = MOST_WORK;
-    let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+    let mut pair = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         left = left.checked_sub(work)?;
-        let pair = pair(modulus, values, random)?;
-        special(&modulus, monomials, &pair, random)
+        pair(modulus, values, random)
     };
     let random = &mut SplitMix64::new(59);
     let modulus = Modulus::mersenne_61();
+    let symbols = searched.family().symbols();
+    let mut found = Vec::new();
+    let mut add = |form: Form, at: &mut dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>>| {
+        let at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let all = at(modulus, values, random)?;
+            let is_of_form = (0..all.len()).all(|index| all[index] == 0 || form.support.contains(&index));
+            let own = form.support.iter().map(|&index| all[index]).collect();
+            is_of_form.then(|| Space::of_form(&modulus, &form, vec![own]))?
+        };
+        let random = &mut SplitMix64::new(60);
+        let far = Deadline::never();
+        let member = reconstruct_space(&Names::of(searched), monomials, &form, at, random, &far);
+        for member in member.unwrap_or_default().iter().map(|member| tidy(symbols, member)) {
+            if !found.contains(&member) {
+                found.push(member);
+            }
+        }
+    };
+    if searched.eps().is_none() {
+        let mut free = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let mut other = values.to_vec();
+            *other.last_mut()? = modulus.sample(random);
+            let (here, there) = (pair(modulus, values, random)?, pair(modulus, &other, random)?);
+            common(&modulus, &here, &there)
+        };
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        if let Some(member) = free(modulus, &values, random) {
+            let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+            add(Form { support, pivots: vec![0] }, &mut free);
+        }
+    }
+    let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        special(&modulus, monomials, &pair(modulus, values, random)?, random)
+    };
     // How few of a kind there are: one that is no rational function comes and goes.
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
@@ -101,20 +134,23 @@ pub(crate) fn members(
         }
     }
     kinds.retain(|(_, counts)| counts.iter().min() == Some(&1));
-    let symbols = searched.family().symbols();
-    let mut found = Vec::new();
     for (kind, _) in kinds {
         let form = Form { support: kind.support.clone(), pivots: vec![0] };
-        let member = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        add(form, &mut |modulus, values, random| {
             let mut own = at(modulus, values, random)?.into_iter().filter(|(other, _)| *other == kind);
-            let (Some((_, only)), None) = (own.next(), own.next()) else { return None };
-            Space::of_form(&modulus, &form, vec![form.support.iter().map(|&index| only[index]).collect()])
-        };
-        let names = Names::of(searched);
-        let member = reconstruct_space(&names, monomials, &form, member, random, &Deadline::never());
-        found.extend(member.unwrap_or_default().iter().map(|member| tidy(symbols, member)));
+            own.next().filter(|_| own.next().is_none()).map(|(_, member)| member)
+        });
     }
     found
+}
+
+/// The polynomial that is in both spans, if there is one but for factors.
+fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
+    let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
+    let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
+    let [vector] = &null[..] else { return None };
+    let own = |index: usize| modulus.dot(&vector.entries[..2], &[here[0][index], here[1][index]]);
+    Some((0..here[0].len()).map(own).collect())
 }
 
 /// What tells a member from others at all parameters.
@@ -122,6 +158,8 @@ pub(crate) fn members(
 struct Kind {
     multiplicity: usize,
     solutions: usize,
+    /// How many of its points at infinity are one.
+    at_infinity: usize,
     support: Vec<usize>,
 }
 
@@ -140,8 +178,12 @@ fn special(
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
-    let [first, second] = pair.each_ref().map(|side| equations(modulus, degree, &plane.restricted(side)));
+    let sides = pair.each_ref().map(|side| plane.restricted(side));
+    let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let mut spectrum = spectrum(modulus, &first, &second, random)?;
+    // Where F has no sᵈ, ∇F is a solution, whatever F is.
+    let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
+    spectrum = divided(modulus, spectrum, &highest).0;
     let mut found = Vec::new();
     while let Some(root) = kahan_factor::root(
         modulus.field(),
@@ -163,7 +205,13 @@ fn special(
         let solutions = first.len() - Echelon::of(modulus, rows, first[0].len()).rank();
         let member = combined(&pair, root);
         let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
-        found.push((Kind { multiplicity, solutions, support }, member));
+        let leading: Vec<u64> = {
+            let own = combined(&sides, root);
+            (0..=degree).map(|a| own[place(degree, a, degree - a)]).collect()
+        };
+        let repeated = gcd(modulus, derivative(modulus, &leading), leading);
+        let at_infinity = repeated.map_or(degree, |repeated| repeated.len() - 1);
+        found.push((Kind { multiplicity, solutions, at_infinity, support }, member));
     }
     Some(found)
 }
@@ -284,6 +332,12 @@ fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
         }
     }
     columns
+}
+
+/// The derivative of a polynomial, lowest coefficient first.
+fn derivative(modulus: &Modulus, polynomial: &[u64]) -> Vec<u64> {
+    let terms = polynomial.iter().enumerate().skip(1);
+    terms.map(|(exponent, own)| modulus.times(modulus.integer(exponent as u64), *own)).collect()
 }
 
 fn determinant(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> u64 {

@@ -29,6 +29,9 @@ const MOST_WORK: u64 = 20_000_000;
 /// A factor of fewer terms is written as it is.
 const FEW_TERMS: usize = 12;
 
+/// Of conjugate factors with so many terms the product is written.
+const LONG_CONJUGATE: usize = 3;
+
 /// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
     let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
@@ -59,6 +62,8 @@ pub(crate) fn quotient(
         _ => None,
     });
     let by: Vec<Polynomial> = by.iter().cloned().chain(own).collect();
+    above.join_conjugates(symbols);
+    below.join_conjugates(symbols);
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
     // What stands in front of both sides becomes one, without fractions.
@@ -136,6 +141,29 @@ impl Product {
         match self.sums.iter_mut().find(|(known, _)| *known == factor) {
             Some((_, known)) => *known += exponent,
             None => self.sums.push((factor, exponent)),
+        }
+    }
+
+    /// Makes one factor of (1 + εF)(1 − εF) where F is long: it is written once then.
+    fn join_conjugates(&mut self, symbols: &Symbols) {
+        let conjugate = |polynomial: &Polynomial| {
+            let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
+                .partition(|(monomial, _)| monomial.exponent(symbols.epsilon()) % 2 == 1);
+            Polynomial::from_terms(even) - Polynomial::from_terms(odd)
+        };
+        let mut index = 0;
+        while index < self.sums.len() {
+            let (Sum::Plain(sum), exponent) = &self.sums[index] else { break };
+            let (exponent, other) = (*exponent, conjugate(sum));
+            let is_other =
+                |(known, own): &(Sum, u32)| *known == Sum::Plain(other.clone()) && *own == exponent;
+            let place = self.sums[index + 1..].iter().position(is_other).map(|place| place + index + 1);
+            if let Some(place) = place.filter(|_| other.len() >= LONG_CONJUGATE) {
+                let product = sum * &other;
+                self.sums.remove(place);
+                self.sums[index].0 = Sum::Plain(product);
+            }
+            index += 1;
         }
     }
 
