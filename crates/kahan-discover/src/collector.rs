@@ -4,6 +4,7 @@
 use std::slice::from_ref;
 
 use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
 
 use crate::claims::{Claims, Formula};
 use crate::independent::{Independent, quotient_gradient};
@@ -118,16 +119,19 @@ impl Collector<'_> {
         }
         let special = special_members(self.searched, numerator, denominator);
         let members: Vec<Polynomial> = [vec![numerator.clone(), denominator.clone()], special].concat();
-        let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
-        let has_limit = |(above, below): &(&Polynomial, &Polynomial)| {
-            above != below && with_a_limit(symbols, (*above).clone(), below) == **above
+        // A denominator without zeros at ε = 0, where there is one: the limit is a polynomial then.
+        let is_flat = |member: &Polynomial| {
+            !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
-        let pairs = pairs.filter(has_limit).map(|(above, below)| (above.clone(), below.clone()));
-        pairs
-            .map(|pair| (len(&pair), pair))
-            .filter(|(len, _)| *len < short)
-            .min_by_key(|(len, _)| *len)
-            .map_or(own, |(_, pair)| pair)
+        let has_flat = members.iter().any(is_flat);
+        let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
+        let is_fit = |(above, below): &(&Polynomial, &Polynomial)| {
+            above != below
+                && (is_flat(below) || !has_flat)
+                && with_a_limit(symbols, (*above).clone(), below) == **above
+        };
+        let pairs = pairs.filter(is_fit).map(|(above, below)| (above.clone(), below.clone()));
+        pairs.min_by_key(len).filter(|pair| len(pair) < short || !is_flat(denominator)).unwrap_or(own)
     }
 
     /// The integral combined with those known so that factors of its denominator cancel.

@@ -22,8 +22,10 @@ use crate::monomials::Monomials;
 use crate::search_field::SearchField;
 use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 
-/// The products modulo a prime that one search may take: some tenths of a second.
-const MOST_WORK: u64 = 200_000_000;
+/// The products modulo a prime that one search may take, some tenths of a second, and those of a
+/// look at the pencil without the equations.
+const MOST_WORK: u64 = 100_000_000;
+const WORK_OF_LOOK: u64 = 50_000;
 
 /// So often the members are looked at before one is told from the others.
 const LOOKS: usize = 5;
@@ -76,7 +78,7 @@ pub(crate) fn members(
     if degree < 2 || searched.dimension() < 2 {
         return Vec::new();
     }
-    let work = ((degree * (degree + 1)) as u64).pow(4);
+    let work = WORK_OF_LOOK + ((degree * (degree + 1)) as u64).pow(4);
     let mut left = MOST_WORK;
     let mut pair = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         left = left.checked_sub(work)?;
@@ -411,4 +413,54 @@ fn gcd(modulus: &Modulus, mut left: Vec<u64>, mut right: Vec<u64>) -> Option<Vec
     }
     let inverse = modulus.inverse(*left.last()?)?;
     Some(left.iter().map(|own| modulus.times(*own, inverse)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::symbols::Symbols;
+    use kahan_algebra::{lexer, read};
+
+    /// The numerators of expressions in x, y and a, and a field in these.
+    fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
+        let field = "xdot = a*x + y^2; ydot = x^2;";
+        let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
+        let text = [field.to_owned()].into_iter().chain(claims).collect::<String>();
+        let system = kahan_algebra::read_unproved(&lexer::lex(&text).tokens).system().expect("a system");
+        let sides = system.claims.iter().map(|claim| crate::tests::function(claim).numerator().clone());
+        let searched =
+            SearchField::new(&read(&lexer::lex(field).tokens).system().expect("a system").field, None);
+        (searched, system.field.symbols.clone(), sides.collect())
+    }
+
+    /// Of three conics that fall apart two are not rational; of a pencil of cubics one is.
+    #[test]
+    fn the_member_that_falls_apart_is_found() {
+        for (product, other) in [
+            ("(x + a*y - 1)*(x - 2*y + a)", "x^2 + x*y + 3 - eps*a*y^2"),
+            ("(x + eps*y)*(x^2 - a*y + 2)", "x^3 + y^3 - x + 5"),
+        ] {
+            let mixed =
+                [format!("{product} + ({other})"), format!("2*({product}) - ({other})"), product.to_owned()];
+            let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+            let members = special_members(&searched, &sides[0], &sides[1]);
+            assert!(members.contains(&tidy(&symbols, &sides[2])), "{product}: {members:?}");
+        }
+    }
+
+    /// Neither falls apart, and ε is in one.
+    #[test]
+    fn the_member_without_epsilon_is_found() {
+        let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");
+        let mixed = [format!("{free} + eps*({other})"), format!("eps*({free}) - ({other})"), free.to_owned()];
+        let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+        assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
+    }
+
+    #[test]
+    fn a_general_pencil_has_no_such_member() {
+        let general = ["x^3 + 2*x*y^2 - y + eps*a", "eps^2*y^3 + x^2 - a*x + 7*x*y + 1"];
+        let (searched, _, sides) = polynomials(&general);
+        assert_eq!(special_members(&searched, &sides[0], &sides[1]), []);
+    }
 }

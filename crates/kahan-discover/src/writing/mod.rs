@@ -179,8 +179,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor stands above and, in its way, below.
-                        let len = text.len() + 8 * own.front_below.degree() as usize;
+                        // A divisor, which stands above as well, has to be worth it.
+                        let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));
                         }
