@@ -21,7 +21,7 @@ use crate::writing::{factors_of, quotient};
 /// higher degree is taken that is known already.
 const MOST_AHEAD: usize = 150;
 
-/// Of an integral of more characters other members of its pencil are looked at.
+/// Where P and Q have more characters other members of their pencil are looked at.
 const SHORT: usize = 60;
 
 pub(crate) struct Collector<'a> {
@@ -110,28 +110,32 @@ impl Collector<'_> {
     ) -> (Polynomial, Polynomial) {
         let symbols = self.searched.family().symbols();
         let own = (numerator.clone(), denominator.clone());
-        let len = |(above, below): &(Polynomial, Polynomial)| {
-            quotient(symbols, from_ref(above), from_ref(below), by).len()
+        let len = |member: &Polynomial| quotient(symbols, from_ref(member), &[], by).len();
+        let lens = [numerator, denominator].map(len);
+        let special = match lens.iter().sum::<usize>() {
+            0..=SHORT => Vec::new(),
+            _ => special_members(self.searched, numerator, denominator),
         };
-        let short = len(&own);
-        if short <= SHORT {
+        if special.is_empty() {
             return own;
         }
-        let special = special_members(self.searched, numerator, denominator);
-        let members: Vec<Polynomial> = [vec![numerator.clone(), denominator.clone()], special].concat();
         // A denominator without zeros at ε = 0, where there is one: the limit is a polynomial then.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
-        let has_flat = members.iter().any(is_flat);
+        let members = lens.into_iter().zip([numerator, denominator]);
+        let members: Vec<(usize, &Polynomial)> =
+            members.chain(special.iter().map(|member| (len(member), member))).collect();
+        let has_flat = members.iter().any(|(_, member)| is_flat(member));
         let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
-        let is_fit = |(above, below): &(&Polynomial, &Polynomial)| {
+        let is_fit = |((_, above), (_, below)): &(&(usize, &Polynomial), &(usize, &Polynomial))| {
             above != below
                 && (is_flat(below) || !has_flat)
                 && with_a_limit(symbols, (*above).clone(), below) == **above
         };
-        let pairs = pairs.filter(is_fit).map(|(above, below)| (above.clone(), below.clone()));
-        pairs.min_by_key(len).filter(|pair| len(pair) < short || !is_flat(denominator)).unwrap_or(own)
+        // The first of equal ones: P/Q, if it is one of them.
+        let best = pairs.filter(is_fit).min_by_key(|((above, _), (below, _))| above + below);
+        best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }
 
     /// The integral combined with those known so that factors of its denominator cancel.

@@ -28,7 +28,7 @@ const MOST_WORK: u64 = 100_000_000;
 const WORK_OF_LOOK: u64 = 50_000;
 
 /// So often the members are looked at before one is told from the others.
-const LOOKS: usize = 5;
+const LOOKS: usize = 4;
 
 /// The members of the pencil of P and Q that fall apart, perhaps over a larger field, those of lower
 /// degree, and one that does not depend on ε, as far as their coefficients are rational functions of the parameters and ε; none
