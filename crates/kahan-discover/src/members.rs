@@ -19,6 +19,7 @@ use crate::family::evaluate;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::reconstruct::Oracle;
 use crate::search_field::SearchField;
 use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 
@@ -88,7 +89,7 @@ pub(crate) fn members(
     let modulus = Modulus::mersenne_61();
     let symbols = searched.family().symbols();
     let mut found = Vec::new();
-    let mut add = |form: Form, at: &mut dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>>| {
+    let mut add = |form: Form, at: &mut Oracle<'_>| {
         let at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
             let all = at(modulus, values, random)?;
             let is_of_form = (0..all.len()).all(|index| all[index] == 0 || form.support.contains(&index));
@@ -402,7 +403,7 @@ fn divided(modulus: &Modulus, mut above: Vec<u64>, below: &[u64]) -> (Vec<u64>, 
 /// The monic greatest common divisor; `None` of 0 and 0.
 fn gcd(modulus: &Modulus, mut left: Vec<u64>, mut right: Vec<u64>) -> Option<Vec<u64>> {
     let trim = |side: &mut Vec<u64>| {
-        side.truncate(side.iter().rposition(|own| *own != 0).map_or(0, |last| last + 1))
+        side.truncate(side.iter().rposition(|own| *own != 0).map_or(0, |last| last + 1));
     };
     trim(&mut left);
     trim(&mut right);

@@ -260,7 +260,12 @@ impl Search<'_> {
     /// Adds the drift above/below if its claim is short and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
-        let value = quotient(self.searched.family().symbols(), std::slice::from_ref(above), std::slice::from_ref(below), &[]);
+        let value = quotient(
+            self.searched.family().symbols(),
+            std::slice::from_ref(above),
+            std::slice::from_ref(below),
+            &[],
+        );
         let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };
         if self.add(name, &value, &text, kind, [above, below]) {
             self.triangle.take(drift, [above, below], image);

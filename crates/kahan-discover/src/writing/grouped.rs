@@ -1,6 +1,8 @@
 //! A sum as a sum of products: by powers of ε, and with what several coefficients have in common
 //! once: 1 − ε²(b² − ac)(gy + hz)² for ten terms.
 
+use std::slice::from_ref;
+
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::render::{Notation, Text, push_term};
 use kahan_algebra::symbols::Symbols;
@@ -103,7 +105,7 @@ impl Writer<'_> {
         });
         let mut text = String::new();
         for part in parts {
-            let mut product = Product::within(&[part.clone()], budget);
+            let mut product = Product::within(from_ref(&part), budget);
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
