@@ -37,7 +37,7 @@ impl Writer<'_> {
             .into_iter()
             .map(|parts| self.parts(polynomial, parts, depth, budget));
         let texts: Vec<String> = texts.collect();
-        texts.into_iter().chain([expanded]).min_by_key(String::len).expect("there is one at least")
+        [expanded].into_iter().chain(texts).min_by_key(String::len).expect("there is one at least")
     }
 
     /// Ways to write the polynomial as a sum of shorter ones.
