@@ -1,21 +1,28 @@
 //! Integrals as they are found: made simpler, proved, and kept where they are independent of those
 //! before.
 
+use std::slice::from_ref;
+
 use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
 
 use crate::claims::{Claims, Formula};
 use crate::independent::{Independent, quotient_gradient};
 use crate::leaf::Leaf;
 use crate::limit::with_a_limit;
+use crate::members::special_members;
 use crate::monomials::Monomials;
 use crate::reduction::reduced;
 use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::space::tidy;
-use crate::writing::factors_of;
+use crate::writing::{factors_of, quotient};
 
 /// The most coefficients of P and Q together in a degree that is searched before an integral of
 /// higher degree is taken that is known already.
 const MOST_AHEAD: usize = 150;
+
+/// Where P and Q have more characters other members of their pencil are looked at.
+const SHORT: usize = 60;
 
 pub(crate) struct Collector<'a> {
     pub(crate) searched: &'a SearchField,
@@ -82,13 +89,53 @@ impl Collector<'_> {
         let (numerator, denominator) = self.simplified(numerator, denominator);
         let numerator = with_a_limit(symbols, numerator, &denominator);
         let index = self.formulas.len() + 1;
-        let formula =
-            self.claims.integral(symbols, index, &numerator, &denominator, &factors_of(&self.formulas));
-        if let Some(formula) = formula {
-            self.independent.keep(&numerator, &denominator);
+        let by = factors_of(&self.formulas);
+        let proved = |(above, below): &(Polynomial, Polynomial)| {
+            self.claims.integral(symbols, index, above, below, &by)
+        };
+        let own = (numerator, denominator);
+        if let Some(formula) = proved(&self.shortest(&own, &by)).or_else(|| proved(&own)) {
+            self.independent.keep(&formula.numerator, &formula.denominator);
             (self.tell)(&formula);
             self.formulas.push(formula);
         }
+    }
+
+    /// The quotient of the two members of the pencil of P and Q that is shortest to write, with a
+    /// limit at ε = 0; P/Q where that is short.
+    fn shortest(
+        &self,
+        (numerator, denominator): &(Polynomial, Polynomial),
+        by: &[Polynomial],
+    ) -> (Polynomial, Polynomial) {
+        let symbols = self.searched.family().symbols();
+        let own = (numerator.clone(), denominator.clone());
+        let len = |member: &Polynomial| quotient(symbols, from_ref(member), &[], by).len();
+        let lens = [numerator, denominator].map(len);
+        let special = match lens.iter().sum::<usize>() {
+            0..=SHORT => Vec::new(),
+            _ => special_members(self.searched, numerator, denominator),
+        };
+        if special.is_empty() {
+            return own;
+        }
+        // A denominator without zeros at ε = 0, where there is one: the limit is a polynomial then.
+        let is_flat = |member: &Polynomial| {
+            !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
+        };
+        let members = lens.into_iter().zip([numerator, denominator]);
+        let members: Vec<(usize, &Polynomial)> =
+            members.chain(special.iter().map(|member| (len(member), member))).collect();
+        let has_flat = members.iter().any(|(_, member)| is_flat(member));
+        let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
+        let is_fit = |((_, above), (_, below)): &(&(usize, &Polynomial), &(usize, &Polynomial))| {
+            above != below
+                && (is_flat(below) || !has_flat)
+                && with_a_limit(symbols, (*above).clone(), below) == **above
+        };
+        // The first of equal ones: P/Q, if it is one of them.
+        let best = pairs.filter(is_fit).min_by_key(|((above, _), (below, _))| above + below);
+        best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }
 
     /// The integral combined with those known so that factors of its denominator cancel.

@@ -3,6 +3,7 @@
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
 use crate::brackets::PoissonTensor;
@@ -14,7 +15,7 @@ use crate::monomials::Monomials;
 use crate::report::DensitySearch;
 use crate::search_field::SearchField;
 use crate::space::tidy;
-use crate::writing::factors_of;
+use crate::writing::{factors_of, state_factors};
 
 /// The most coefficients of the polynomial of a density.
 const MOST_DENSITY_COEFFICIENTS: usize = 1000;
@@ -53,7 +54,12 @@ pub(crate) fn densities(
     deadline: &Deadline<'_>,
 ) -> (Vec<Formula>, DensitySearch) {
     let symbols = searched.family().symbols();
-    let factors = factors_of(integrals);
+    let mut factors = factors_of(integrals);
+    for factor in invariant_hyperplanes(field) {
+        if !factors.contains(&factor) {
+            factors.push(factor);
+        }
+    }
     let highest = density_degree(searched.dimension());
     let (found, search) = measure(searched, &factors, highest, random, deadline);
     let mut densities = Vec::new();
@@ -65,6 +71,29 @@ pub(crate) fn densities(
         densities.extend(claims.density(symbols, None, &[(written, -1)], &factors));
     }
     (densities, search)
+}
+
+/// The linear factors P of components of the field whose zeros the flow keeps, so that P divides
+/// ∇P·f; the map keeps them, too.
+fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
+    let symbols = &field.symbols;
+    let mut found: Vec<Polynomial> = Vec::new();
+    for component in &field.components {
+        for factor in state_factors(symbols, &component.numerator) {
+            if symbols.degree(&factor) != 1 || found.contains(&factor) {
+                continue;
+            }
+            let rise = (0..).zip(&field.components).fold(RationalFunction::zero(), |sum, (i, own)| {
+                let slope = &factor.derivative(symbols.state(i)) * &own.numerator;
+                let term = RationalFunction::new(slope, own.denominator.clone());
+                &sum + &term.expect("a divisor of the field is not zero")
+            });
+            if rise.numerator().checked_div(&factor).is_some() {
+                found.push(factor);
+            }
+        }
+    }
+    found
 }
 
 /// det A(x,ε) up to factors free of states, ε put in where it is fixed, if that has few terms.

@@ -12,6 +12,7 @@ use crate::hilbert::Hilbert;
 use crate::independent::Independent;
 use crate::leaf::{Coordinate, Leaf};
 use crate::limit::with_a_limit;
+use crate::members::members;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
@@ -180,13 +181,35 @@ impl Collector<'_> {
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
             let names = chart.names(searched);
             let form = &pencil.space.form;
-            let Some(basis) = reconstruct_space(&names, &monomials, form, at, random, limits.deadline) else {
-                continue;
-            };
+            let basis = reconstruct_space(&names, &monomials, form, at, random, limits.deadline);
+            let Some(basis) = basis.or_else(|| self.special_basis(pencil, chart, limits)) else { continue };
             self.offer_quotients(&basis, chart);
             bases.push(basis);
         }
         bases
+    }
+
+    /// Two members of a pencil in the whole space that are shorter than those of its reduced basis.
+    fn special_basis(
+        &self,
+        pencil: &Pencil,
+        chart: &Chart,
+        limits: &SearchLimits<'_>,
+    ) -> Option<Vec<Polynomial>> {
+        let n = self.searched.dimension();
+        if pencil.space.dimension() != 2 || chart.leaf.order().len() < n || limits.deadline.passed() {
+            return None;
+        }
+        let monomials = Monomials::new(n, pencil.degree);
+        let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+            let map = chart.leaf.map_at(self.searched.at(modulus, unknowns)?, &[], random)?;
+            let space = pencil.at(&map, random, limits.deadline)?;
+            Some([0, 1].map(|index| {
+                reordered(&space.element(index, monomials.len()), chart.leaf.order(), &monomials)
+            }))
+        };
+        let members = members(self.searched, &monomials, at);
+        (members.len() > 1).then_some(members)
     }
 
     /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the
@@ -208,6 +231,16 @@ impl Collector<'_> {
             }
         }
     }
+}
+
+/// The coefficients of a polynomial in the states in the order of a leaf, in their own order.
+fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
+    let own = |index: usize| {
+        let exponents = monomials.exponents(index);
+        let on_leaf: Vec<u32> = order.iter().map(|&state| exponents[state]).collect();
+        (0..monomials.len()).find(|&other| monomials.exponents(other) == on_leaf)
+    };
+    (0..monomials.len()).map(|index| own(index).map_or(0, |place| coefficients[place])).collect()
 }
 
 /// How far to look.

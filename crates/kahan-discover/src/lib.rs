@@ -16,7 +16,7 @@
 //! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`],
 //! [`degrees`], [`growth`], [`plane`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
 //! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`],
-//! [`chart`], [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`];
+//! [`chart`], [`constrained`], [`independent`], `reduction`, `members`, `collector`, [`integrals`];
 //! [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
 //! `writing`, [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid,
 //! [`mod@poles`] follows what the map sends to infinity or blows down.
@@ -59,6 +59,7 @@ pub mod leaf;
 mod limit;
 pub mod map;
 pub mod matrix;
+mod members;
 mod modified;
 pub mod modulus;
 pub mod monomials;

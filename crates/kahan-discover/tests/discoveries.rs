@@ -469,8 +469,8 @@ fn brackets_of_full_rank_are_found() {
     let canonical = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -a*y - x^2 - y^2;";
     assert_eq!(
         first(canonical),
-        "bracket P1 { {x, p} = 1 + 2*eps^2*y + eps^2*a; {x, q} = 2*eps^2*x; {y, p} = 2*eps^2*x; \
-        {y, q} = 1 + 2*eps^2*y + eps^2*a; };"
+        "bracket P1 { {x, p} = 1 + eps^2*(2*y + a); {x, q} = 2*eps^2*x; {y, p} = 2*eps^2*x; \
+        {y, q} = 1 + eps^2*(2*y + a); };"
     );
 }
 
@@ -516,4 +516,53 @@ fn densities_of_degree_six_are_found() {
         m3dot = 0; p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
     let found = report(kirchhoff, &Options { degree: Some(2), ..options() });
     assert_eq!((found.densities.len(), found.densities[0].degree), (1, 6));
+}
+
+/// Nambu's bracket of two quadratic polynomials in ten parameters: all coefficients in factors.
+#[test]
+fn ten_parameters_have_formulas_of_one_line() {
+    let nambu = "xdot = (b*x + c*y + e)*(g*y + h*z + l); ydot = -(a*x + b*y + d)*(g*y + h*z + l); \
+        zdot = (a*x + b*y + d)*(f*y + g*z + k);";
+    let found = check_with(nambu, &Options { degree: Some(2), ..options() }, &[2, 2], Some(4));
+    assert_eq!(
+        found.densities[0].text,
+        "density rho = 1/((1 - eps^2*(b^2 - c*a)*(l + g*y + h*z)^2)*(1 - eps^2*(g^2 - h*f)*(d + a*x + b*y)^2));"
+    );
+    assert_eq!(
+        found.integrals[0].text,
+        "integral H1 = (2*b*e*d - c*d^2 - e^2*a + (b^2 - c*a)*(2*d*x + 2*e*y + a*x^2 + 2*b*x*y + c*y^2))/\
+        (1 - eps^2*(b^2 - c*a)*(l + g*y + h*z)^2);"
+    );
+}
+
+/// A quadratic Hamiltonian with a linear factor: the member of the pencil that does not depend on
+/// ε over the one whose zeros are two lines, and one over that and the factor.
+#[test]
+fn a_pencil_is_given_by_its_members_that_fall_apart() {
+    let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";
+    let found = check(linear, &[2], Some(3));
+    let poles = "1 - eps^2*(b^2 - 4*c*a)*(r + p*x + q*y)^2";
+    assert_eq!(
+        found.integrals[0].text,
+        format!(
+            "integral H1 = (b*e*d - c*d^2 - e^2*a + (b^2 - 4*c*a)*(d*x + e*y + a*x^2 + b*x*y + c*y^2))/({poles});"
+        )
+    );
+    assert_eq!(found.densities[0].text, format!("density rho = 1/(({poles})*(r + p*x + q*y));"));
+}
+
+/// Zander's field with the exponents (1, 1, 2) and six symbols: an integral whose expanded form has
+/// more than four thousand characters.
+#[test]
+fn six_symbols_have_an_integral_in_linear_factors() {
+    let zander = "xdot = b1*(a2*x + b2*y)*(a3*x + b3*y) + b2*(a1*x + b1*y)*(a3*x + b3*y) \
+        + 2*b3*(a1*x + b1*y)*(a2*x + b2*y); ydot = -(a1*(a2*x + b2*y)*(a3*x + b3*y) \
+        + a2*(a1*x + b1*y)*(a3*x + b3*y) + 2*a3*(a1*x + b1*y)*(a2*x + b2*y));";
+    let found = check(zander, &[4], Some(3));
+    let text = &found.integrals[0].text;
+    assert!(
+        text.starts_with("integral H1 = (a2*x + b2*y)*(a3*x + b3*y)^2*(a1*x + b1*y)/((1 - eps^2*("),
+        "{text}"
+    );
+    assert!(text.len() <= 300, "{text}");
 }

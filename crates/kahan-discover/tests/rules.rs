@@ -34,15 +34,15 @@ fn lifted_fields_show_relations_and_energies_at_once() {
     check(van_der_pol, usual(), 1, &["integral H1 = w - x^2 + eps^2*y^2;"]);
     let energy = "integral H1 = 2*g*l*c - l^2*p^2 + eps^2*g^2*s^2;";
     check(PENDULUM, usual(), 1, &[energy, "integral H2 = (s^2 + c^2)/(1 + eps^2*p^2);"]);
-    let morse = "integral H1 = 4*u - 2*v - p^2 + 4*eps^2*u^2 - 8*eps^2*u*v + 4*eps^2*v^2;";
+    let morse = "integral H1 = 4*u - 2*v - p^2 + 4*eps^2*(u - v)^2;";
     check("xdot = p; pdot = 2*v - 2*u; udot = -u*p; vdot = -2*v*p;", usual(), 1, &[morse]);
     let toda = "p1dot = -a; p2dot = a - b; p3dot = b; adot = a*(p1 - p2); bdot = b*(p2 - p3);";
-    let energy = "integral H2 = 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*a^2 + 2*eps^2*a*b - 2*eps^2*b^2;";
+    let energy = "integral H2 = 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*(a^2 - a*b + b^2);";
     check(toda, usual(), 2, &["integral H1 = p1 + p2 + p3;", energy]);
     // Kepler's problem: a = r⁻³, b = x·p/r², c = |p|²/r², F = ax, u = −1/r.
     let kepler = "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
         cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;";
-    let energy = "integral H1 = 2*u + p^2 + q^2 - eps^2*F^2 - eps^2*G^2;";
+    let energy = "integral H1 = 2*u + p^2 + q^2 - eps^2*(F^2 + G^2);";
     check(kepler, usual(), 1, &[energy, "integral H2 = (p*G - q*F)/a;"]);
 }
 

@@ -5,6 +5,7 @@
 //! variable v that the digits dₖ do not contain. The catalog's Lagrange top is such a case, and it
 //! is written so where that is shorter.
 
+mod grouped;
 mod powers;
 #[cfg(test)]
 mod tests;
@@ -13,10 +14,11 @@ use kahan_algebra::poly::{Budget, Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
-use kahan_factor::factors;
+use kahan_factor::{Factors, factors};
 
 use crate::claims::Formula;
 
+use grouped::grouped;
 pub(crate) use powers::in_powers;
 use powers::{Scale, by_powers};
 
@@ -26,6 +28,9 @@ const MOST_WORK: u64 = 20_000_000;
 
 /// A factor of fewer terms is written as it is.
 const FEW_TERMS: usize = 12;
+
+/// Of conjugate factors with so many terms the product is written.
+const LONG_CONJUGATE: usize = 3;
 
 /// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
@@ -57,6 +62,8 @@ pub(crate) fn quotient(
         _ => None,
     });
     let by: Vec<Polynomial> = by.iter().cloned().chain(own).collect();
+    above.join_conjugates(symbols);
+    below.join_conjugates(symbols);
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
     // What stands in front of both sides becomes one, without fractions.
@@ -95,6 +102,16 @@ enum Sum {
 
 impl Product {
     fn of(polynomials: &[Polynomial]) -> Self {
+        let each = || Budget::new(MOST_TERMS, MOST_WORK);
+        Self::factored(polynomials, |polynomial| factors(polynomial, &mut each()))
+    }
+
+    /// The same, all within one budget.
+    fn within(polynomials: &[Polynomial], budget: &mut Budget) -> Self {
+        Self::factored(polynomials, |polynomial| factors(polynomial, budget))
+    }
+
+    fn factored(polynomials: &[Polynomial], mut factored: impl FnMut(&Polynomial) -> Factors) -> Self {
         let mut product = Product {
             content: Rational::one(),
             front: Monomial::one(),
@@ -102,7 +119,7 @@ impl Product {
             sums: Vec::new(),
         };
         for polynomial in polynomials {
-            let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK));
+            let found = factored(polynomial);
             product.content = &product.content * &found.content;
             for (factor, exponent) in found.factors {
                 product.take(factor, exponent);
@@ -127,21 +144,46 @@ impl Product {
         }
     }
 
-    /// Writes long factors by powers of shorter polynomials where that is shorter.
+    /// Makes one factor of (1 + εF)(1 − εF) where F is long: it is written once then.
+    fn join_conjugates(&mut self, symbols: &Symbols) {
+        let conjugate = |polynomial: &Polynomial| {
+            let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
+                .partition(|(monomial, _)| monomial.exponent(symbols.epsilon()) % 2 == 1);
+            Polynomial::from_terms(even) - Polynomial::from_terms(odd)
+        };
+        let mut index = 0;
+        while index < self.sums.len() {
+            let (Sum::Plain(sum), exponent) = &self.sums[index] else { break };
+            let (exponent, other) = (*exponent, conjugate(sum));
+            let is_other =
+                |(known, own): &(Sum, u32)| *known == Sum::Plain(other.clone()) && *own == exponent;
+            let place = self.sums[index + 1..].iter().position(is_other).map(|place| place + index + 1);
+            if let Some(place) = place.filter(|_| other.len() >= LONG_CONJUGATE) {
+                let product = sum * &other;
+                self.sums.remove(place);
+                self.sums[index].0 = Sum::Plain(product);
+            }
+            index += 1;
+        }
+    }
+
+    /// Writes factors in groups, and long ones by powers of shorter polynomials, where that is
+    /// shorter.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
-            if polynomial.len() < FEW_TERMS {
-                continue;
-            }
-            let mut best = Text.polynomial(symbols, polynomial);
+            let mut best = grouped(symbols, polynomial);
+            let mut shortest = best.len();
             let mut scale = None;
+            let by = if polynomial.len() < FEW_TERMS { &[] } else { by };
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
-                    if let Some((text, own)) = by_powers(symbols, polynomial, base, variable)
-                        && text.len() < best.len()
-                    {
-                        (best, scale) = (text, Some(own));
+                    if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
+                        // A divisor, which stands above as well, has to be worth it.
+                        let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
+                        if len < shortest {
+                            (best, shortest, scale) = (text, len, Some(own));
+                        }
                     }
                 }
             }
@@ -150,8 +192,8 @@ impl Product {
                     &self.content * &content.pow(*exponent as i32).expect("the exponent is not negative");
                 self.front = self.front.mul(&front.pow(*exponent));
                 self.front_below = self.front_below.mul(&front_below.pow(*exponent));
-                *sum = Sum::Written(best);
             }
+            *sum = Sum::Written(best);
         }
     }
 }

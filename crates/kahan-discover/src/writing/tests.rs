@@ -49,3 +49,20 @@ fn long_factors_are_written_by_powers_of_known_ones() {
     let plain = written(&format!("({digits})/z"), "z");
     assert!(text.len() < plain.len(), "{plain}");
 }
+
+#[test]
+fn sums_are_grouped_where_that_is_shorter() {
+    let cases = [
+        ("1 - 4*eps^2*x^2 - 4*eps^2*y^2", "1 - 4*eps^2*(x^2 + y^2)"),
+        ("1 + eps^2*x^2 + eps^2*y", "1 + eps^2*(y + x^2)"),
+        ("a^2*x*y + x*y + a^2*z^2 + z^2 + x^2", "x^2 + (x*y + z^2)*(1 + a^2)"),
+        ("1 - eps^2*(a^2 - 2)*(1 + x + y*z)^2", "1 + eps^2*(2 - a^2)*(1 + x + y*z)^2"),
+        ("(1 + eps*(x + y + z))*(1 - eps*(x + y + z))", "1 - eps^2*(x + y + z)^2"),
+        ("(1 + eps*(x + y + z))^2*(1 - eps*(x + y + z))", ""),
+        ("x^2 + y^2 + eps^2", "x^2 + y^2 + eps^2"),
+    ];
+    for (expression, expected) in cases {
+        let text = written(expression, "x");
+        assert!(text == expected || expected.is_empty(), "{text}");
+    }
+}

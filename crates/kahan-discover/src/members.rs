@@ -1,0 +1,467 @@
+//! The members of a pencil P + cQ that fall apart.
+//!
+//! An integral P/Q may be written by any two members of its pencil, and those with factors say most
+//! in the fewest letters. A polynomial F in two variables s, t of degree d is reducible over the
+//! complex numbers, or a square divides it, where ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H of degree
+//! d − 1 beside the multiples of ∇F (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72,
+//! 2003). For F = P + cQ on a random plane these linear equations are linear in c, so the c for
+//! which they have solutions are the roots of a polynomial modulo a prime. A member that alone has
+//! its multiplicity there, its number of solutions and its monomials is told from the others at any
+//! parameters, so that its coefficients, one of them being 1, are interpolated by themselves: those
+//! of other members may be too long. What holds: a member is one of the pencil modulo a prime;
+//! integrals made of members are proved elsewhere.
+
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::family::evaluate;
+use crate::matrix::Echelon;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::reconstruct::Oracle;
+use crate::search_field::SearchField;
+use crate::space::{Form, Names, Space, reconstruct_space, tidy};
+
+/// The products modulo a prime that one search may take, some tenths of a second, and those of a
+/// look at the pencil without the equations.
+const MOST_WORK: u64 = 100_000_000;
+const WORK_OF_LOOK: u64 = 50_000;
+
+/// So often the members are looked at before one is told from the others.
+const LOOKS: usize = 4;
+
+/// The members of the pencil of P and Q that fall apart, perhaps over a larger field, those of lower
+/// degree, and one that does not depend on ε, as far as their coefficients are rational functions of the parameters and ε; none
+/// where that is too much work.
+pub(crate) fn special_members(
+    searched: &SearchField,
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Vec<Polynomial> {
+    let symbols = searched.family().symbols();
+    let degree = symbols.degree(numerator).max(symbols.degree(denominator));
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let unknowns = searched.unknown_variables();
+    let [above, below] = [numerator, denominator].map(|side| {
+        let groups = side.group(|variable| symbols.is_state(variable)).into_iter();
+        let index = |(monomial, own): (Monomial, Polynomial)| {
+            let exponents = (0..searched.dimension()).map(|i| monomial.exponent(symbols.state(i)));
+            let exponents: Vec<u32> = exponents.collect();
+            let found = (0..monomials.len()).find(|&index| monomials.exponents(index) == exponents);
+            (found.expect("its degree is the largest"), own)
+        };
+        groups.map(index).collect::<Vec<_>>()
+    });
+    let pair = |modulus: Modulus, values: &[u64], _: &mut SplitMix64| {
+        let value = |variable: Variable| {
+            unknowns.iter().position(|known| *known == variable).map_or(0, |place| values[place])
+        };
+        let side = |groups: &[(usize, Polynomial)]| {
+            let mut coefficients = vec![0; monomials.len()];
+            for (index, own) in groups {
+                coefficients[*index] = evaluate(&modulus, own, value)?;
+            }
+            Some(coefficients)
+        };
+        Some([side(&above)?, side(&below)?])
+    };
+    members(searched, &monomials, pair)
+}
+
+/// Those of the pencil of two polynomials whose coefficients of the monomials `pair` gives.
+pub(crate) fn members(
+    searched: &SearchField,
+    monomials: &Monomials,
+    mut pair: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<[Vec<u64>; 2]>,
+) -> Vec<Polynomial> {
+    let degree = monomials.degree() as usize;
+    if degree < 2 || searched.dimension() < 2 {
+        return Vec::new();
+    }
+    let work = WORK_OF_LOOK + ((degree * (degree + 1)) as u64).pow(4);
+    let mut left = MOST_WORK;
+    let mut pair = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        left = left.checked_sub(work)?;
+        pair(modulus, values, random)
+    };
+    let random = &mut SplitMix64::new(59);
+    let modulus = Modulus::mersenne_61();
+    let symbols = searched.family().symbols();
+    let mut found = Vec::new();
+    let mut add = |form: Form, at: &mut Oracle<'_>| {
+        let at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let all = at(modulus, values, random)?;
+            let is_of_form = (0..all.len()).all(|index| all[index] == 0 || form.support.contains(&index));
+            let own = form.support.iter().map(|&index| all[index]).collect();
+            is_of_form.then(|| Space::of_form(&modulus, &form, vec![own]))?
+        };
+        let random = &mut SplitMix64::new(60);
+        let far = Deadline::never();
+        let member = reconstruct_space(&Names::of(searched), monomials, &form, at, random, &far);
+        for member in member.unwrap_or_default().iter().map(|member| tidy(symbols, member)) {
+            if !found.contains(&member) {
+                found.push(member);
+            }
+        }
+    };
+    if searched.eps().is_none() {
+        let mut free = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let mut other = values.to_vec();
+            *other.last_mut()? = modulus.sample(random);
+            let (here, there) = (pair(modulus, values, random)?, pair(modulus, &other, random)?);
+            common(&modulus, &here, &there)
+        };
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        if let Some(member) = free(modulus, &values, random) {
+            let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+            add(Form { support, pivots: vec![0] }, &mut free);
+        }
+    }
+    let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        special(&modulus, monomials, &pair(modulus, values, random)?, random)
+    };
+    // How few of a kind there are: one that is no rational function comes and goes.
+    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    for look in 0..LOOKS {
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        for (kind, _) in at(modulus, &values, random).unwrap_or_default() {
+            match kinds.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, counts)) => counts[look] += 1,
+                None => {
+                    let mut counts = vec![0; LOOKS];
+                    counts[look] = 1;
+                    kinds.push((kind, counts));
+                }
+            }
+        }
+    }
+    kinds.retain(|(_, counts)| counts.iter().min() == Some(&1));
+    for (kind, _) in kinds {
+        let form = Form { support: kind.support.clone(), pivots: vec![0] };
+        add(form, &mut |modulus, values, random| {
+            let mut own = at(modulus, values, random)?.into_iter().filter(|(other, _)| *other == kind);
+            own.next().filter(|_| own.next().is_none()).map(|(_, member)| member)
+        });
+    }
+    found
+}
+
+/// The polynomial that is in both spans, if there is one but for factors.
+fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
+    let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
+    let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
+    let [vector] = &null[..] else { return None };
+    let own = |index: usize| modulus.dot(&vector.entries[..2], &[here[0][index], here[1][index]]);
+    Some((0..here[0].len()).map(own).collect())
+}
+
+/// What tells a member from others at all parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Kind {
+    multiplicity: usize,
+    solutions: usize,
+    /// How many of its points at infinity are one.
+    at_infinity: usize,
+    support: Vec<usize>,
+}
+
+/// The members at one choice of the parameters and ε, as far as they lie in the prime field.
+fn special(
+    modulus: &Modulus,
+    monomials: &Monomials,
+    pair: &[Vec<u64>; 2],
+    random: &mut SplitMix64,
+) -> Option<Vec<(Kind, Vec<u64>)>> {
+    let combined = |[left, right]: &[Vec<u64>; 2], factor: u64| -> Vec<u64> {
+        let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
+        left.iter().zip(right).map(sum).collect()
+    };
+    // No member stands where c is infinite.
+    let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
+    let degree = monomials.degree() as usize;
+    let plane = Plane::random(*modulus, monomials, random);
+    let sides = pair.each_ref().map(|side| plane.restricted(side));
+    let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
+    let mut spectrum = spectrum(modulus, &first, &second, random)?;
+    // Where F has no sᵈ, ∇F is a solution, whatever F is.
+    let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
+    spectrum = divided(modulus, spectrum, &highest).0;
+    let mut found = Vec::new();
+    while let Some(root) = kahan_factor::root(
+        modulus.field(),
+        &spectrum.iter().map(|own| modulus.residue(*own)).collect::<Vec<_>>(),
+        || modulus.residue(modulus.sample(random)),
+    ) {
+        let root = modulus.integer(root);
+        let mut multiplicity = 0;
+        loop {
+            let (quotient, rest) =
+                divided(modulus, spectrum.clone(), &[modulus.opposite(root), modulus.one()]);
+            if rest.iter().any(|own| *own != 0) {
+                break;
+            }
+            spectrum = quotient;
+            multiplicity += 1;
+        }
+        let rows = first.iter().zip(&second).map(|(p, q)| combined(&[p.clone(), q.clone()], root)).collect();
+        let solutions = first.len() - Echelon::of(modulus, rows, first[0].len()).rank();
+        let member = combined(&pair, root);
+        let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+        let leading: Vec<u64> = {
+            let own = combined(&sides, root);
+            (0..=degree).map(|a| own[place(degree, a, degree - a)]).collect()
+        };
+        let repeated = gcd(modulus, derivative(modulus, &leading), leading);
+        let at_infinity = repeated.map_or(degree, |repeated| repeated.len() - 1);
+        found.push((Kind { multiplicity, solutions, at_infinity, support }, member));
+    }
+    Some(found)
+}
+
+/// A random plane: each state an affine function of s and t.
+struct Plane<'a> {
+    modulus: Modulus,
+    monomials: &'a Monomials,
+    /// By state, then by exponent: its powers, as polynomials of the degree.
+    powers: Vec<Vec<Vec<u64>>>,
+}
+
+/// Where sᵃtᵇ stands among the coefficients of polynomials of this degree.
+fn place(degree: usize, a: usize, b: usize) -> usize {
+    a * (degree + 1) + b
+}
+
+impl<'a> Plane<'a> {
+    fn random(modulus: Modulus, monomials: &'a Monomials, random: &mut SplitMix64) -> Self {
+        let degree = monomials.degree() as usize;
+        let mut plane = Plane { modulus, monomials, powers: Vec::new() };
+        for _ in 0..monomials.variables() {
+            let mut one = vec![0; (degree + 1) * (degree + 1)];
+            let mut form = one.clone();
+            one[0] = modulus.one();
+            for (a, b) in [(0, 0), (0, 1), (1, 0)] {
+                form[place(degree, a, b)] = modulus.sample(random);
+            }
+            let mut powers = vec![one];
+            for exponent in 0..degree {
+                powers.push(plane.product(&powers[exponent], &form));
+            }
+            plane.powers.push(powers);
+        }
+        plane
+    }
+
+    /// The product of polynomials whose degrees add up to the plane's at most.
+    fn product(&self, left: &[u64], right: &[u64]) -> Vec<u64> {
+        let mut product = vec![0; left.len()];
+        for (i, &own) in left.iter().enumerate().filter(|(_, own)| **own != 0) {
+            for (j, &other) in right.iter().enumerate().filter(|(_, other)| **other != 0) {
+                product[i + j] = self.modulus.plus(product[i + j], self.modulus.times(own, other));
+            }
+        }
+        product
+    }
+
+    /// The polynomial with these coefficients on the plane.
+    fn restricted(&self, coefficients: &[u64]) -> Vec<u64> {
+        let mut sum: Vec<u64> = vec![0; self.powers[0][0].len()];
+        for (index, &value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0) {
+            let mut term = vec![0; sum.len()];
+            term[0] = value;
+            for (powers, &exponent) in self.powers.iter().zip(self.monomials.exponents(index)) {
+                if exponent > 0 {
+                    term = self.product(&term, &powers[exponent as usize]);
+                }
+            }
+            for (entry, own) in sum.iter_mut().zip(term) {
+                *entry = self.modulus.plus(*entry, own);
+            }
+        }
+        sum
+    }
+}
+
+/// The polynomial, lowest coefficient first, whose roots are the c for which the equations p + cq
+/// have solutions; each column of p and q stands for an unknown.
+fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
+    let columns = p.len();
+    let mut determinants = Vec::new();
+    for _ in 0..2 {
+        // As many combinations of the equations as there are unknowns.
+        let mixers: Vec<Vec<u64>> =
+            (0..columns).map(|_| (0..p[0].len()).map(|_| modulus.sample(random)).collect()).collect();
+        let mixed = |side: &[Vec<u64>]| -> Vec<Vec<u64>> {
+            mixers
+                .iter()
+                .map(|mixer| side.iter().map(|column| modulus.dot(mixer, column)).collect())
+                .collect()
+        };
+        let (p, q) = (mixed(p), mixed(q));
+        let points: Vec<u64> = (0..=columns as u64).map(|value| modulus.integer(value)).collect();
+        let values = points.iter().map(|&c| {
+            let entry = |(p, q): (&u64, &u64)| modulus.plus(*p, modulus.times(c, *q));
+            let rows = p.iter().zip(&q).map(|(p, q)| p.iter().zip(q).map(entry).collect());
+            determinant(modulus, rows.collect())
+        });
+        let values: Vec<u64> = values.collect();
+        determinants.push(interpolated(modulus, &points, &values)?);
+    }
+    let [first, second] = determinants.try_into().ok()?;
+    gcd(modulus, first, second)
+}
+
+/// F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial in G and in H of a degree below that of
+/// F, but for the highest power of s in G, so that ∇F is no solution.
+fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
+    let wide = 2 * degree;
+    let mut columns = Vec::new();
+    for is_first in [true, false] {
+        for (i, j) in (0..degree).flat_map(|i| (0..degree - i).map(move |j| (i, j))) {
+            if is_first && i + 1 == degree {
+                continue;
+            }
+            let mut column = vec![0; wide * wide];
+            for (a, b) in (0..=degree).flat_map(|a| (0..=degree - a).map(move |b| (a, b))) {
+                let factor = if is_first { j as i64 - b as i64 } else { a as i64 - i as i64 };
+                let value = modulus.times(f[place(degree, a, b)], modulus.integer(factor.unsigned_abs()));
+                let value = if factor < 0 { modulus.opposite(value) } else { value };
+                if value != 0 {
+                    let (s, t) = if is_first { (a + i, b + j - 1) } else { (a + i - 1, b + j) };
+                    column[s * wide + t] = modulus.plus(column[s * wide + t], value);
+                }
+            }
+            columns.push(column);
+        }
+    }
+    columns
+}
+
+/// The derivative of a polynomial, lowest coefficient first.
+fn derivative(modulus: &Modulus, polynomial: &[u64]) -> Vec<u64> {
+    let terms = polynomial.iter().enumerate().skip(1);
+    terms.map(|(exponent, own)| modulus.times(modulus.integer(exponent as u64), *own)).collect()
+}
+
+fn determinant(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> u64 {
+    let mut product = modulus.one();
+    for column in 0..rows.len() {
+        let Some(pivot) = (column..rows.len()).find(|&row| rows[row][column] != 0) else { return 0 };
+        if pivot != column {
+            rows.swap(pivot, column);
+            product = modulus.opposite(product);
+        }
+        let (upper, lower) = rows.split_at_mut(column + 1);
+        let own = &upper[column];
+        product = modulus.times(product, own[column]);
+        let inverse = modulus.inverse(own[column]).expect("a pivot is not zero");
+        for row in lower {
+            let factor = modulus.opposite(modulus.times(row[column], inverse));
+            for (entry, above) in row[column..].iter_mut().zip(&own[column..]) {
+                *entry = modulus.plus(*entry, modulus.times(factor, *above));
+            }
+        }
+    }
+    product
+}
+
+/// The coefficients, lowest first, of the polynomial with these values (Newton).
+fn interpolated(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<Vec<u64>> {
+    let mut differences = values.to_vec();
+    for level in 1..points.len() {
+        for index in (level..points.len()).rev() {
+            let inverse = modulus.inverse(modulus.minus(points[index], points[index - level]))?;
+            let rise = modulus.minus(differences[index], differences[index - 1]);
+            differences[index] = modulus.times(rise, inverse);
+        }
+    }
+    let mut sum: Vec<u64> = Vec::new();
+    for (&point, &own) in points.iter().zip(&differences).rev() {
+        // sum · (c − point) + own
+        sum.insert(0, own);
+        for index in 1..sum.len() {
+            sum[index - 1] = modulus.minus(sum[index - 1], modulus.times(point, sum[index]));
+        }
+    }
+    Some(sum)
+}
+
+/// The quotient and the rest; the divisor is not 0 and ends with a coefficient that is not 0.
+fn divided(modulus: &Modulus, mut above: Vec<u64>, below: &[u64]) -> (Vec<u64>, Vec<u64>) {
+    let inverse = modulus.inverse(below[below.len() - 1]).expect("the divisor has its degree");
+    let mut quotient = vec![0; (above.len() + 1).saturating_sub(below.len())];
+    for shift in (0..quotient.len()).rev() {
+        let factor = modulus.times(above[shift + below.len() - 1], inverse);
+        quotient[shift] = factor;
+        for (index, own) in below.iter().enumerate() {
+            above[shift + index] = modulus.minus(above[shift + index], modulus.times(factor, *own));
+        }
+    }
+    (quotient, above)
+}
+
+/// The monic greatest common divisor; `None` of 0 and 0.
+fn gcd(modulus: &Modulus, mut left: Vec<u64>, mut right: Vec<u64>) -> Option<Vec<u64>> {
+    let trim = |side: &mut Vec<u64>| {
+        side.truncate(side.iter().rposition(|own| *own != 0).map_or(0, |last| last + 1));
+    };
+    trim(&mut left);
+    trim(&mut right);
+    while !right.is_empty() {
+        let mut rest = divided(modulus, left, &right).1;
+        trim(&mut rest);
+        (left, right) = (right, rest);
+    }
+    let inverse = modulus.inverse(*left.last()?)?;
+    Some(left.iter().map(|own| modulus.times(*own, inverse)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::symbols::Symbols;
+    use kahan_algebra::{lexer, read};
+
+    /// The numerators of expressions in x, y and a, and a field in these.
+    fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
+        let field = "xdot = a*x + y^2; ydot = x^2;";
+        let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
+        let text = [field.to_owned()].into_iter().chain(claims).collect::<String>();
+        let system = kahan_algebra::read_unproved(&lexer::lex(&text).tokens).system().expect("a system");
+        let sides = system.claims.iter().map(|claim| crate::tests::function(claim).numerator().clone());
+        let searched =
+            SearchField::new(&read(&lexer::lex(field).tokens).system().expect("a system").field, None);
+        (searched, system.field.symbols.clone(), sides.collect())
+    }
+
+    /// Of three conics that fall apart two are not rational; of a pencil of cubics one is.
+    #[test]
+    fn the_member_that_falls_apart_is_found() {
+        for (product, other) in [
+            ("(x + a*y - 1)*(x - 2*y + a)", "x^2 + x*y + 3 - eps*a*y^2"),
+            ("(x + eps*y)*(x^2 - a*y + 2)", "x^3 + y^3 - x + 5"),
+        ] {
+            let mixed =
+                [format!("{product} + ({other})"), format!("2*({product}) - ({other})"), product.to_owned()];
+            let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+            let members = special_members(&searched, &sides[0], &sides[1]);
+            assert!(members.contains(&tidy(&symbols, &sides[2])), "{product}: {members:?}");
+        }
+    }
+
+    /// Neither falls apart, and ε is in one.
+    #[test]
+    fn the_member_without_epsilon_is_found() {
+        let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");
+        let mixed = [format!("{free} + eps*({other})"), format!("eps*({free}) - ({other})"), free.to_owned()];
+        let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+        assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
+    }
+
+    #[test]
+    fn a_general_pencil_has_no_such_member() {
+        let general = ["x^3 + 2*x*y^2 - y + eps*a", "eps^2*y^3 + x^2 - a*x + 7*x*y + 1"];
+        let (searched, _, sides) = polynomials(&general);
+        assert_eq!(special_members(&searched, &sides[0], &sides[1]), []);
+    }
+}
