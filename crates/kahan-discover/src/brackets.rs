@@ -12,6 +12,7 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
+use crate::writing::begins_negative;
 
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
@@ -27,10 +28,14 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
+/// Beside a bracket of full rank in four dimensions or more, brackets of rank 2 with more characters
+/// are not written.
+const MOST_BESIDE: usize = 400;
+
 /// Proves brackets and returns them with their ranks, as claims of the language of `kahan!`: first
-/// those with the given tensors, whose number is returned, too. If none of them has full rank,
-/// those of a density with n − 2 integrals follow, the shortest first. A bracket of more than 2500
-/// characters is left out.
+/// those with the given tensors, whose number is returned, too, then those of a density with n − 2
+/// integrals, the shortest first. A bracket of more than 2500 characters is left out, and so are
+/// those of a density with more than 400 where others say more.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -43,32 +48,44 @@ pub(crate) fn brackets(
     if n < 2 {
         return (Vec::new(), 0);
     }
-    let written = |tensor: &[RationalFunction]| {
-        let entries = claims.bracket_entries(symbols, tensor);
-        (entries.len() <= MOST_CHARACTERS).then_some(entries)
+    let written = |tensor: Vec<RationalFunction>, most: usize| {
+        let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+        let entries = claims.bracket_entries(symbols, &coprime(&tensor, &mut budget)?);
+        (entries.len() <= most).then_some(entries)
     };
-    let claim =
-        |index: usize, (rank, entries): (usize, String)| Some((rank, claims.bracket(index, &entries)?));
-    let polynomial = tensors.iter().filter_map(|tensor| {
-        let entries: Vec<RationalFunction> = tensor.entries.iter().cloned().map(Into::into).collect();
-        Some((tensor.rank, written(&entries)?))
-    });
-    let mut proved: Vec<(usize, String)> =
-        (1..).zip(polynomial).filter_map(|(index, bracket)| claim(index, bracket)).collect();
+    let mut proved: Vec<(usize, String)> = Vec::new();
+    let mut taken: Vec<String> = Vec::new();
+    let mut add = |proved: &mut Vec<(usize, String)>, rank: usize, entries: String| {
+        if !taken.contains(&entries)
+            && let Some(claim) = claims.bracket(proved.len() + 1, &entries)
+        {
+            proved.push((rank, claim));
+            taken.push(entries);
+        }
+    };
+    for tensor in tensors {
+        let entries = tensor.entries.iter().cloned().map(Into::into).collect();
+        if let Some(entries) = written(entries, MOST_CHARACTERS) {
+            add(&mut proved, tensor.rank, entries);
+        }
+    }
     let count = proved.len();
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
+    let most = if is_full && n > 3 { MOST_BESIDE } else { MOST_CHARACTERS };
     let mut found: Vec<String> = Vec::new();
-    if let Some(density) = density.filter(|_| !is_full) {
+    if let Some(density) = density {
         for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
             if deadline.passed() {
                 break;
             }
-            found.extend(tensor(symbols, &chosen, integrals, density).and_then(|tensor| written(&tensor)));
+            let tensor = tensor(symbols, &chosen, integrals, density);
+            found.extend(tensor.and_then(|tensor| written(tensor, most)));
         }
     }
     found.sort_by_key(String::len);
-    let made = found.into_iter().take(MOST_BRACKETS).map(|entries| (2, entries));
-    proved.extend((count + 1..).zip(made).filter_map(|(index, bracket)| claim(index, bracket)));
+    for entries in found.into_iter().take(MOST_BRACKETS) {
+        add(&mut proved, 2, entries);
+    }
     (proved, count)
 }
 
@@ -107,13 +124,16 @@ fn tensor(
     let casimirs: Option<Vec<_>> =
         casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
     let density = function(&density.numerator, &density.denominator)?;
-    let tensor = invariant_tensor(symbols, &density, &casimirs?, &mut budget)?;
-    // A bracket is one up to a number: the entries are written with coprime integers, the first
-    // positive.
-    let mut contents = tensor.iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
-    let first = contents.next()?;
-    let common = contents.fold(first.clone(), |common, other| common.gcd(&other)).abs();
-    let number = if first.is_negative() { -common } else { common };
+    invariant_tensor(symbols, &density, &casimirs?, &mut budget)
+}
+
+/// The tensor times a number: a bracket is one up to that. Its entries have coprime integers, and
+/// the first begins with a positive one.
+fn coprime(tensor: &[RationalFunction], budget: &mut Budget) -> Option<Vec<RationalFunction>> {
+    let numerators: Vec<&Polynomial> =
+        tensor.iter().filter(|entry| !entry.is_zero()).map(RationalFunction::numerator).collect();
+    let common = numerators.iter().map(|numerator| numerator.content()).reduce(|a, b| a.gcd(&b))?.abs();
+    let number = if begins_negative(numerators[0]) { -common } else { common };
     let scale = RationalFunction::constant(number.recip()?);
-    tensor.iter().map(|entry| entry.mul_within(&scale, &mut budget).ok()).collect()
+    tensor.iter().map(|entry| entry.mul_within(&scale, budget).ok()).collect()
 }

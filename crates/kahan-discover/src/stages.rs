@@ -401,12 +401,14 @@ impl Search<'_> {
         let places = known.places(self.modified, &integrals, symbols);
 
         (self.begins)("invariant Poisson brackets");
-        // In the plane and in space the density and the integrals say all, where there are enough.
+        // In the plane the density says all, and in space it does with an integral: only what is
+        // shorter is looked for.
         let is_said = searched.dimension() < 4 && integrals.len() + 2 >= searched.dimension();
+        let highest = if is_said { 2 } else { u32::MAX };
         let tensors = match before {
             Some(before) => before.tensors.clone(),
-            None if is_said => Vec::new(),
-            None => polynomial_tensors(searched, random, &until.densities),
+            None if searched.dimension() < 3 => Vec::new(),
+            None => polynomial_tensors(searched, highest, random, &until.densities),
         };
 
         (self.begins)("invariant densities");

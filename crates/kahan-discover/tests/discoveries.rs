@@ -447,6 +447,29 @@ fn a_bracket_of_full_rank_has_a_density() {
     assert!(found.sentences.iter().all(|said| !said.contains("too long")));
 }
 
+/// Two planar systems without a coupling: one bracket shows in degree 0, the sum of both in degree 1.
+#[test]
+fn brackets_of_parts_are_added() {
+    let parts = "qdot = p; pdot = -w^2*q - 3*k*q^2 + r; udot = v; vdot = -1000*u;";
+    let found = report(parts, &options());
+    assert_eq!(found.bracket_ranks[..found.polynomial_brackets], [4, 2]);
+    assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + 6*eps^2*q*k + eps^2*w^2; {u, v} = 1; };");
+    assert_eq!(found.brackets[1], "bracket P2 { {u, v} = 1; };");
+    assert_eq!(found.densities[0].text, "density rho = 1/(1 + 6*eps^2*q*k + eps^2*w^2);");
+}
+
+/// Evripidou, Kassotakis and Vanhaecke, "Integrable reductions of the dressing chain" (2019): a
+/// bracket of rank 2 in three variables whose entries are no product of a density and an integral.
+#[test]
+fn brackets_with_constants_are_short() {
+    let reduced = "x1dot = x1*(x2 + x3) + b; x2dot = x2*(x3 - x1); x3dot = -x3*(x1 + x2) - b;";
+    let found = report(reduced, &options());
+    assert_eq!(
+        found.brackets[0],
+        "bracket P1 { {x1, x2} = x1*x2; {x1, x3} = x1*x3 + b; {x2, x3} = x2*x3; };"
+    );
+}
+
 /// Petrera and Suris (2017): with the complex structure, the real and the imaginary part of the
 /// Hamiltonian each have a K, and the map keeps both modified Hamiltonians and two brackets.
 #[test]
@@ -466,6 +489,23 @@ fn each_constant_k_has_an_integral() {
             {u, v} = -12*eps^2*u; };"
         ]
     );
+}
+
+/// A field z̈ = −F_z of a generic holomorphic cubic F in two variables: the lines of both modified
+/// Hamiltonians have thousands of characters, and the compact forms some hundreds.
+#[test]
+fn each_constant_k_has_a_compact_form() {
+    let generic = "xdot = x*y - u*v + y^2 - v^2 + x; udot = x*v + u*y + 2*y*v + u; \
+        ydot = -(x^2 - u^2 + (y^2 - v^2)/2 + y + a); vdot = -(2*x*u + y*v + v + b);";
+    let found = report(generic, &options());
+    let structures = &found.structure.hamiltonians;
+    assert_eq!(structures.len(), 2);
+    for structure in structures {
+        assert_ne!(structure.place, ModifiedPlace::Implied);
+        assert!(structure.modified(&Text).len() < 400, "{}", structure.modified(&Text));
+    }
+    assert_ne!(structures[0].hamiltonian, structures[1].hamiltonian);
+    assert_eq!((found.independent_integrals(), found.not_reached(), found.bases.len()), (2, 0, 0));
 }
 
 /// Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011), whose density has

@@ -1,23 +1,25 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is
-//! linear in the coefficients of P. Jacobi's identity is quadratic in them: where the invariant
-//! tensors form a space of more than one dimension, the elements of a reduced basis and the sums of
-//! two of them are tried.
+//! linear in the coefficients of P. Jacobi's identity is quadratic in them. Elements of a reduced
+//! basis that satisfy it, and whose sums of two do, span brackets alone: a sum of them is a bracket
+//! of a rank that none of them may have, such as that of systems without a coupling. The search
+//! goes on by degree until a bracket has full rank, n or n − 1.
 
 use std::cmp::Reverse;
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::system::upper_index;
 
 use crate::darboux::random_step;
 use crate::deadline::Deadline;
+use crate::grading::{Grading, reconstruct_graded};
 use crate::map::ModularMap;
 use crate::matrix::{Echelon, SPARE};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::reconstruct::reconstruct;
 use crate::relations::{gradient, monomial_gradients};
 use crate::search_field::SearchField;
 use crate::space::{Form, Space, combination, over_common};
@@ -30,8 +32,8 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients up to degree 2: those in eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The most sums of two basis elements that are tried.
-const MOST_SUMS: usize = 100;
+/// The most basis elements that sums are made of.
+const MOST_ELEMENTS: usize = 40;
 
 /// The most tensors that are given.
 const MOST_TENSORS: usize = 3;
@@ -77,39 +79,85 @@ impl PoissonTensor {
     }
 }
 
-/// A bracket modulo a prime: its rank at a general point, and its coefficients.
+/// A bracket modulo a prime.
 struct Candidate {
+    /// Its rank at a general point.
     rank: usize,
-    coefficients: Vec<u64>,
+    /// The degree that it was found in.
+    degree: u32,
+    /// The coefficients of the elements of a reduced basis that it is the sum of, each a bracket.
+    parts: Vec<Vec<u64>>,
 }
 
-/// Returns at most three independent invariant brackets, all of the least degree that has one. The
-/// highest rank comes first, and among equal ranks the fewest terms. The degree is at most 4, and
-/// all entries together have at most 600 coefficients, or 1300 up to degree 2. The list is empty if
-/// no bracket is found before the deadline.
+impl Candidate {
+    /// The number of coefficients that are not zero.
+    fn terms(&self) -> usize {
+        self.parts.iter().flatten().filter(|&&value| value != 0).count()
+    }
+
+    /// The coefficients of the sum, on `len` places.
+    fn sum(&self, modulus: &Modulus, len: usize) -> Vec<u64> {
+        let mut sum = vec![0; len];
+        for part in &self.parts {
+            for (entry, own) in sum.iter_mut().zip(part) {
+                *entry = modulus.plus(*entry, *own);
+            }
+        }
+        sum
+    }
+}
+
+/// Returns at most three independent invariant brackets: those of the highest rank that is found
+/// first, and of equal ranks those of fewer terms, then the first ones of lower ranks. The search
+/// ends with the degree that has a bracket of full rank, or with degree 4; all entries together
+/// have at most 600 coefficients, or 1300 up to degree 2. The list is empty if no bracket is found
+/// before the deadline.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
+    highest: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<PoissonTensor> {
     let n = searched.dimension();
     let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
-    for degree in 0..=HIGHEST_DEGREE {
+    let modulus = sample.map.modulus();
+    let mut found: Vec<Candidate> = Vec::new();
+    let mut dimension = 0;
+    for degree in 0..=highest.min(HIGHEST_DEGREE) {
         let shape = Shape::new(n, degree);
         if shape.len() > if degree > 2 { MOST_COEFFICIENTS } else { MOST_QUADRATIC_COEFFICIENTS } {
             break;
         }
         let all: Vec<usize> = (0..shape.len()).collect();
         let Some(vectors) = shape.invariant(&sample.map, &all, random, deadline) else { break };
-        let space = Space::spanned(sample.map.modulus(), vectors);
-        let chosen = shape.chosen(&sample.map, &space, random);
-        if !chosen.is_empty() {
-            let over_the_rationals =
-                |candidate: Candidate| shape.reconstructed(searched, &candidate, random, deadline);
-            return chosen.into_iter().filter_map(over_the_rationals).collect();
+        if vectors.len() > dimension {
+            dimension = vectors.len();
+            let space = Space::spanned(modulus, vectors);
+            let best = found.first().map_or(0, |candidate| candidate.rank);
+            let mut higher = shape.higher(&sample.map, &space, best, random);
+            higher.append(&mut found);
+            found = higher;
+        }
+        if found.first().is_some_and(|candidate| candidate.rank + 1 >= n) {
+            break;
         }
     }
-    Vec::new()
+    // Coefficients of a lower degree come first in those of a higher one.
+    let len = found.iter().flat_map(|candidate| &candidate.parts).map(Vec::len).max().unwrap_or_default();
+    let mut rows = Vec::new();
+    found.retain(|candidate| {
+        rows.push(candidate.sum(modulus, len));
+        let is_independent =
+            rows.len() <= MOST_TENSORS && Echelon::of(modulus, rows.clone(), len).rank() == rows.len();
+        if !is_independent {
+            rows.pop();
+        }
+        is_independent
+    });
+    let over_the_rationals = |candidate: &Candidate| {
+        Shape::new(n, candidate.degree).reconstructed(searched, candidate, random, deadline)
+    };
+    found.iter().filter_map(over_the_rationals).collect()
 }
 
 impl Shape {
@@ -158,49 +206,79 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Independent brackets among the elements of a space, the highest rank and the fewest terms
-    /// first.
-    fn chosen(&self, map: &ModularMap, space: &Space, random: &mut SplitMix64) -> Vec<Candidate> {
+    /// Brackets of a higher rank than `best` among the elements of a space and sums of them, the
+    /// highest rank and the fewest terms first.
+    fn higher(
+        &self,
+        map: &ModularMap,
+        space: &Space,
+        best: usize,
+        random: &mut SplitMix64,
+    ) -> Vec<Candidate> {
         let modulus = map.modulus();
-        let elements: Vec<Vec<u64>> =
-            (0..space.dimension()).map(|index| space.element(index, self.len())).collect();
-        let sum = |a: &[u64], b: &[u64]| a.iter().zip(b).map(|(a, b)| modulus.plus(*a, *b)).collect();
-        let pairs = (0..elements.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        let sums: Vec<Vec<u64>> =
-            pairs.take(MOST_SUMS).map(|(a, b)| sum(&elements[a], &elements[b])).collect();
-        let points = [map.point(random), map.point(random)];
+        let places = [Place::random(self, map, random), Place::random(self, map, random)];
+        let generic = |place: &Place| {
+            let elements = (0..space.dimension()).map(|index| {
+                let factor = modulus.sample(random);
+                let element = space.element(index, self.len());
+                element.into_iter().map(|entry| modulus.times(factor, entry)).collect()
+            });
+            let parts = elements.collect();
+            let sum = Candidate { rank: 0, degree: 0, parts }.sum(modulus, self.len());
+            self.tensor(modulus, &sum, place).rank(modulus)
+        };
+        if places.first().map_or(0, generic) <= best {
+            return Vec::new();
+        }
+        let mut elements: Vec<Element> = (0..space.dimension())
+            .map(|index| space.element(index, self.len()))
+            .filter_map(|part| {
+                let tensors = places.each_ref().map(|place| self.tensor(modulus, &part, place));
+                tensors.iter().all(|tensor| tensor.satisfies_jacobi(modulus)).then(|| Element {
+                    rank: tensors[0].rank(modulus),
+                    terms: part.iter().filter(|&&value| value != 0).count(),
+                    part,
+                    tensors,
+                })
+            })
+            .collect();
+        elements.sort_by_key(|element| (Reverse(element.rank), element.terms));
+        elements.truncate(MOST_ELEMENTS);
+        let candidate = |rank: usize, chosen: &[&Element]| Candidate {
+            rank,
+            degree: self.monomials.degree(),
+            parts: chosen.iter().map(|element| element.part.clone()).collect(),
+        };
         let mut found: Vec<Candidate> = Vec::new();
-        for coefficients in elements.into_iter().chain(sums) {
-            let tensors: Vec<Tensor> =
-                points.iter().map(|point| self.tensor(modulus, &coefficients, point)).collect();
-            if tensors.iter().all(|tensor| tensor.satisfies_jacobi(modulus)) {
-                found.push(Candidate { rank: tensors[0].rank(modulus), coefficients });
+        for (index, first) in elements.iter().enumerate() {
+            let mut chosen = vec![first];
+            let mut sums = first.tensors.clone();
+            let mut rank = first.rank;
+            found.push(candidate(rank, &chosen));
+            // A sum of brackets is one where each sum of two of them is.
+            for other in &elements[index + 1..] {
+                let next = [0, 1].map(|place| sums[place].plus(modulus, &other.tensors[place]));
+                let higher = next[0].rank(modulus);
+                if higher > rank && next.iter().all(|sum| sum.satisfies_jacobi(modulus)) {
+                    (rank, sums) = (higher, next);
+                    chosen.push(other);
+                    found.push(candidate(rank, &chosen));
+                }
             }
         }
-        found.sort_by_key(|candidate| (Reverse(candidate.rank), terms(&candidate.coefficients)));
-        let mut rows = Vec::new();
-        found.retain(|candidate| {
-            rows.push(candidate.coefficients.clone());
-            let is_independent = Echelon::of(modulus, rows.clone(), self.len()).rank() == rows.len();
-            if !is_independent {
-                rows.pop();
-            }
-            is_independent && rows.len() <= MOST_TENSORS
-        });
+        found.retain(|candidate| candidate.rank > best);
+        found.sort_by_key(|candidate| (Reverse(candidate.rank), candidate.terms()));
         found
     }
 
     /// The tensor and its derivatives at a point.
-    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], point: &[u64]) -> Tensor {
-        let n = point.len();
-        let values = self.monomials.values(modulus, point);
-        let slopes = monomial_gradients(modulus, &self.monomials, point);
+    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &Place) -> Tensor {
+        let n = place.slopes[0].len();
         let mut tensor = Tensor { entries: vec![vec![0; n]; n], slopes: vec![vec![vec![0; n]; n]; n] };
         for (pair, &(i, j)) in self.pairs.iter().enumerate() {
             let own: Vec<u64> = coefficients.iter().skip(pair).step_by(self.pairs.len()).copied().collect();
-            let products = own.iter().zip(&values).map(|(a, b)| modulus.times(*a, *b));
-            let value = products.fold(0, |sum, product| modulus.plus(sum, product));
-            let slope = gradient(modulus, &slopes, &own);
+            let value = modulus.dot(&own, &place.values);
+            let slope = gradient(modulus, &place.slopes, &own);
             tensor.entries[i][j] = value;
             tensor.entries[j][i] = modulus.opposite(value);
             tensor.slopes[j][i] = slope.iter().map(|value| modulus.opposite(*value)).collect();
@@ -209,7 +287,7 @@ impl Shape {
         tensor
     }
 
-    /// The entries over ℚ with all unknowns, with coprime integer coefficients.
+    /// The sum of the parts over ℚ with all unknowns, each with coprime integer coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,
@@ -217,16 +295,34 @@ impl Shape {
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<PoissonTensor> {
-        let support: Vec<usize> =
-            (0..self.len()).filter(|&place| candidate.coefficients[place] != 0).collect();
-        // The candidate is the only tensor on its support, or it is left out.
+        let mut entries = vec![Polynomial::zero(); self.pairs.len()];
+        for part in &candidate.parts {
+            let part = self.reconstructed_part(searched, part, random, deadline)?;
+            entries = entries.into_iter().zip(part).map(|(sum, own)| sum + own).collect();
+        }
+        Some(PoissonTensor { rank: candidate.rank, entries })
+    }
+
+    /// The entries of an element of a reduced basis over ℚ with all unknowns.
+    fn reconstructed_part(
+        &self,
+        searched: &SearchField,
+        part: &[u64],
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Option<Vec<Polynomial>> {
+        let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
+        // The other elements of the reduced basis begin where this one has no coefficient, so that
+        // it is the only tensor on its support.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
             let vectors = self.invariant(&map, &support, random, deadline)?;
             Some(Space::of_form(&modulus, &form, vectors)?.rows.concat())
         };
-        let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
+        let grading = self.grading(searched, &support);
+        let unknowns = searched.unknown_variables();
+        let entries = reconstruct_graded(&mut oracle, &unknowns, &grading, random, deadline)?;
         let (coefficients, _) = over_common(&entries);
         let symbols = searched.family().symbols();
         let states: Vec<_> = (0..searched.dimension()).map(|i| symbols.state(i)).collect();
@@ -237,17 +333,61 @@ impl Shape {
             let factors: Vec<_> = own.iter().map(|&k| coefficients[k].clone()).collect();
             combination(&states, &self.monomials, &monomials, &factors)
         };
-        let entries = (0..self.pairs.len()).map(entry).collect();
-        Some(PoissonTensor { rank: candidate.rank, entries })
+        Some((0..self.pairs.len()).map(entry).collect())
+    }
+
+    /// The weights of coefficients on a support, the first of which is 1: the entries of an
+    /// invariant tensor weigh as much as products of two states, up to a common weight.
+    fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
+        let symbols = searched.family().symbols();
+        let weights = searched.weights();
+        let own = |place: usize| -> Vec<Rational> {
+            let (monomial, (i, j)) = (place / self.pairs.len(), self.pairs[place % self.pairs.len()]);
+            let powers = self.monomials.exponents(monomial).iter().enumerate();
+            let monomial =
+                weights.of_monomial(&powers.map(|(k, &power)| (symbols.state(k), power)).collect());
+            let [i, j] = [i, j].map(|state| weights.of_variable(symbols.state(state)));
+            monomial.iter().zip(i.iter().zip(&j)).map(|(m, (i, j))| &(m - i) - j).collect()
+        };
+        let first = own(support[0]);
+        let relative = |&place: &usize| first.iter().zip(own(place)).map(|(a, b)| a - &b).collect();
+        Grading {
+            unknowns: searched
+                .unknown_variables()
+                .iter()
+                .map(|&unknown| weights.of_variable(unknown))
+                .collect(),
+            entries: support.iter().map(relative).collect(),
+        }
     }
 }
 
-/// The number of coefficients that are not zero.
-fn terms(coefficients: &[u64]) -> usize {
-    coefficients.iter().filter(|&&value| value != 0).count()
+/// The values of monomials and of their derivatives at a point.
+struct Place {
+    values: Vec<u64>,
+    slopes: Vec<Vec<u64>>,
+}
+
+impl Place {
+    fn random(shape: &Shape, map: &ModularMap, random: &mut SplitMix64) -> Self {
+        let point = map.point(random);
+        Place {
+            values: shape.monomials.values(map.modulus(), &point),
+            slopes: monomial_gradients(map.modulus(), &shape.monomials, &point),
+        }
+    }
+}
+
+/// A bracket of a reduced basis, and its tensor at two points.
+struct Element {
+    rank: usize,
+    terms: usize,
+    part: Vec<u64>,
+    tensors: [Tensor; 2],
 }
 
 /// An antisymmetric tensor at a point modulo a prime.
+#[derive(Clone)]
 struct Tensor {
     entries: Vec<Vec<u64>>,
     /// The gradient of each entry.
@@ -255,6 +395,15 @@ struct Tensor {
 }
 
 impl Tensor {
+    fn plus(&self, modulus: &Modulus, other: &Tensor) -> Tensor {
+        let sum = |a: &Vec<u64>, b: &Vec<u64>| a.iter().zip(b).map(|(a, b)| modulus.plus(*a, *b)).collect();
+        let sums = |a: &Vec<Vec<u64>>, b: &Vec<Vec<u64>>| a.iter().zip(b).map(|(a, b)| sum(a, b)).collect();
+        Tensor {
+            entries: sums(&self.entries, &other.entries),
+            slopes: self.slopes.iter().zip(&other.slopes).map(|(a, b)| sums(a, b)).collect(),
+        }
+    }
+
     fn rank(&self, modulus: &Modulus) -> usize {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
