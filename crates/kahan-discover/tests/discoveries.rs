@@ -442,8 +442,9 @@ fn a_bracket_of_full_rank_has_a_density() {
         x5dot = x5*(x6 - x1 - x2 - x3 - x4); x6dot = x6*(-x1 - x2 - x3 - x4 - x5);";
     let found = report(volterra, &options());
     assert_eq!(found.densities[0].text, "density rho = 1/(x1*x2*x3*x4*x5*x6);");
-    assert_eq!((found.bracket_ranks, found.polynomial_brackets), (vec![6], 1));
-    assert!(found.sentences.iter().any(|said| said.contains("Poisson bracket of rank 6")));
+    // Brackets of lower rank live on three or more of the variables.
+    assert_eq!((&found.bracket_ranks[..3], found.polynomial_brackets), (&[6, 4, 2][..], 3));
+    assert!(found.sentences.iter().any(|said| said.contains("Poisson brackets") && said.contains("6, 4, 2")));
     assert!(found.sentences.iter().all(|said| !said.contains("too long")));
 }
 
@@ -453,9 +454,9 @@ fn brackets_of_parts_are_added() {
     let parts = "qdot = p; pdot = -w^2*q - 3*k*q^2 + r; udot = v; vdot = -1000*u;";
     let found = report(parts, &options());
     assert_eq!(found.bracket_ranks[..found.polynomial_brackets], [4, 2]);
-    assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + 6*eps^2*q*k + eps^2*w^2; {u, v} = 1; };");
+    assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + 6*eps^2*k*q + eps^2*w^2; {u, v} = 1; };");
     assert_eq!(found.brackets[1], "bracket P2 { {u, v} = 1; };");
-    assert_eq!(found.densities[0].text, "density rho = 1/(1 + 6*eps^2*q*k + eps^2*w^2);");
+    assert_eq!(found.densities[0].text, "density rho = 1/(1 + 6*eps^2*k*q + eps^2*w^2);");
 }
 
 /// Evripidou, Kassotakis and Vanhaecke, "Integrable reductions of the dressing chain" (2019): a
@@ -465,8 +466,11 @@ fn brackets_with_constants_are_short() {
     let reduced = "x1dot = x1*(x2 + x3) + b; x2dot = x2*(x3 - x1); x3dot = -x3*(x1 + x2) - b;";
     let found = report(reduced, &options());
     assert_eq!(
-        found.brackets[0],
-        "bracket P1 { {x1, x2} = x1*x2; {x1, x3} = x1*x3 + b; {x2, x3} = x2*x3; };"
+        found.brackets[..2],
+        [
+            "bracket P1 { {x1, x2} = x2^2; {x1, x3} = -x2^2; {x2, x3} = x2^2; };",
+            "bracket P2 { {x1, x2} = x1*x2; {x1, x3} = b + x1*x3; {x2, x3} = x2*x3; };"
+        ]
     );
 }
 

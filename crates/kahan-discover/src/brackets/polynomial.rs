@@ -107,8 +107,8 @@ impl Candidate {
     }
 }
 
-/// Returns at most three independent invariant brackets: those of the highest rank that is found
-/// first, and of equal ranks those of fewer terms, then the first ones of lower ranks. The search
+/// Returns at most three independent invariant brackets: those of the highest rank that is found,
+/// fewer terms first, then one of each lower rank. The search
 /// ends with the degree that has a bracket of full rank, or with degree 4; all entries together
 /// have at most 600 coefficients, or 1300 up to degree 2. The list is empty if no bracket is found
 /// before the deadline.
@@ -142,22 +142,48 @@ pub(crate) fn polynomial_tensors(
             break;
         }
     }
+    let chosen = chosen(modulus, found);
+    // A part may occur in several sums.
+    let mut parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
+    let mut over_the_rationals = |candidate: &Candidate| {
+        let shape = Shape::new(n, candidate.degree);
+        let mut entries = vec![Polynomial::zero(); shape.pairs.len()];
+        for part in &candidate.parts {
+            let known = parts.iter().find(|(known, _)| known == part).map(|(_, own)| own.clone());
+            let own = known.unwrap_or_else(|| {
+                let own = shape.reconstructed(searched, part, random, deadline);
+                parts.push((part.clone(), own.clone()));
+                own
+            });
+            entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
+        }
+        Some(PoissonTensor { rank: candidate.rank, entries })
+    };
+    chosen.iter().filter_map(&mut over_the_rationals).collect()
+}
+
+/// Independent ones of the highest rank, and the first one of each lower rank, at most three in
+/// all; the ranks descend in `found`.
+fn chosen(modulus: &Modulus, mut found: Vec<Candidate>) -> Vec<Candidate> {
     // Coefficients of a lower degree come first in those of a higher one.
     let len = found.iter().flat_map(|candidate| &candidate.parts).map(Vec::len).max().unwrap_or_default();
+    let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut rows = Vec::new();
+    let mut last = highest;
     found.retain(|candidate| {
+        if rows.len() == MOST_TENSORS || candidate.rank == last && last < highest {
+            return false;
+        }
         rows.push(candidate.sum(modulus, len));
-        let is_independent =
-            rows.len() <= MOST_TENSORS && Echelon::of(modulus, rows.clone(), len).rank() == rows.len();
-        if !is_independent {
+        let is_independent = Echelon::of(modulus, rows.clone(), len).rank() == rows.len();
+        if is_independent {
+            last = candidate.rank;
+        } else {
             rows.pop();
         }
         is_independent
     });
-    let over_the_rationals = |candidate: &Candidate| {
-        Shape::new(n, candidate.degree).reconstructed(searched, candidate, random, deadline)
-    };
-    found.iter().filter_map(over_the_rationals).collect()
+    found
 }
 
 impl Shape {
@@ -287,24 +313,9 @@ impl Shape {
         tensor
     }
 
-    /// The sum of the parts over ℚ with all unknowns, each with coprime integer coefficients.
+    /// The entries of an element of a reduced basis over ℚ with all unknowns, with coprime integer
+    /// coefficients.
     fn reconstructed(
-        &self,
-        searched: &SearchField,
-        candidate: &Candidate,
-        random: &mut SplitMix64,
-        deadline: &Deadline<'_>,
-    ) -> Option<PoissonTensor> {
-        let mut entries = vec![Polynomial::zero(); self.pairs.len()];
-        for part in &candidate.parts {
-            let part = self.reconstructed_part(searched, part, random, deadline)?;
-            entries = entries.into_iter().zip(part).map(|(sum, own)| sum + own).collect();
-        }
-        Some(PoissonTensor { rank: candidate.rank, entries })
-    }
-
-    /// The entries of an element of a reduced basis over ℚ with all unknowns.
-    fn reconstructed_part(
         &self,
         searched: &SearchField,
         part: &[u64],
