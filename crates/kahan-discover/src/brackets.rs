@@ -1,10 +1,13 @@
 //! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
 //! and n − 2 integrals, which are Casimir functions of the bracket.
 
+mod constant;
 mod construct;
 mod polynomial;
 #[cfg(test)]
 mod tests;
+
+use std::cmp::Reverse;
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational_function::RationalFunction;
@@ -14,6 +17,7 @@ use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
 use crate::writing::begins_negative;
 
+pub(crate) use constant::of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
@@ -32,10 +36,22 @@ const MOST_CHARACTERS: usize = 2_500;
 /// are not written.
 const MOST_BESIDE: usize = 400;
 
-/// Proves brackets and returns them with their ranks, as claims of the language of `kahan!`: first
-/// those with the given tensors, whose number is returned, too, then those of a density with n − 2
-/// integrals, the shortest first. A bracket of more than 2500 characters is left out, and so are
-/// those of a density with more than 400 where others say more.
+/// Brackets that are proved.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Brackets {
+    /// Their ranks, and their claims in the language of `kahan!`.
+    pub(crate) claims: Vec<(usize, String)>,
+    /// How many of them, the first, have polynomial entries.
+    pub(crate) polynomial: usize,
+    /// The numbers from 0 of the constant K for which (I − ε² f′²)K is one, perhaps too long to be
+    /// among the claims.
+    pub(crate) structures: Vec<usize>,
+}
+
+/// Proves brackets: first those with the given tensors, the highest rank and then the shortest
+/// first, then those of a density with n − 2 integrals, the shortest first. A bracket of more than
+/// 2500 characters is left out, and so are those of a density with more than 400 where others say
+/// more.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -43,32 +59,42 @@ pub(crate) fn brackets(
     integrals: &[Formula],
     density: Option<&Formula>,
     deadline: &Deadline<'_>,
-) -> (Vec<(usize, String)>, usize) {
+) -> Brackets {
     let n = symbols.dimension();
     if n < 2 {
-        return (Vec::new(), 0);
+        return Brackets::default();
     }
-    let written = |tensor: Vec<RationalFunction>, most: usize| {
+    let written = |tensor: Vec<RationalFunction>| {
         let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-        let entries = claims.bracket_entries(symbols, &coprime(&tensor, &mut budget)?);
-        (entries.len() <= most).then_some(entries)
+        Some(claims.bracket_entries(symbols, &coprime(&tensor, &mut budget)?))
     };
     let mut proved: Vec<(usize, String)> = Vec::new();
     let mut taken: Vec<String> = Vec::new();
     let mut add = |proved: &mut Vec<(usize, String)>, rank: usize, entries: String| {
-        if !taken.contains(&entries)
-            && let Some(claim) = claims.bracket(proved.len() + 1, &entries)
-        {
-            proved.push((rank, claim));
-            taken.push(entries);
-        }
+        let is_new = !taken.contains(&entries);
+        let claim = is_new.then(|| claims.bracket(proved.len() + 1, &entries)).flatten();
+        let is_proved = claim.is_some();
+        proved.extend(claim.map(|claim| (rank, claim)));
+        taken.push(entries);
+        is_proved
     };
-    for tensor in tensors {
-        let entries = tensor.entries.iter().cloned().map(Into::into).collect();
-        if let Some(entries) = written(entries, MOST_CHARACTERS) {
-            add(&mut proved, tensor.rank, entries);
-        }
+    let mut polynomial: Vec<(&PoissonTensor, String)> = tensors
+        .iter()
+        .filter_map(|tensor| {
+            Some((tensor, written(tensor.entries.iter().cloned().map(Into::into).collect())?))
+        })
+        .collect();
+    polynomial.sort_by_key(|(tensor, entries)| (Reverse(tensor.rank), entries.len()));
+    let mut structures = Vec::new();
+    for (tensor, entries) in polynomial {
+        let is_proved = if entries.len() <= MOST_CHARACTERS && !tensor.is_implied {
+            add(&mut proved, tensor.rank, entries)
+        } else {
+            tensor.structure.is_some() && claims.bracket(1, &entries).is_some()
+        };
+        structures.extend(tensor.structure.filter(|_| is_proved));
     }
+    structures.sort_unstable();
     let count = proved.len();
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
     let most = if is_full && n > 3 { MOST_BESIDE } else { MOST_CHARACTERS };
@@ -79,14 +105,14 @@ pub(crate) fn brackets(
                 break;
             }
             let tensor = tensor(symbols, &chosen, integrals, density);
-            found.extend(tensor.and_then(|tensor| written(tensor, most)));
+            found.extend(tensor.and_then(written).filter(|entries| entries.len() <= most));
         }
     }
     found.sort_by_key(String::len);
     for entries in found.into_iter().take(MOST_BRACKETS) {
         add(&mut proved, 2, entries);
     }
-    (proved, count)
+    Brackets { claims: proved, polynomial: count, structures }
 }
 
 /// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices

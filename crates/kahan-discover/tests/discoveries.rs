@@ -436,7 +436,7 @@ fn brackets_of_full_rank_are_found() {
 
 /// The densities are 1/Pf(P).
 #[test]
-fn a_bracket_of_full_rank_has_a_density() {
+fn a_bracket_of_highest_rank_has_a_density() {
     let volterra = "x1dot = x1*(x2 + x3 + x4 + x5 + x6); x2dot = x2*(x3 + x4 + x5 + x6 - x1); \
         x3dot = x3*(x4 + x5 + x6 - x1 - x2); x4dot = x4*(x5 + x6 - x1 - x2 - x3); \
         x5dot = x5*(x6 - x1 - x2 - x3 - x4); x6dot = x6*(-x1 - x2 - x3 - x4 - x5);";
@@ -457,6 +457,24 @@ fn brackets_of_parts_are_added() {
     assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + 6*eps^2*k*q + eps^2*w^2; {u, v} = 1; };");
     assert_eq!(found.brackets[1], "bracket P2 { {u, v} = 1; };");
     assert_eq!(found.densities[0].text, "density rho = 1/(1 + 6*eps^2*k*q + eps^2*w^2);");
+}
+
+/// A cubic over an algebra with the relation t² = d of two-dimensional numbers z + tu, all of its
+/// coefficients symbols: (I − ε² f′²)K is a bracket for both K.
+#[test]
+fn canonical_systems_with_symbols_have_both_brackets() {
+    let newton = "xdot = y; udot = v; ydot = -3*a0*(x^2 + d*u^2) - 6*b0*d*u*x - 2*a1*x - 2*b1*d*u - a2; \
+        vdot = -6*a0*u*x - 3*b0*(x^2 + d*u^2) - 2*a1*u - 2*b1*x - b2;";
+    let found = report(newton, &options());
+    assert_eq!((&found.bracket_ranks[..], found.polynomial_brackets), (&[4, 4][..], 2));
+    assert_eq!(
+        found.brackets[0],
+        "bracket P1 { {x, y} = -2*eps^2*d*(b1 + 3*b0*x + 3*a0*u); {x, v} = -(1 + 2*eps^2*a1 + 6*eps^2*a0*x + 6*eps^2*b0*d*u); };"
+    );
+    assert!(found.structure.hamiltonians.iter().all(|structure| structure.bracket_is_proved));
+    assert!(
+        found.sentences.iter().any(|said| said.contains("(I - eps^2 f'^2) K") && said.contains("K1 and K2"))
+    );
 }
 
 /// Evripidou, Kassotakis and Vanhaecke, "Integrable reductions of the dressing chain" (2019): a

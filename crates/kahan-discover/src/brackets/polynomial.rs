@@ -7,10 +7,12 @@
 //! goes on by degree until a bracket has full rank, n or n − 1.
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
-use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::upper_index;
 
 use crate::darboux::random_step;
@@ -32,11 +34,17 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients up to degree 2: those in eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
+/// The highest degree that is looked at beside a known bracket of full rank.
+const HIGHEST_BESIDE: u32 = 1;
+
+/// The points at which tensors are compared, and at which Jacobi's identity is seen.
+const POINTS: usize = 3;
+
 /// The most basis elements that sums are made of.
 const MOST_ELEMENTS: usize = 40;
 
 /// The most tensors that are given.
-const MOST_TENSORS: usize = 3;
+const MOST_TENSORS: usize = 4;
 
 /// The monomials of the entries above the diagonal; coefficient m·pairs + k belongs to monomial m
 /// of entry k.
@@ -53,13 +61,31 @@ pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
     /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
+    /// The number from 0 of the constant K, where the tensor is (I − ε² f′²)K.
+    pub(crate) structure: Option<usize>,
+    /// Whether others say what it says, so that it is proved and not written.
+    pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// The Pfaffian of a tensor of full rank: 1/Pf(P) is an invariant density. `None` for a lower
-    /// rank, and beyond the budget.
+    /// The Pfaffian of a tensor of full rank: 1/Pf(P) is an invariant density. In odd dimension it
+    /// is the greatest common divisor of those without one row and column, which are that times the
+    /// gradient of a Casimir function where this is a polynomial. `None` for a lower rank, and
+    /// beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
-        (self.rank == n).then(|| self.pfaffian_of(n, &(0..n).collect::<Vec<_>>(), budget))?
+        let all: Vec<usize> = (0..n).collect();
+        if n % 2 == 0 {
+            return (self.rank == n).then(|| self.pfaffian_of(n, &all, budget))?;
+        }
+        if self.rank + 1 < n {
+            return None;
+        }
+        let mut minors = Vec::with_capacity(n);
+        for left_out in 0..n {
+            let kept: Vec<usize> = all.iter().copied().filter(|&index| index != left_out).collect();
+            minors.push(self.pfaffian_of(n, &kept, budget)?);
+        }
+        gcd_all_within(&minors, budget).ok()
     }
 
     /// The Pfaffian of the rows and columns of these indices, by expansion along the first row.
@@ -83,107 +109,145 @@ impl PoissonTensor {
 struct Candidate {
     /// Its rank at a general point.
     rank: usize,
-    /// The degree that it was found in.
-    degree: u32,
-    /// The coefficients of the elements of a reduced basis that it is the sum of, each a bracket.
-    parts: Vec<Vec<u64>>,
+    source: Source,
+    /// The entries above the diagonal at the points of a search.
+    values: Vec<u64>,
+}
+
+/// What a bracket is made of.
+enum Source {
+    /// A tensor over ℚ.
+    Known(PoissonTensor),
+    /// Elements of a reduced basis of a degree, each a bracket by its coefficients: their sum.
+    Sum(u32, Vec<Vec<u64>>),
 }
 
 impl Candidate {
-    /// The number of coefficients that are not zero.
-    fn terms(&self) -> usize {
-        self.parts.iter().flatten().filter(|&&value| value != 0).count()
-    }
-
-    /// The coefficients of the sum, on `len` places.
-    fn sum(&self, modulus: &Modulus, len: usize) -> Vec<u64> {
-        let mut sum = vec![0; len];
-        for part in &self.parts {
-            for (entry, own) in sum.iter_mut().zip(part) {
-                *entry = modulus.plus(*entry, *own);
-            }
+    /// The number of monomials in the states of all entries together.
+    fn terms(&self, symbols: &Symbols) -> usize {
+        let of_states = |entry: &Polynomial| {
+            let monomials = entry.terms().map(|(monomial, _)| {
+                (0..symbols.dimension()).map(|i| monomial.exponent(symbols.state(i))).collect::<Vec<_>>()
+            });
+            monomials.collect::<BTreeSet<_>>().len()
+        };
+        match &self.source {
+            Source::Known(tensor) => tensor.entries.iter().map(of_states).sum(),
+            Source::Sum(_, parts) => parts.iter().flatten().filter(|&&value| value != 0).count(),
         }
-        sum
     }
 }
 
-/// Returns at most three independent invariant brackets: those of the highest rank that is found,
-/// fewer terms first, then one of each lower rank. The search
-/// ends with the degree that has a bracket of full rank, or with degree 4; all entries together
-/// have at most 600 coefficients, or 1300 up to degree 2. The list is empty if no bracket is found
-/// before the deadline.
+/// Returns at most four invariant brackets: independent ones of the highest rank that is found,
+/// and one of each lower rank; those of `known` that these imply follow. The brackets `known` count as found. The search ends with the
+/// degree that has a bracket of full rank, or with degree 4; all entries together have at most 600
+/// coefficients, or 1300 up to degree 2. What is not found before the deadline is left out.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
+    known: Vec<PoissonTensor>,
     highest: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<PoissonTensor> {
     let n = searched.dimension();
     let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
-    let modulus = sample.map.modulus();
+    let Some(place) = sample.step(random) else { return Vec::new() };
+    let map = &place.sample.map;
+    let points: [Vec<u64>; POINTS] = std::array::from_fn(|_| map.point(random));
+    let is_full = |rank: usize| rank + 1 >= n;
+    let is_known = known.iter().any(|tensor| is_full(tensor.rank));
     let mut found: Vec<Candidate> = Vec::new();
     let mut dimension = 0;
-    for degree in 0..=highest.min(HIGHEST_DEGREE) {
+    for degree in 0..=highest.min(if is_known { HIGHEST_BESIDE } else { HIGHEST_DEGREE }) {
         let shape = Shape::new(n, degree);
         if shape.len() > if degree > 2 { MOST_COEFFICIENTS } else { MOST_QUADRATIC_COEFFICIENTS } {
             break;
         }
         let all: Vec<usize> = (0..shape.len()).collect();
-        let Some(vectors) = shape.invariant(&sample.map, &all, random, deadline) else { break };
+        let Some(vectors) = shape.invariant(map, &all, random, deadline) else { break };
         if vectors.len() > dimension {
             dimension = vectors.len();
-            let space = Space::spanned(modulus, vectors);
+            let space = Space::spanned(map.modulus(), vectors);
             let best = found.first().map_or(0, |candidate| candidate.rank);
-            let mut higher = shape.higher(&sample.map, &space, best, random);
+            let mut higher = shape.higher(map, &points, &space, best, random);
             higher.append(&mut found);
             found = higher;
         }
-        if found.first().is_some_and(|candidate| candidate.rank + 1 >= n) {
+        if found.first().is_some_and(|candidate| is_full(candidate.rank)) {
             break;
         }
     }
-    let chosen = chosen(modulus, found);
+    let candidate = |tensor: &PoissonTensor| {
+        let matrices = points.iter().map(|point| tensor.at(searched, &place, point));
+        let values = matrices.collect::<Option<Vec<_>>>()?.iter().flat_map(|matrix| above(matrix)).collect();
+        Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
+    };
+    found.extend(known.iter().filter_map(candidate));
+    // Known tensors are written with fewer characters than elements of a reduced basis, but not
+    // than a sum of several parts, each of which is freed of its factors.
+    let symbols = searched.family().symbols();
+    let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
+    let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
+    found.sort_by_cached_key(|candidate| {
+        let terms = candidate.terms(symbols);
+        let class = match &candidate.source {
+            Source::Sum(_, parts) if parts.len() > 1 && least.is_some_and(|least| terms <= least) => 0,
+            Source::Known(_) => 1,
+            Source::Sum(..) => 2,
+        };
+        (Reverse(candidate.rank), class, terms)
+    });
+    let chosen = chosen(map.modulus(), found);
     // A part may occur in several sums.
-    let mut parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
-    let mut over_the_rationals = |candidate: &Candidate| {
-        let shape = Shape::new(n, candidate.degree);
+    let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
+    let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
+        let (degree, parts) = match source {
+            Source::Known(tensor) => return Some(tensor),
+            Source::Sum(degree, parts) => (degree, parts),
+        };
+        let shape = Shape::new(n, degree);
         let mut entries = vec![Polynomial::zero(); shape.pairs.len()];
-        for part in &candidate.parts {
-            let known = parts.iter().find(|(known, _)| known == part).map(|(_, own)| own.clone());
+        for part in parts {
+            let known = known_parts.iter().find(|(known, _)| *known == part).map(|(_, own)| own.clone());
             let own = known.unwrap_or_else(|| {
-                let own = shape.reconstructed(searched, part, random, deadline);
-                parts.push((part.clone(), own.clone()));
+                let own = shape.reconstructed(searched, &part, random, deadline);
+                known_parts.push((part, own.clone()));
                 own
             });
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
-        Some(PoissonTensor { rank: candidate.rank, entries })
+        Some(PoissonTensor { rank, entries, structure: None, is_implied: false })
     };
-    chosen.iter().filter_map(&mut over_the_rationals).collect()
+    let mut all: Vec<PoissonTensor> = chosen.into_iter().filter_map(&mut over_the_rationals).collect();
+    let is_new = |tensor: &PoissonTensor| all.iter().all(|chosen| chosen.structure != tensor.structure);
+    let implied: Vec<PoissonTensor> = known.into_iter().filter(is_new).collect();
+    all.extend(implied.into_iter().map(|tensor| PoissonTensor { is_implied: true, ..tensor }));
+    all
 }
 
-/// Independent ones of the highest rank, and the first one of each lower rank, at most three in
-/// all; the ranks descend in `found`.
-fn chosen(modulus: &Modulus, mut found: Vec<Candidate>) -> Vec<Candidate> {
-    // Coefficients of a lower degree come first in those of a higher one.
-    let len = found.iter().flat_map(|candidate| &candidate.parts).map(Vec::len).max().unwrap_or_default();
+/// The first one of each rank, and further ones of the highest rank that are independent of these,
+/// at most four in all; the ranks descend in `found`.
+fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
-    let mut rows = Vec::new();
-    let mut last = highest;
-    found.retain(|candidate| {
-        if rows.len() == MOST_TENSORS || candidate.rank == last && last < highest {
-            return false;
+    let mut last = None;
+    let (mut chosen, others): (Vec<Candidate>, Vec<Candidate>) =
+        found.into_iter().partition(|candidate| last.replace(candidate.rank) != Some(candidate.rank));
+    for candidate in others.into_iter().take_while(|candidate| candidate.rank == highest) {
+        let mut rows: Vec<Vec<u64>> = chosen.iter().map(|chosen| chosen.values.clone()).collect();
+        let rank = Echelon::of(modulus, rows.clone(), candidate.values.len()).rank();
+        rows.push(candidate.values.clone());
+        if Echelon::of(modulus, rows, candidate.values.len()).rank() > rank {
+            chosen.push(candidate);
         }
-        rows.push(candidate.sum(modulus, len));
-        let is_independent = Echelon::of(modulus, rows.clone(), len).rank() == rows.len();
-        if is_independent {
-            last = candidate.rank;
-        } else {
-            rows.pop();
-        }
-        is_independent
-    });
-    found
+    }
+    chosen.sort_by_key(|candidate| Reverse(candidate.rank));
+    chosen.truncate(MOST_TENSORS);
+    chosen
+}
+
+/// The entries above the diagonal, row by row.
+fn above(matrix: &[Vec<u64>]) -> impl Iterator<Item = u64> {
+    matrix.iter().enumerate().flat_map(|(i, row)| row[i + 1..].iter().copied())
 }
 
 impl Shape {
@@ -233,27 +297,25 @@ impl Shape {
     }
 
     /// Brackets of a higher rank than `best` among the elements of a space and sums of them, the
-    /// highest rank and the fewest terms first.
+    /// highest rank first.
     fn higher(
         &self,
         map: &ModularMap,
+        points: &[Vec<u64>; POINTS],
         space: &Space,
         best: usize,
         random: &mut SplitMix64,
     ) -> Vec<Candidate> {
         let modulus = map.modulus();
-        let places = [Place::random(self, map, random), Place::random(self, map, random)];
-        let generic = |place: &Place| {
-            let elements = (0..space.dimension()).map(|index| {
-                let factor = modulus.sample(random);
-                let element = space.element(index, self.len());
-                element.into_iter().map(|entry| modulus.times(factor, entry)).collect()
-            });
-            let parts = elements.collect();
-            let sum = Candidate { rank: 0, degree: 0, parts }.sum(modulus, self.len());
-            self.tensor(modulus, &sum, place).rank(modulus)
-        };
-        if places.first().map_or(0, generic) <= best {
+        let places = points.each_ref().map(|point| Place::at(self, modulus, point));
+        let mut generic = vec![0; self.len()];
+        for index in 0..space.dimension() {
+            let factor = modulus.sample(random);
+            for (sum, own) in generic.iter_mut().zip(space.element(index, self.len())) {
+                *sum = modulus.plus(*sum, modulus.times(factor, own));
+            }
+        }
+        if self.tensor(modulus, &generic, &places[0]).rank(modulus) <= best {
             return Vec::new();
         }
         let mut elements: Vec<Element> = (0..space.dimension())
@@ -270,30 +332,31 @@ impl Shape {
             .collect();
         elements.sort_by_key(|element| (Reverse(element.rank), element.terms));
         elements.truncate(MOST_ELEMENTS);
-        let candidate = |rank: usize, chosen: &[&Element]| Candidate {
-            rank,
-            degree: self.monomials.degree(),
-            parts: chosen.iter().map(|element| element.part.clone()).collect(),
+        let candidate = |rank: usize, chosen: &[&Element], sums: &[Tensor; POINTS]| {
+            let parts = chosen.iter().map(|element| element.part.clone()).collect();
+            let values = sums.iter().flat_map(|sum| above(&sum.entries)).collect();
+            Candidate { rank, source: Source::Sum(self.monomials.degree(), parts), values }
         };
         let mut found: Vec<Candidate> = Vec::new();
         for (index, first) in elements.iter().enumerate() {
             let mut chosen = vec![first];
             let mut sums = first.tensors.clone();
             let mut rank = first.rank;
-            found.push(candidate(rank, &chosen));
+            found.push(candidate(rank, &chosen, &sums));
             // A sum of brackets is one where each sum of two of them is.
             for other in &elements[index + 1..] {
-                let next = [0, 1].map(|place| sums[place].plus(modulus, &other.tensors[place]));
+                let next: [Tensor; POINTS] =
+                    std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));
                 let higher = next[0].rank(modulus);
                 if higher > rank && next.iter().all(|sum| sum.satisfies_jacobi(modulus)) {
                     (rank, sums) = (higher, next);
                     chosen.push(other);
-                    found.push(candidate(rank, &chosen));
+                    found.push(candidate(rank, &chosen, &sums));
                 }
             }
         }
         found.retain(|candidate| candidate.rank > best);
-        found.sort_by_key(|candidate| (Reverse(candidate.rank), candidate.terms()));
+        found.sort_by_key(|candidate| Reverse(candidate.rank));
         found
     }
 
@@ -380,21 +443,20 @@ struct Place {
 }
 
 impl Place {
-    fn random(shape: &Shape, map: &ModularMap, random: &mut SplitMix64) -> Self {
-        let point = map.point(random);
+    fn at(shape: &Shape, modulus: &Modulus, point: &[u64]) -> Self {
         Place {
-            values: shape.monomials.values(map.modulus(), &point),
-            slopes: monomial_gradients(map.modulus(), &shape.monomials, &point),
+            values: shape.monomials.values(modulus, point),
+            slopes: monomial_gradients(modulus, &shape.monomials, point),
         }
     }
 }
 
-/// A bracket of a reduced basis, and its tensor at two points.
+/// A bracket of a reduced basis, and its tensor at the points of a search.
 struct Element {
     rank: usize,
     terms: usize,
     part: Vec<u64>,
-    tensors: [Tensor; 2],
+    tensors: [Tensor; POINTS],
 }
 
 /// An antisymmetric tensor at a point modulo a prime.
