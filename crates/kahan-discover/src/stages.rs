@@ -42,8 +42,8 @@ use crate::words::sentences;
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
 
-/// Where compact forms say all, so much of the time that is left goes into shorter formulas.
-const SHARE_FOR_SHORTER: f64 = 0.1;
+/// Where compact forms or brackets say all, so much of the time that is left goes into formulas.
+const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
 /// at, so that nothing is found but from the equations. `watch` is told of every stage as it
@@ -330,8 +330,8 @@ impl Search<'_> {
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
-        let for_shorter = until.integrals.after_share(SHARE_FOR_SHORTER);
-        let until_formulas = if in_compact_forms >= shown { &for_shorter } else { &until.integrals };
+        let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
+        let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
         // What a basis says in a line need not fill a page; what none says stays, however long, and
         // so does the modified Hamiltonian, which has a compact form.
@@ -426,6 +426,10 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, &all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
+        // Where a bracket of full rank has one, the formula is long.
+        let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
+        let for_formulas = until.densities.after_share(SHARE_FOR_FORMULAS);
+        let until_densities = if is_implied { &for_formulas } else { &until.densities };
         let (densities, density_search) = match (of_tensor, known) {
             (Some(density), _) => {
                 let search = DensitySearch { seen: Some(density.degree), none_up_to: None };
@@ -439,7 +443,7 @@ impl Search<'_> {
                 self.field,
                 self.is_even,
                 random,
-                &until.densities,
+                until_densities,
             ),
         };
         densities.iter().for_each(tell);
