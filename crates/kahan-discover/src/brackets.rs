@@ -32,8 +32,8 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// Beside a bracket of full rank in four dimensions or more, brackets of rank 2 with more characters
-/// are not written.
+/// Beside a bracket of full rank in four dimensions, brackets of rank 2 with more characters are not
+/// written; in more dimensions none are.
 const MOST_BESIDE: usize = 400;
 
 /// Brackets that are proved.
@@ -50,8 +50,8 @@ pub(crate) struct Brackets {
 
 /// Proves brackets: first those with the given tensors, the highest rank and then the shortest
 /// first, then those of a density with n − 2 integrals, the shortest first. A bracket of more than
-/// 2500 characters is left out, and so are those of a density with more than 400 where others say
-/// more.
+/// 2500 characters is left out; beside a bracket of full rank in four dimensions, so are those of a
+/// density with more than 400, and in more dimensions all of them.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -99,7 +99,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
     let most = if is_full && n > 3 { MOST_BESIDE } else { MOST_CHARACTERS };
     let mut found: Vec<String> = Vec::new();
-    if let Some(density) = density {
+    if let Some(density) = density.filter(|_| !is_full || n <= 4) {
         for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
             if deadline.passed() {
                 break;

@@ -10,26 +10,25 @@
 //! and Suris. In general it is not.
 
 use kahan_algebra::field::Field;
-use kahan_algebra::poly::Budget;
+use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::upper_index;
 
 use crate::hamiltonian::Hamiltonian;
-use crate::matrix::Echelon;
 use crate::search_field::{SampledStep, SearchField};
 use crate::space::over_common;
 use crate::stepping::Stepping;
 
-use super::polynomial::PoissonTensor;
+use super::polynomial::{PoissonTensor, Tensor};
 
 /// The work that one tensor may take, in products of terms.
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Returns the tensor of K number `structure` if the map keeps it, as seen modulo a prime; `None`
-/// also beyond the budget.
+/// Returns the tensor of K number `structure` if it is an invariant bracket, as seen modulo a prime;
+/// `None` also beyond the budget.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -84,6 +83,27 @@ fn product(
 }
 
 impl PoissonTensor {
+    /// The values of polynomials above the diagonal, and their opposites below, at a point of a
+    /// sampled map.
+    fn values(
+        searched: &SearchField,
+        place: &SampledStep,
+        point: &[u64],
+        entry: impl Fn(&Polynomial) -> Polynomial,
+        entries: &[Polynomial],
+    ) -> Option<Vec<Vec<u64>>> {
+        let (n, modulus) = (point.len(), place.sample.map.modulus());
+        let mut matrix = vec![vec![0; n]; n];
+        for i in 0..n {
+            for j in i + 1..n {
+                let value = entry(&entries[upper_index(n, i, j)]);
+                matrix[i][j] = searched.evaluate(&value, &place.sample, point)?;
+                matrix[j][i] = modulus.opposite(matrix[i][j]);
+            }
+        }
+        Some(matrix)
+    }
+
     /// The matrix of the tensor at a point of a sampled map.
     pub(super) fn at(
         &self,
@@ -91,19 +111,10 @@ impl PoissonTensor {
         place: &SampledStep,
         point: &[u64],
     ) -> Option<Vec<Vec<u64>>> {
-        let (n, modulus) = (point.len(), place.sample.map.modulus());
-        let mut matrix = vec![vec![0; n]; n];
-        for i in 0..n {
-            for j in i + 1..n {
-                let entry = &self.entries[upper_index(n, i, j)];
-                matrix[i][j] = searched.evaluate(entry, &place.sample, point)?;
-                matrix[j][i] = modulus.opposite(matrix[i][j]);
-            }
-        }
-        Some(matrix)
+        Self::values(searched, place, point, Polynomial::clone, &self.entries)
     }
 
-    /// The rank at the place, if J P Jᵀ is P(x̃) there.
+    /// The rank at the place, if J P Jᵀ is P(x̃) there and Jacobi's identity holds.
     fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
         let map = &place.sample.map;
         let modulus = map.modulus();
@@ -117,6 +128,18 @@ impl PoissonTensor {
             .collect();
         let moved = |row: &Vec<u64>| jacobian.iter().map(|own| modulus.dot(row, own)).collect();
         let moved: Vec<Vec<u64>> = half.iter().map(moved).collect();
-        (moved == there).then(|| Echelon::of(modulus, here, jacobian.len()).rank())
+        if moved != there {
+            return None;
+        }
+        let symbols = searched.family().symbols();
+        let slope = |k: usize| {
+            let along = |entry: &Polynomial| entry.derivative(symbols.state(k));
+            Self::values(searched, place, &place.here, along, &self.entries)
+        };
+        let slopes: Vec<Vec<Vec<u64>>> = (0..here.len()).map(slope).collect::<Option<_>>()?;
+        let gradient = |i: usize, j: usize| slopes.iter().map(|slope| slope[i][j]).collect();
+        let gradients = (0..here.len()).map(|i| (0..here.len()).map(|j| gradient(i, j)).collect()).collect();
+        let tensor = Tensor { entries: here, slopes: gradients };
+        tensor.satisfies_jacobi(modulus).then(|| tensor.rank(modulus))
     }
 }

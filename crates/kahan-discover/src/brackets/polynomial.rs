@@ -461,10 +461,10 @@ struct Element {
 
 /// An antisymmetric tensor at a point modulo a prime.
 #[derive(Clone)]
-struct Tensor {
-    entries: Vec<Vec<u64>>,
+pub(super) struct Tensor {
+    pub(super) entries: Vec<Vec<u64>>,
     /// The gradient of each entry.
-    slopes: Vec<Vec<Vec<u64>>>,
+    pub(super) slopes: Vec<Vec<Vec<u64>>>,
 }
 
 impl Tensor {
@@ -477,13 +477,13 @@ impl Tensor {
         }
     }
 
-    fn rank(&self, modulus: &Modulus) -> usize {
+    pub(super) fn rank(&self, modulus: &Modulus) -> usize {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
     /// Whether Σₗ Pᵢₗ ∂ₗPⱼₖ, summed over the cyclic permutations of (i, j, k), is 0 for all of
     /// them.
-    fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
+    pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {
             let products = self.entries[i].iter().zip(&self.slopes[j][k]).map(|(a, b)| modulus.times(*a, *b));
