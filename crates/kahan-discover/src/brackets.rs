@@ -97,10 +97,14 @@ pub(crate) fn brackets(
     structures.sort_unstable();
     let count = proved.len();
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
-    let most = if is_full && n > 3 { MOST_BESIDE } else { MOST_CHARACTERS };
+    let is_beside = is_full && n > 3;
+    let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
+    // Long integrals make long brackets.
+    let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {
-        for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
+        let choices = choices(integrals.len(), n - 2).into_iter();
+        for chosen in choices.filter(|chosen| !chosen.iter().any(is_long)).take(MOST_CHOICES) {
             if deadline.passed() {
                 break;
             }

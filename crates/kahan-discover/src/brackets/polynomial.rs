@@ -74,7 +74,7 @@ impl PoissonTensor {
     /// beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
-        if n % 2 == 0 {
+        if n.is_multiple_of(2) {
             return (self.rank == n).then(|| self.pfaffian_of(n, &all, budget))?;
         }
         if self.rank + 1 < n {
