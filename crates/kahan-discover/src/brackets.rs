@@ -1,10 +1,13 @@
 //! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
 //! and n − 2 integrals, which are Casimir functions of the bracket.
 
+mod constant;
 mod construct;
 mod polynomial;
 #[cfg(test)]
 mod tests;
+
+use std::cmp::Reverse;
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational_function::RationalFunction;
@@ -12,7 +15,9 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
+use crate::writing::begins_negative;
 
+pub(crate) use constant::of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
@@ -27,10 +32,26 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// Proves brackets and returns them with their ranks, as claims of the language of `kahan!`: first
-/// those with the given tensors, whose number is returned, too. If none of them has full rank,
-/// those of a density with n − 2 integrals follow, the shortest first. A bracket of more than 2500
-/// characters is left out.
+/// Beside a bracket of full rank in four dimensions, brackets of rank 2 with more characters are not
+/// written; in more dimensions none are.
+const MOST_BESIDE: usize = 400;
+
+/// Brackets that are proved.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Brackets {
+    /// Their ranks, and their claims in the language of `kahan!`.
+    pub(crate) claims: Vec<(usize, String)>,
+    /// How many of them, the first, have polynomial entries.
+    pub(crate) polynomial: usize,
+    /// The numbers from 0 of the constant K for which (I − ε² f′²)K is one, perhaps too long to be
+    /// among the claims.
+    pub(crate) structures: Vec<usize>,
+}
+
+/// Proves brackets: first those with the given tensors, the highest rank and then the shortest
+/// first, then those of a density with n − 2 integrals, the shortest first. A bracket of more than
+/// 2500 characters is left out; beside a bracket of full rank in four dimensions, so are those of a
+/// density with more than 400, and in more dimensions all of them.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -38,38 +59,64 @@ pub(crate) fn brackets(
     integrals: &[Formula],
     density: Option<&Formula>,
     deadline: &Deadline<'_>,
-) -> (Vec<(usize, String)>, usize) {
+) -> Brackets {
     let n = symbols.dimension();
     if n < 2 {
-        return (Vec::new(), 0);
+        return Brackets::default();
     }
-    let written = |tensor: &[RationalFunction]| {
-        let entries = claims.bracket_entries(symbols, tensor);
-        (entries.len() <= MOST_CHARACTERS).then_some(entries)
+    let written = |tensor: Vec<RationalFunction>| {
+        let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+        Some(claims.bracket_entries(symbols, &coprime(&tensor, &mut budget)?))
     };
-    let claim =
-        |index: usize, (rank, entries): (usize, String)| Some((rank, claims.bracket(index, &entries)?));
-    let polynomial = tensors.iter().filter_map(|tensor| {
-        let entries: Vec<RationalFunction> = tensor.entries.iter().cloned().map(Into::into).collect();
-        Some((tensor.rank, written(&entries)?))
-    });
-    let mut proved: Vec<(usize, String)> =
-        (1..).zip(polynomial).filter_map(|(index, bracket)| claim(index, bracket)).collect();
+    let mut proved: Vec<(usize, String)> = Vec::new();
+    let mut taken: Vec<String> = Vec::new();
+    let mut add = |proved: &mut Vec<(usize, String)>, rank: usize, entries: String| {
+        let is_new = !taken.contains(&entries);
+        let claim = is_new.then(|| claims.bracket(proved.len() + 1, &entries)).flatten();
+        let is_proved = claim.is_some();
+        proved.extend(claim.map(|claim| (rank, claim)));
+        taken.push(entries);
+        is_proved
+    };
+    let mut polynomial: Vec<(&PoissonTensor, String)> = tensors
+        .iter()
+        .filter_map(|tensor| {
+            Some((tensor, written(tensor.entries.iter().cloned().map(Into::into).collect())?))
+        })
+        .collect();
+    polynomial.sort_by_key(|(tensor, entries)| (Reverse(tensor.rank), entries.len()));
+    let mut structures = Vec::new();
+    for (tensor, entries) in polynomial {
+        let is_proved = if entries.len() <= MOST_CHARACTERS && !tensor.is_implied {
+            add(&mut proved, tensor.rank, entries)
+        } else {
+            tensor.structure.is_some() && claims.bracket(1, &entries).is_some()
+        };
+        structures.extend(tensor.structure.filter(|_| is_proved));
+    }
+    structures.sort_unstable();
     let count = proved.len();
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
+    let is_beside = is_full && n > 3;
+    let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
+    // Long integrals make long brackets.
+    let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
-    if let Some(density) = density.filter(|_| !is_full) {
-        for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
+    if let Some(density) = density.filter(|_| !is_full || n <= 4) {
+        let choices = choices(integrals.len(), n - 2).into_iter();
+        for chosen in choices.filter(|chosen| !chosen.iter().any(is_long)).take(MOST_CHOICES) {
             if deadline.passed() {
                 break;
             }
-            found.extend(tensor(symbols, &chosen, integrals, density).and_then(|tensor| written(&tensor)));
+            let tensor = tensor(symbols, &chosen, integrals, density);
+            found.extend(tensor.and_then(written).filter(|entries| entries.len() <= most));
         }
     }
     found.sort_by_key(String::len);
-    let made = found.into_iter().take(MOST_BRACKETS).map(|entries| (2, entries));
-    proved.extend((count + 1..).zip(made).filter_map(|(index, bracket)| claim(index, bracket)));
-    (proved, count)
+    for entries in found.into_iter().take(MOST_BRACKETS) {
+        add(&mut proved, 2, entries);
+    }
+    Brackets { claims: proved, polynomial: count, structures }
 }
 
 /// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices
@@ -107,13 +154,16 @@ fn tensor(
     let casimirs: Option<Vec<_>> =
         casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
     let density = function(&density.numerator, &density.denominator)?;
-    let tensor = invariant_tensor(symbols, &density, &casimirs?, &mut budget)?;
-    // A bracket is one up to a number: the entries are written with coprime integers, the first
-    // positive.
-    let mut contents = tensor.iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
-    let first = contents.next()?;
-    let common = contents.fold(first.clone(), |common, other| common.gcd(&other)).abs();
-    let number = if first.is_negative() { -common } else { common };
+    invariant_tensor(symbols, &density, &casimirs?, &mut budget)
+}
+
+/// The tensor times a number: a bracket is one up to that. Its entries have coprime integers, and
+/// the first begins with a positive one.
+fn coprime(tensor: &[RationalFunction], budget: &mut Budget) -> Option<Vec<RationalFunction>> {
+    let numerators: Vec<&Polynomial> =
+        tensor.iter().filter(|entry| !entry.is_zero()).map(RationalFunction::numerator).collect();
+    let common = numerators.iter().map(|numerator| numerator.content()).reduce(|a, b| a.gcd(&b))?.abs();
+    let number = if begins_negative(numerators[0]) { -common } else { common };
     let scale = RationalFunction::constant(number.recip()?);
-    tensor.iter().map(|entry| entry.mul_within(&scale, &mut budget).ok()).collect()
+    tensor.iter().map(|entry| entry.mul_within(&scale, budget).ok()).collect()
 }

@@ -101,6 +101,12 @@ impl<'a> Deadline<'a> {
         Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
     }
 
+    /// A deadline of its own, when this share of the time that is left is over.
+    #[must_use]
+    pub fn after_share(&self, share: f64) -> Self {
+        self.work.map_or_else(Deadline::never, |work| Deadline::after(work, share * self.left()))
+    }
+
     /// None at all.
     #[must_use]
     pub fn never() -> Self {
@@ -156,6 +162,7 @@ mod tests {
         let far = Deadline::after(&work, 1e300);
         assert!(!far.passed() && !far.has_stopped() && !Deadline::never().passed());
         assert!(far.left() > 1e8 && past.left() == 0.0);
+        assert!(far.after_share(0.1).left() < 0.11 * far.left() && past.after_share(0.5).passed());
         let unwatched = Work::new(&unwatched);
         let timeless = Deadline::after(&unwatched, 0.0);
         assert!(!timeless.passed() && timeless.left() == f64::INFINITY);

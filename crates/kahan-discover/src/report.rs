@@ -93,6 +93,9 @@ pub struct HamiltonianReport {
     pub hamiltonian: String,
     /// Whether the modified Hamiltonian was written out, and proved as a claim.
     pub modified_is_proved: bool,
+    /// Whether (I − ε² f′²)K with the field's Jacobian f′ is proved to be an invariant Poisson
+    /// bracket, also where it is too long to be written.
+    pub bracket_is_proved: bool,
     /// How it is to be given, beside or instead of formulas.
     pub place: ModifiedPlace,
     /// K and H, to be written in any notation.

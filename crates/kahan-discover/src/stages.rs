@@ -11,7 +11,7 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
 use crate::basis::{Basis, candidates, completing, prove};
-use crate::brackets::{PoissonTensor, brackets, polynomial_tensors};
+use crate::brackets::{Brackets, PoissonTensor, brackets, of_structure, polynomial_tensors};
 use crate::ceiling::{Ceiling, FEW_TRIALS, MANY_TRIALS, ceiling};
 use crate::claims::{Claims, Formula};
 use crate::composition::{Survivors, survivors};
@@ -41,6 +41,9 @@ use crate::words::sentences;
 
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
+
+/// Where compact forms or brackets say all, so much of the time that is left goes into formulas.
+const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
 /// at, so that nothing is found but from the equations. `watch` is told of every stage as it
@@ -194,13 +197,14 @@ pub(crate) fn discover_within(
                 tensor: tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
                 hamiltonian: text(symbols, &modified.found.hamiltonian),
                 modified_is_proved: is_proved,
+                bracket_is_proved: found.brackets.structures.contains(&(number - 1)),
                 found: modified.found,
                 symbols: symbols.clone(),
                 place,
             }
         })
         .collect();
-    let (bracket_ranks, brackets) = found.brackets.into_iter().unzip();
+    let (bracket_ranks, brackets) = found.brackets.claims.into_iter().unzip();
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
@@ -217,7 +221,7 @@ pub(crate) fn discover_within(
         densities: found.densities,
         bracket_ranks,
         brackets,
-        polynomial_brackets: found.polynomial_brackets,
+        polynomial_brackets: found.brackets.polynomial,
         density_search: found.density_search,
         own_density: claims.own_density().map(str::to_owned),
         structure,
@@ -281,10 +285,7 @@ struct Found {
     density_search: DensitySearch,
     /// The tensors of the polynomial brackets.
     tensors: Vec<PoissonTensor>,
-    /// Each with its rank.
-    brackets: Vec<(usize, String)>,
-    /// How many of them have polynomial entries.
-    polynomial_brackets: usize,
+    brackets: Brackets,
     survivors: Option<Survivors>,
 }
 
@@ -316,9 +317,17 @@ impl Search<'_> {
             .and_then(|hilbert| hilbert.defining_degree(&self.place.sample.map, random, &until.integrals));
         let candidates =
             defining.map_or_else(Vec::new, |degree| candidates(searched, degree, random, &until.integrals));
-        // Where bases say all, formulas are worth looking for only where they are short.
+        let SampledStep { sample, here, .. } = self.place;
+        let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
+        let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
+        let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
+        // Where bases or compact forms say all, formulas are worth looking for only where they are
+        // short.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
-        let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
+        let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
+        let are_enough = in_bases.max(in_compact_forms) >= shown;
+        let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
+        let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
         // What a basis says in a line need not fill a page; what none says stays, however long, and
         // so does the modified Hamiltonian, which has a compact form.
@@ -339,15 +348,12 @@ impl Search<'_> {
             reach,
             tell: &tell_if_short,
         };
-        let mut all_integrals = integrals(searched, self.claims, &aims, random, &until.integrals);
+        let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
         // Each but the modified Hamiltonians was told; none is told twice.
         all_integrals.iter().for_each(tell_if_short);
 
-        let SampledStep { sample, here, .. } = self.place;
-        let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
-        let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let mut gradients: Vec<Vec<u64>> =
             all_integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
         gradients.extend(own.iter().flatten().cloned());
@@ -397,18 +403,29 @@ impl Search<'_> {
         let places = known.places(self.modified, &integrals, symbols);
 
         (self.begins)("invariant Poisson brackets");
-        // In the plane and in space the density and the integrals say all, where there are enough.
+        // In the plane the density says all, and in space it does with an integral: only what is
+        // shorter is looked for.
         let is_said = searched.dimension() < 4 && integrals.len() + 2 >= searched.dimension();
+        let highest = if is_said { 2 } else { u32::MAX };
         let tensors = match before {
             Some(before) => before.tensors.clone(),
-            None if is_said => Vec::new(),
-            None => polynomial_tensors(searched, random, &until.densities),
+            None if searched.dimension() < 3 => Vec::new(),
+            None => {
+                let structures = self.modified.iter().map(|modified| &modified.found).enumerate();
+                let known = structures.filter_map(|one| of_structure(searched, self.field, one, random));
+                let known = known.collect();
+                polynomial_tensors(searched, known, highest, random, &until.densities)
+            }
         };
 
         (self.begins)("invariant densities");
         let of_tensor =
-            tensors.first().and_then(|tensor| pfaffian_density(tensor, self.claims, symbols, &all_integrals));
+            tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, &all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
+        // Where a bracket of full rank has one, the formula is long.
+        let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
+        let for_formulas = until.densities.after_share(SHARE_FOR_FORMULAS);
+        let until_densities = if is_implied { &for_formulas } else { &until.densities };
         let (densities, density_search) = match (of_tensor, known) {
             (Some(density), _) => {
                 let search = DensitySearch { seen: Some(density.degree), none_up_to: None };
@@ -422,14 +439,13 @@ impl Search<'_> {
                 self.field,
                 self.is_even,
                 random,
-                &until.densities,
+                until_densities,
             ),
         };
         densities.iter().for_each(tell);
         let density = densities.first();
-        let (brackets, polynomial_brackets) =
-            brackets(self.claims, symbols, &tensors, &integrals, density, &until.densities);
-        brackets.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));
+        let brackets = brackets(self.claims, symbols, &tensors, &integrals, density, &until.densities);
+        brackets.claims.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));
 
         (self.begins)("what survives composition");
         let survivors = hilbert
@@ -444,7 +460,6 @@ impl Search<'_> {
             density_search,
             tensors,
             brackets,
-            polynomial_brackets,
             survivors,
         }
     }

@@ -265,12 +265,21 @@ fn formulas(report: &Report) -> Vec<String> {
 
 /// `the modified Hamiltonian`, `the modified Hamiltonians of K1 and K2`.
 fn modified(of: &[&HamiltonianReport]) -> String {
-    let numbers = of.iter().filter(|found| found.number.is_some());
-    let labels: Vec<String> = numbers.map(|found| found.label("K")).collect();
+    let plural = if of.len() > 1 { "s" } else { "" };
+    match &listed_labels(of)[..] {
+        "" => "the modified Hamiltonian".to_owned(),
+        labels => format!("the modified Hamiltonian{plural} of {labels}"),
+    }
+}
+
+/// `K1, K2 and K3`; empty where the only K has no number.
+fn listed_labels(of: &[&HamiltonianReport]) -> String {
+    let numbered = of.iter().filter(|found| found.number.is_some());
+    let labels: Vec<String> = numbered.map(|found| found.label("K")).collect();
     match &labels[..] {
-        [] => "the modified Hamiltonian".to_owned(),
-        [one] => format!("the modified Hamiltonian of {one}"),
-        [others @ .., last] => format!("the modified Hamiltonians of {} and {last}", others.join(", ")),
+        [] => String::new(),
+        [one] => one.clone(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
 }
 

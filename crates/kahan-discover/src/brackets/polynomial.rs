@@ -1,23 +1,27 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is
-//! linear in the coefficients of P. Jacobi's identity is quadratic in them: where the invariant
-//! tensors form a space of more than one dimension, the elements of a reduced basis and the sums of
-//! two of them are tried.
+//! linear in the coefficients of P. Jacobi's identity is quadratic in them. Elements of a reduced
+//! basis that satisfy it, and whose sums of two do, span brackets alone: a sum of them is a bracket
+//! of a rank that none of them may have, such as that of systems without a coupling. The search
+//! goes on by degree until a bracket has full rank, n or n − 1.
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
-use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::upper_index;
 
 use crate::darboux::random_step;
 use crate::deadline::Deadline;
+use crate::grading::{Grading, reconstruct_graded};
 use crate::map::ModularMap;
 use crate::matrix::{Echelon, SPARE};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::reconstruct::reconstruct;
 use crate::relations::{gradient, monomial_gradients};
 use crate::search_field::SearchField;
 use crate::space::{Form, Space, combination, over_common};
@@ -30,11 +34,17 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients up to degree 2: those in eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The most sums of two basis elements that are tried.
-const MOST_SUMS: usize = 100;
+/// The highest degree that is looked at beside a known bracket of full rank.
+const HIGHEST_BESIDE: u32 = 1;
+
+/// The points at which tensors are compared, and at which Jacobi's identity is seen.
+const POINTS: usize = 3;
+
+/// The most basis elements that sums are made of.
+const MOST_ELEMENTS: usize = 40;
 
 /// The most tensors that are given.
-const MOST_TENSORS: usize = 3;
+const MOST_TENSORS: usize = 4;
 
 /// The monomials of the entries above the diagonal; coefficient m·pairs + k belongs to monomial m
 /// of entry k.
@@ -51,13 +61,31 @@ pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
     /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
+    /// The number from 0 of the constant K, where the tensor is (I − ε² f′²)K.
+    pub(crate) structure: Option<usize>,
+    /// Whether others say what it says, so that it is proved and not written.
+    pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// The Pfaffian of a tensor of full rank: 1/Pf(P) is an invariant density. `None` for a lower
-    /// rank, and beyond the budget.
+    /// The Pfaffian of a tensor of full rank: 1/Pf(P) is an invariant density. In odd dimension it
+    /// is the greatest common divisor of those without one row and column, which are that times the
+    /// gradient of a Casimir function where this is a polynomial. `None` for a lower rank, and
+    /// beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
-        (self.rank == n).then(|| self.pfaffian_of(n, &(0..n).collect::<Vec<_>>(), budget))?
+        let all: Vec<usize> = (0..n).collect();
+        if n.is_multiple_of(2) {
+            return (self.rank == n).then(|| self.pfaffian_of(n, &all, budget))?;
+        }
+        if self.rank + 1 < n {
+            return None;
+        }
+        let mut minors = Vec::with_capacity(n);
+        for left_out in 0..n {
+            let kept: Vec<usize> = all.iter().copied().filter(|&index| index != left_out).collect();
+            minors.push(self.pfaffian_of(n, &kept, budget)?);
+        }
+        gcd_all_within(&minors, budget).ok()
     }
 
     /// The Pfaffian of the rows and columns of these indices, by expansion along the first row.
@@ -77,39 +105,149 @@ impl PoissonTensor {
     }
 }
 
-/// A bracket modulo a prime: its rank at a general point, and its coefficients.
+/// A bracket modulo a prime.
 struct Candidate {
+    /// Its rank at a general point.
     rank: usize,
-    coefficients: Vec<u64>,
+    source: Source,
+    /// The entries above the diagonal at the points of a search.
+    values: Vec<u64>,
 }
 
-/// Returns at most three independent invariant brackets, all of the least degree that has one. The
-/// highest rank comes first, and among equal ranks the fewest terms. The degree is at most 4, and
-/// all entries together have at most 600 coefficients, or 1300 up to degree 2. The list is empty if
-/// no bracket is found before the deadline.
+/// What a bracket is made of.
+enum Source {
+    /// A tensor over ℚ.
+    Known(PoissonTensor),
+    /// Elements of a reduced basis of a degree, each a bracket by its coefficients: their sum.
+    Sum(u32, Vec<Vec<u64>>),
+}
+
+impl Candidate {
+    /// The number of monomials in the states of all entries together.
+    fn terms(&self, symbols: &Symbols) -> usize {
+        let of_states = |entry: &Polynomial| {
+            let monomials = entry.terms().map(|(monomial, _)| {
+                (0..symbols.dimension()).map(|i| monomial.exponent(symbols.state(i))).collect::<Vec<_>>()
+            });
+            monomials.collect::<BTreeSet<_>>().len()
+        };
+        match &self.source {
+            Source::Known(tensor) => tensor.entries.iter().map(of_states).sum(),
+            Source::Sum(_, parts) => parts.iter().flatten().filter(|&&value| value != 0).count(),
+        }
+    }
+}
+
+/// Returns at most four invariant brackets: independent ones of the highest rank that is found,
+/// and one of each lower rank; those of `known` that these imply follow. The brackets `known` count as found. The search ends with the
+/// degree that has a bracket of full rank, or with degree 4; all entries together have at most 600
+/// coefficients, or 1300 up to degree 2. What is not found before the deadline is left out.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
+    known: Vec<PoissonTensor>,
+    highest: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<PoissonTensor> {
     let n = searched.dimension();
     let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
-    for degree in 0..=HIGHEST_DEGREE {
+    let Some(place) = sample.step(random) else { return Vec::new() };
+    let map = &place.sample.map;
+    let points: [Vec<u64>; POINTS] = std::array::from_fn(|_| map.point(random));
+    let is_full = |rank: usize| rank + 1 >= n;
+    let is_known = known.iter().any(|tensor| is_full(tensor.rank));
+    let mut found: Vec<Candidate> = Vec::new();
+    let mut dimension = 0;
+    for degree in 0..=highest.min(if is_known { HIGHEST_BESIDE } else { HIGHEST_DEGREE }) {
         let shape = Shape::new(n, degree);
         if shape.len() > if degree > 2 { MOST_COEFFICIENTS } else { MOST_QUADRATIC_COEFFICIENTS } {
             break;
         }
         let all: Vec<usize> = (0..shape.len()).collect();
-        let Some(vectors) = shape.invariant(&sample.map, &all, random, deadline) else { break };
-        let space = Space::spanned(sample.map.modulus(), vectors);
-        let chosen = shape.chosen(&sample.map, &space, random);
-        if !chosen.is_empty() {
-            let over_the_rationals =
-                |candidate: Candidate| shape.reconstructed(searched, &candidate, random, deadline);
-            return chosen.into_iter().filter_map(over_the_rationals).collect();
+        let Some(vectors) = shape.invariant(map, &all, random, deadline) else { break };
+        if vectors.len() > dimension {
+            dimension = vectors.len();
+            let space = Space::spanned(map.modulus(), vectors);
+            let best = found.first().map_or(0, |candidate| candidate.rank);
+            let mut higher = shape.higher(map, &points, &space, best, random);
+            higher.append(&mut found);
+            found = higher;
+        }
+        if found.first().is_some_and(|candidate| is_full(candidate.rank)) {
+            break;
         }
     }
-    Vec::new()
+    let candidate = |tensor: &PoissonTensor| {
+        let matrices = points.iter().map(|point| tensor.at(searched, &place, point));
+        let values = matrices.collect::<Option<Vec<_>>>()?.iter().flat_map(|matrix| above(matrix)).collect();
+        Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
+    };
+    found.extend(known.iter().filter_map(candidate));
+    // Known tensors are written with fewer characters than elements of a reduced basis, but not
+    // than a sum of several parts, each of which is freed of its factors.
+    let symbols = searched.family().symbols();
+    let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
+    let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
+    found.sort_by_cached_key(|candidate| {
+        let terms = candidate.terms(symbols);
+        let class = match &candidate.source {
+            Source::Sum(_, parts) if parts.len() > 1 && least.is_some_and(|least| terms <= least) => 0,
+            Source::Known(_) => 1,
+            Source::Sum(..) => 2,
+        };
+        (Reverse(candidate.rank), class, terms)
+    });
+    let chosen = chosen(map.modulus(), found);
+    // A part may occur in several sums.
+    let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
+    let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
+        let (degree, parts) = match source {
+            Source::Known(tensor) => return Some(tensor),
+            Source::Sum(degree, parts) => (degree, parts),
+        };
+        let shape = Shape::new(n, degree);
+        let mut entries = vec![Polynomial::zero(); shape.pairs.len()];
+        for part in parts {
+            let known = known_parts.iter().find(|(known, _)| *known == part).map(|(_, own)| own.clone());
+            let own = known.unwrap_or_else(|| {
+                let own = shape.reconstructed(searched, &part, random, deadline);
+                known_parts.push((part, own.clone()));
+                own
+            });
+            entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
+        }
+        Some(PoissonTensor { rank, entries, structure: None, is_implied: false })
+    };
+    let mut all: Vec<PoissonTensor> = chosen.into_iter().filter_map(&mut over_the_rationals).collect();
+    let is_new = |tensor: &PoissonTensor| all.iter().all(|chosen| chosen.structure != tensor.structure);
+    let implied: Vec<PoissonTensor> = known.into_iter().filter(is_new).collect();
+    all.extend(implied.into_iter().map(|tensor| PoissonTensor { is_implied: true, ..tensor }));
+    all
+}
+
+/// The first one of each rank, and further ones of the highest rank that are independent of these,
+/// at most four in all; the ranks descend in `found`.
+fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
+    let highest = found.first().map_or(0, |candidate| candidate.rank);
+    let mut last = None;
+    let (mut chosen, others): (Vec<Candidate>, Vec<Candidate>) =
+        found.into_iter().partition(|candidate| last.replace(candidate.rank) != Some(candidate.rank));
+    for candidate in others.into_iter().take_while(|candidate| candidate.rank == highest) {
+        let mut rows: Vec<Vec<u64>> = chosen.iter().map(|chosen| chosen.values.clone()).collect();
+        let rank = Echelon::of(modulus, rows.clone(), candidate.values.len()).rank();
+        rows.push(candidate.values.clone());
+        if Echelon::of(modulus, rows, candidate.values.len()).rank() > rank {
+            chosen.push(candidate);
+        }
+    }
+    chosen.sort_by_key(|candidate| Reverse(candidate.rank));
+    chosen.truncate(MOST_TENSORS);
+    chosen
+}
+
+/// The entries above the diagonal, row by row.
+fn above(matrix: &[Vec<u64>]) -> impl Iterator<Item = u64> {
+    matrix.iter().enumerate().flat_map(|(i, row)| row[i + 1..].iter().copied())
 }
 
 impl Shape {
@@ -158,49 +296,78 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Independent brackets among the elements of a space, the highest rank and the fewest terms
-    /// first.
-    fn chosen(&self, map: &ModularMap, space: &Space, random: &mut SplitMix64) -> Vec<Candidate> {
+    /// Brackets of a higher rank than `best` among the elements of a space and sums of them, the
+    /// highest rank first.
+    fn higher(
+        &self,
+        map: &ModularMap,
+        points: &[Vec<u64>; POINTS],
+        space: &Space,
+        best: usize,
+        random: &mut SplitMix64,
+    ) -> Vec<Candidate> {
         let modulus = map.modulus();
-        let elements: Vec<Vec<u64>> =
-            (0..space.dimension()).map(|index| space.element(index, self.len())).collect();
-        let sum = |a: &[u64], b: &[u64]| a.iter().zip(b).map(|(a, b)| modulus.plus(*a, *b)).collect();
-        let pairs = (0..elements.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        let sums: Vec<Vec<u64>> =
-            pairs.take(MOST_SUMS).map(|(a, b)| sum(&elements[a], &elements[b])).collect();
-        let points = [map.point(random), map.point(random)];
-        let mut found: Vec<Candidate> = Vec::new();
-        for coefficients in elements.into_iter().chain(sums) {
-            let tensors: Vec<Tensor> =
-                points.iter().map(|point| self.tensor(modulus, &coefficients, point)).collect();
-            if tensors.iter().all(|tensor| tensor.satisfies_jacobi(modulus)) {
-                found.push(Candidate { rank: tensors[0].rank(modulus), coefficients });
+        let places = points.each_ref().map(|point| Place::at(self, modulus, point));
+        let mut generic = vec![0; self.len()];
+        for index in 0..space.dimension() {
+            let factor = modulus.sample(random);
+            for (sum, own) in generic.iter_mut().zip(space.element(index, self.len())) {
+                *sum = modulus.plus(*sum, modulus.times(factor, own));
             }
         }
-        found.sort_by_key(|candidate| (Reverse(candidate.rank), terms(&candidate.coefficients)));
-        let mut rows = Vec::new();
-        found.retain(|candidate| {
-            rows.push(candidate.coefficients.clone());
-            let is_independent = Echelon::of(modulus, rows.clone(), self.len()).rank() == rows.len();
-            if !is_independent {
-                rows.pop();
+        if self.tensor(modulus, &generic, &places[0]).rank(modulus) <= best {
+            return Vec::new();
+        }
+        let mut elements: Vec<Element> = (0..space.dimension())
+            .map(|index| space.element(index, self.len()))
+            .filter_map(|part| {
+                let tensors = places.each_ref().map(|place| self.tensor(modulus, &part, place));
+                tensors.iter().all(|tensor| tensor.satisfies_jacobi(modulus)).then(|| Element {
+                    rank: tensors[0].rank(modulus),
+                    terms: part.iter().filter(|&&value| value != 0).count(),
+                    part,
+                    tensors,
+                })
+            })
+            .collect();
+        elements.sort_by_key(|element| (Reverse(element.rank), element.terms));
+        elements.truncate(MOST_ELEMENTS);
+        let candidate = |rank: usize, chosen: &[&Element], sums: &[Tensor; POINTS]| {
+            let parts = chosen.iter().map(|element| element.part.clone()).collect();
+            let values = sums.iter().flat_map(|sum| above(&sum.entries)).collect();
+            Candidate { rank, source: Source::Sum(self.monomials.degree(), parts), values }
+        };
+        let mut found: Vec<Candidate> = Vec::new();
+        for (index, first) in elements.iter().enumerate() {
+            let mut chosen = vec![first];
+            let mut sums = first.tensors.clone();
+            let mut rank = first.rank;
+            found.push(candidate(rank, &chosen, &sums));
+            // A sum of brackets is one where each sum of two of them is.
+            for other in &elements[index + 1..] {
+                let next: [Tensor; POINTS] =
+                    std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));
+                let higher = next[0].rank(modulus);
+                if higher > rank && next.iter().all(|sum| sum.satisfies_jacobi(modulus)) {
+                    (rank, sums) = (higher, next);
+                    chosen.push(other);
+                    found.push(candidate(rank, &chosen, &sums));
+                }
             }
-            is_independent && rows.len() <= MOST_TENSORS
-        });
+        }
+        found.retain(|candidate| candidate.rank > best);
+        found.sort_by_key(|candidate| Reverse(candidate.rank));
         found
     }
 
     /// The tensor and its derivatives at a point.
-    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], point: &[u64]) -> Tensor {
-        let n = point.len();
-        let values = self.monomials.values(modulus, point);
-        let slopes = monomial_gradients(modulus, &self.monomials, point);
+    fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &Place) -> Tensor {
+        let n = place.slopes[0].len();
         let mut tensor = Tensor { entries: vec![vec![0; n]; n], slopes: vec![vec![vec![0; n]; n]; n] };
         for (pair, &(i, j)) in self.pairs.iter().enumerate() {
             let own: Vec<u64> = coefficients.iter().skip(pair).step_by(self.pairs.len()).copied().collect();
-            let products = own.iter().zip(&values).map(|(a, b)| modulus.times(*a, *b));
-            let value = products.fold(0, |sum, product| modulus.plus(sum, product));
-            let slope = gradient(modulus, &slopes, &own);
+            let value = modulus.dot(&own, &place.values);
+            let slope = gradient(modulus, &place.slopes, &own);
             tensor.entries[i][j] = value;
             tensor.entries[j][i] = modulus.opposite(value);
             tensor.slopes[j][i] = slope.iter().map(|value| modulus.opposite(*value)).collect();
@@ -209,24 +376,27 @@ impl Shape {
         tensor
     }
 
-    /// The entries over ℚ with all unknowns, with coprime integer coefficients.
+    /// The entries of an element of a reduced basis over ℚ with all unknowns, with coprime integer
+    /// coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,
-        candidate: &Candidate,
+        part: &[u64],
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
-    ) -> Option<PoissonTensor> {
-        let support: Vec<usize> =
-            (0..self.len()).filter(|&place| candidate.coefficients[place] != 0).collect();
-        // The candidate is the only tensor on its support, or it is left out.
+    ) -> Option<Vec<Polynomial>> {
+        let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
+        // The other elements of the reduced basis begin where this one has no coefficient, so that
+        // it is the only tensor on its support.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
             let vectors = self.invariant(&map, &support, random, deadline)?;
             Some(Space::of_form(&modulus, &form, vectors)?.rows.concat())
         };
-        let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
+        let grading = self.grading(searched, &support);
+        let unknowns = searched.unknown_variables();
+        let entries = reconstruct_graded(&mut oracle, &unknowns, &grading, random, deadline)?;
         let (coefficients, _) = over_common(&entries);
         let symbols = searched.family().symbols();
         let states: Vec<_> = (0..searched.dimension()).map(|i| symbols.state(i)).collect();
@@ -237,31 +407,83 @@ impl Shape {
             let factors: Vec<_> = own.iter().map(|&k| coefficients[k].clone()).collect();
             combination(&states, &self.monomials, &monomials, &factors)
         };
-        let entries = (0..self.pairs.len()).map(entry).collect();
-        Some(PoissonTensor { rank: candidate.rank, entries })
+        Some((0..self.pairs.len()).map(entry).collect())
+    }
+
+    /// The weights of coefficients on a support, the first of which is 1: the entries of an
+    /// invariant tensor weigh as much as products of two states, up to a common weight.
+    fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
+        let symbols = searched.family().symbols();
+        let weights = searched.weights();
+        let own = |place: usize| -> Vec<Rational> {
+            let (monomial, (i, j)) = (place / self.pairs.len(), self.pairs[place % self.pairs.len()]);
+            let powers = self.monomials.exponents(monomial).iter().enumerate();
+            let monomial =
+                weights.of_monomial(&powers.map(|(k, &power)| (symbols.state(k), power)).collect());
+            let [i, j] = [i, j].map(|state| weights.of_variable(symbols.state(state)));
+            monomial.iter().zip(i.iter().zip(&j)).map(|(m, (i, j))| &(m - i) - j).collect()
+        };
+        let first = own(support[0]);
+        let relative = |&place: &usize| first.iter().zip(own(place)).map(|(a, b)| a - &b).collect();
+        Grading {
+            unknowns: searched
+                .unknown_variables()
+                .iter()
+                .map(|&unknown| weights.of_variable(unknown))
+                .collect(),
+            entries: support.iter().map(relative).collect(),
+        }
     }
 }
 
-/// The number of coefficients that are not zero.
-fn terms(coefficients: &[u64]) -> usize {
-    coefficients.iter().filter(|&&value| value != 0).count()
+/// The values of monomials and of their derivatives at a point.
+struct Place {
+    values: Vec<u64>,
+    slopes: Vec<Vec<u64>>,
+}
+
+impl Place {
+    fn at(shape: &Shape, modulus: &Modulus, point: &[u64]) -> Self {
+        Place {
+            values: shape.monomials.values(modulus, point),
+            slopes: monomial_gradients(modulus, &shape.monomials, point),
+        }
+    }
+}
+
+/// A bracket of a reduced basis, and its tensor at the points of a search.
+struct Element {
+    rank: usize,
+    terms: usize,
+    part: Vec<u64>,
+    tensors: [Tensor; POINTS],
 }
 
 /// An antisymmetric tensor at a point modulo a prime.
-struct Tensor {
-    entries: Vec<Vec<u64>>,
+#[derive(Clone)]
+pub(super) struct Tensor {
+    pub(super) entries: Vec<Vec<u64>>,
     /// The gradient of each entry.
-    slopes: Vec<Vec<Vec<u64>>>,
+    pub(super) slopes: Vec<Vec<Vec<u64>>>,
 }
 
 impl Tensor {
-    fn rank(&self, modulus: &Modulus) -> usize {
+    fn plus(&self, modulus: &Modulus, other: &Tensor) -> Tensor {
+        let sum = |a: &Vec<u64>, b: &Vec<u64>| a.iter().zip(b).map(|(a, b)| modulus.plus(*a, *b)).collect();
+        let sums = |a: &Vec<Vec<u64>>, b: &Vec<Vec<u64>>| a.iter().zip(b).map(|(a, b)| sum(a, b)).collect();
+        Tensor {
+            entries: sums(&self.entries, &other.entries),
+            slopes: self.slopes.iter().zip(&other.slopes).map(|(a, b)| sums(a, b)).collect(),
+        }
+    }
+
+    pub(super) fn rank(&self, modulus: &Modulus) -> usize {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
     /// Whether Σₗ Pᵢₗ ∂ₗPⱼₖ, summed over the cyclic permutations of (i, j, k), is 0 for all of
     /// them.
-    fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
+    pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {
             let products = self.entries[i].iter().zip(&self.slopes[j][k]).map(|(a, b)| modulus.times(*a, *b));

@@ -3,7 +3,7 @@
 use crate::hamiltonian::is_within_reach;
 use crate::report::{HamiltonianReport, Report};
 
-use super::counted;
+use super::{counted, listed_labels};
 
 /// Its divergence, its integrals, and whether it is Hamiltonian.
 pub(super) fn structure(report: &Report) -> Vec<String> {
@@ -32,6 +32,17 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
             "No constant antisymmetric K with f = K grad H is looked for: H would have too many coefficients.".to_owned()
         }
     });
+    let of_brackets: Vec<&HamiltonianReport> =
+        structure.hamiltonians.iter().filter(|found| found.bracket_is_proved).collect();
+    if !of_brackets.is_empty() {
+        sentences.push(format!(
+            "(I - eps^2 f'^2) K, where f' is the Jacobian of the field, is an invariant Poisson bracket of the map{}, proved.",
+            match &listed_labels(&of_brackets)[..] {
+                "" => String::new(),
+                labels => format!(" for {labels}"),
+            }
+        ));
+    }
     sentences
 }
 

@@ -277,6 +277,8 @@ struct Hamiltonian<'a> {
     #[serde(rename = "H")]
     hamiltonian: &'a str,
     modified_is_proved: bool,
+    /// Whether (I - eps^2 f'^2) K is an invariant bracket, proved.
+    bracket_is_proved: bool,
     /// Whether no integral is given that says as much, or only one that is longer by far.
     is_compact: bool,
     /// At any point x and its image x~.
@@ -329,6 +331,7 @@ impl<'a> Hamiltonian<'a> {
             tensor: &found.tensor,
             hamiltonian: &found.hamiltonian,
             modified_is_proved: found.modified_is_proved,
+            bracket_is_proved: found.bracket_is_proved,
             is_compact: found.place != ModifiedPlace::Implied,
             modified: found.modified(&Text),
         }

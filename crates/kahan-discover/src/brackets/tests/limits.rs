@@ -50,7 +50,7 @@ fn every_choice_of_integrals_gives_a_bracket_until_the_time_is_up() {
     let claims = Claims::new(&system, &[], None);
     let (integrals, density) = found(&claims, &system, &["H", "K", "L"]);
     let of = |integrals: &[Formula], deadline: &Deadline<'_>| {
-        brackets(&claims, symbols, &[], integrals, Some(&density), deadline).0
+        brackets(&claims, symbols, &[], integrals, Some(&density), deadline).claims
     };
     assert_eq!(of(&integrals, &Deadline::never()).len(), 3);
     assert_eq!(of(&integrals[..2], &Deadline::never()).len(), 1);

@@ -1,0 +1,145 @@
+//! Invariant Poisson brackets from a constant bracket of the field: (I − ε² f′²)K for f = K∇H.
+//!
+//! Let A(x,ε) = I − ε f′(x), so that the map has the Jacobian A(x,ε)⁻¹ A(x̃,−ε). Since f′K is
+//! symmetric,
+//!
+//!   P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ.
+//!
+//! P is invariant in the plane, where it is det A · K, in direct sums of such systems, and where f
+//! is a field in the plane over a commutative algebra: these are the canonical systems of Petrera
+//! and Suris. In general it is not.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::system::upper_index;
+
+use crate::hamiltonian::Hamiltonian;
+use crate::search_field::{SampledStep, SearchField};
+use crate::space::over_common;
+use crate::stepping::Stepping;
+
+use super::polynomial::{PoissonTensor, Tensor};
+
+/// The work that one tensor may take, in products of terms.
+const MOST_TERMS: usize = 3_000;
+const MOST_WORK: u64 = 4_000_000;
+
+/// Returns the tensor of K number `structure` if it is an invariant bracket, as seen modulo a prime;
+/// `None` also beyond the budget.
+pub(crate) fn of_structure(
+    searched: &SearchField,
+    field: &Field,
+    structure: (usize, &Hamiltonian),
+    random: &mut SplitMix64,
+) -> Option<PoissonTensor> {
+    let n = field.dimension();
+    let (number, Hamiltonian { tensor, .. }) = structure;
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    let slopes: Option<Vec<Vec<RationalFunction>>> = field
+        .components
+        .iter()
+        .map(|component| {
+            let slope = |l| component.numerator.derivative(field.symbols.state(l));
+            (0..n).map(|l| RationalFunction::new(slope(l), component.denominator.clone())).collect()
+        })
+        .collect();
+    let slopes = slopes?;
+    let once = product(&slopes, tensor, &mut budget)?;
+    let twice = product(&slopes, &once, &mut budget)?;
+    let square = RationalFunction::variable(field.symbols.epsilon());
+    let square = &square * &square;
+    let mut upper = Vec::with_capacity(n * (n - 1) / 2);
+    for i in 0..n {
+        for j in i + 1..n {
+            let moved = twice[i][j].mul_within(&square, &mut budget).ok()?;
+            upper.push(tensor[i][j].sub_within(&moved, &mut budget).ok()?);
+        }
+    }
+    let entries = over_common(&upper).0.into_iter().map(|entry| searched.at_eps(entry)).collect();
+    let found = PoissonTensor { rank: 0, entries, structure: Some(number), is_implied: false };
+    let place = searched.step(random)?;
+    let rank = found.invariant_rank(searched, &place)?;
+    Some(PoissonTensor { rank, ..found })
+}
+
+fn product(
+    left: &[Vec<RationalFunction>],
+    right: &[Vec<RationalFunction>],
+    budget: &mut Budget,
+) -> Option<Vec<Vec<RationalFunction>>> {
+    let mut entry = |row: &[RationalFunction], column: usize| {
+        let mut sum = RationalFunction::constant(Rational::zero());
+        for (a, right) in row.iter().zip(right) {
+            if !a.is_zero() && !right[column].is_zero() {
+                sum = sum.add_within(&a.mul_within(&right[column], budget).ok()?, budget).ok()?;
+            }
+        }
+        Some(sum)
+    };
+    left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
+}
+
+impl PoissonTensor {
+    /// The values of polynomials above the diagonal, and their opposites below, at a point of a
+    /// sampled map.
+    fn values(
+        searched: &SearchField,
+        place: &SampledStep,
+        point: &[u64],
+        entry: impl Fn(&Polynomial) -> Polynomial,
+        entries: &[Polynomial],
+    ) -> Option<Vec<Vec<u64>>> {
+        let (n, modulus) = (point.len(), place.sample.map.modulus());
+        let mut matrix = vec![vec![0; n]; n];
+        for i in 0..n {
+            for j in i + 1..n {
+                let value = entry(&entries[upper_index(n, i, j)]);
+                matrix[i][j] = searched.evaluate(&value, &place.sample, point)?;
+                matrix[j][i] = modulus.opposite(matrix[i][j]);
+            }
+        }
+        Some(matrix)
+    }
+
+    /// The matrix of the tensor at a point of a sampled map.
+    pub(super) fn at(
+        &self,
+        searched: &SearchField,
+        place: &SampledStep,
+        point: &[u64],
+    ) -> Option<Vec<Vec<u64>>> {
+        Self::values(searched, place, point, Polynomial::clone, &self.entries)
+    }
+
+    /// The rank at the place, if J P Jᵀ is P(x̃) there and Jacobi's identity holds.
+    fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
+        let map = &place.sample.map;
+        let modulus = map.modulus();
+        let jacobian = map.jacobian(&place.here, &place.there)?;
+        let here = self.at(searched, place, &place.here)?;
+        let there = self.at(searched, place, &place.there)?;
+        // P is antisymmetric: the rows of JP are J times the columns of −P.
+        let half: Vec<Vec<u64>> = jacobian
+            .iter()
+            .map(|row| here.iter().map(|own| modulus.opposite(modulus.dot(row, own))).collect())
+            .collect();
+        let moved = |row: &Vec<u64>| jacobian.iter().map(|own| modulus.dot(row, own)).collect();
+        let moved: Vec<Vec<u64>> = half.iter().map(moved).collect();
+        if moved != there {
+            return None;
+        }
+        let symbols = searched.family().symbols();
+        let slope = |k: usize| {
+            let along = |entry: &Polynomial| entry.derivative(symbols.state(k));
+            Self::values(searched, place, &place.here, along, &self.entries)
+        };
+        let slopes: Vec<Vec<Vec<u64>>> = (0..here.len()).map(slope).collect::<Option<_>>()?;
+        let gradient = |i: usize, j: usize| slopes.iter().map(|slope| slope[i][j]).collect();
+        let gradients = (0..here.len()).map(|i| (0..here.len()).map(|j| gradient(i, j)).collect()).collect();
+        let tensor = Tensor { entries: here, slopes: gradients };
+        tensor.satisfies_jacobi(modulus).then(|| tensor.rank(modulus))
+    }
+}
