@@ -498,9 +498,9 @@ fn brackets_of_parts_are_added() {
     let parts = "qdot = p; pdot = -w^2*q - 3*k*q^2 + r; udot = v; vdot = -1000*u;";
     let found = report(parts, &options());
     assert_eq!(found.bracket_ranks[..found.polynomial_brackets], [4, 2]);
-    assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + 6*eps^2*k*q + eps^2*w^2; {u, v} = 1; };");
+    assert_eq!(found.brackets[0], "bracket P1 { {q, p} = 1 + eps^2*(6*k*q + w^2); {u, v} = 1; };");
     assert_eq!(found.brackets[1], "bracket P2 { {u, v} = 1; };");
-    assert_eq!(found.densities[0].text, "density rho = 1/(1 + 6*eps^2*k*q + eps^2*w^2);");
+    assert_eq!(found.densities[0].text, "density rho = 1/(1 + eps^2*(6*k*q + w^2));");
 }
 
 /// A cubic over an algebra with the relation t² = d of two-dimensional numbers z + tu, all of its
@@ -514,8 +514,8 @@ fn canonical_systems_with_symbols_have_both_brackets() {
     assert_eq!(
         found.brackets[0],
         "bracket P1 { {x, y} = 2*eps^2*d*(b1 + 3*b0*x + 3*a0*u); \
-        {x, v} = 1 + 2*eps^2*a1 + 6*eps^2*a0*x + 6*eps^2*d*b0*u; \
-        {u, y} = 1 + 2*eps^2*a1 + 6*eps^2*a0*x + 6*eps^2*d*b0*u; \
+        {x, v} = 1 + 2*eps^2*(a1 + 3*a0*x + 3*d*b0*u); \
+        {u, y} = 1 + 2*eps^2*(a1 + 3*a0*x + 3*d*b0*u); \
         {u, v} = 2*eps^2*(b1 + 3*b0*x + 3*a0*u); };"
     );
     assert!(found.structure.hamiltonians.iter().all(|structure| structure.bracket_is_proved));

@@ -60,13 +60,13 @@ fn first_order_recurrences_are_found() {
     let of_e8 = [
         "drift F1 = 1/x by F1 + 2*eps;",
         "drift F2 = y/x by F2 - 2*eps/(F1 + eps);",
-        "drift F3 = z/x by F3*(F1 + 3*eps)/(F1 - eps) - 4*eps*(eps - F1*F2 + eps*F2 - F1*F2^2 - eps*F2^2)/((F1 + eps)*(F1 - eps));",
+        "drift F3 = z/x by F3*(F1 + 3*eps)/(F1 - eps) - 4*eps*(eps*(1 + F2 - F2^2) - F1*F2*(1 + F2))/((F1 + eps)*(F1 - eps));",
     ];
     let e7 = "struct E7 { xi } xdot = -x^2; ydot = -xi*x*y; zdot = 2*xi*y^2 + x*z;";
     let of_e7 = [
         "drift F1 = 1/x by F1 + 2*eps;",
-        "drift F2 = y/x by F2*(F1 + 2*eps - eps*xi)/(F1 + eps*xi);",
-        "drift F3 = z/x by F3*(F1 + 3*eps)/(F1 - eps) + 4*eps*xi*F2^2*(F1 + 2*eps - eps*xi)/((F1 - eps)*(F1 + eps*xi));",
+        "drift F2 = y/x by F2*(F1 + eps*(2 - xi))/(F1 + eps*xi);",
+        "drift F3 = z/x by F3*(F1 + 3*eps)/(F1 - eps) + 4*eps*xi*F2^2*(F1 + eps*(2 - xi))/((F1 - eps)*(F1 + eps*xi));",
     ];
     for (text, expected) in [(e8, of_e8), (e7, of_e7)] {
         assert_eq!(drifts(text, &report(text, Some(2))), expected, "{text}");
