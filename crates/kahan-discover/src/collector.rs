@@ -56,9 +56,8 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the modified Hamiltonians, which need not be looked for, if the search has come to
-    /// their degree, or to one that costs more than is to be gained; and what is known of lower
-    /// degrees.
+    /// Keeps the integrals that need not be looked for, if the search has come to their degree, or to
+    /// one that costs more than is to be gained.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();

@@ -15,6 +15,10 @@ use crate::growth::GrowthVerdict;
 use crate::hamiltonian::Hamiltonian;
 use crate::hilbert::Hilbert;
 
+/// The most characters of a claim that is printed for people to read. A longer integral is left to
+/// a basis, where there is one; other longer claims stand in blocks and JSON only.
+pub const MOST_READABLE: usize = 4000;
+
 /// What is fixed, and how far to look.
 #[derive(Clone, Debug)]
 pub struct Options {

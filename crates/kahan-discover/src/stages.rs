@@ -29,8 +29,8 @@ use crate::monomials::Monomials;
 use crate::plane;
 use crate::relations::Relations;
 use crate::report::{
-    Bound, DensitySearch, DiscoverError, HamiltonianReport, MOST_VARIABLES, ModifiedPlace, Options, Report,
-    StructureReport,
+    Bound, DensitySearch, DiscoverError, HamiltonianReport, MOST_READABLE, MOST_VARIABLES, ModifiedPlace,
+    Options, Report, StructureReport,
 };
 use crate::search::Reach;
 use crate::search_field::{SampledStep, SearchField};
@@ -38,9 +38,6 @@ use crate::stepping::Stepping;
 use crate::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integrals, is_even};
 use crate::watch::{Progress, Watch};
 use crate::words::sentences;
-
-/// A formula of more characters is left to a basis, where there is one.
-const MOST_CHARACTERS: usize = 4000;
 
 /// Where compact forms or brackets say all, so much of the time that is left goes into formulas.
 const SHARE_FOR_FORMULAS: f64 = 0.1;
@@ -89,7 +86,7 @@ pub(crate) fn discover_within(
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
     let proved = rules.proved(&searched, &claims, &mut random.clone());
-    for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_CHARACTERS) {
+    for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_READABLE) {
         tell(formula.kind, &formula.text);
     }
     let of_flow = flow_integrals(&searched, 2, random, &for_flow);
@@ -331,14 +328,16 @@ impl Search<'_> {
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
         // What a basis says in a line need not fill a page; what none says stays, however long, and
         // so does the modified Hamiltonian, which has a compact form.
-        let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
+        let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
         let tell = |formula: &Formula| (self.tell)(formula.kind, &formula.text);
         let tell_if_short = |formula: &Formula| {
             if is_short(formula) {
                 tell(formula);
             }
         };
-        let known: Vec<_> = self.modified.iter().filter_map(|modified| modified.written.clone()).collect();
+        let modified = self.modified.iter().filter_map(|modified| modified.written.clone());
+        let quotients = candidates.iter().filter_map(|basis| basis.monomial_quotient(symbols));
+        let known: Vec<_> = modified.chain(quotients).collect();
         let aims = Aims {
             proved: self.proved,
             kept: self.kept,

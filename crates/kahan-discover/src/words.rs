@@ -9,7 +9,7 @@ use kahan_algebra::render::Text;
 use crate::basis::Basis;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
 use crate::reconstruct::MOST_DIGITS;
-use crate::report::{Bound, HamiltonianReport, ModifiedPlace, Report};
+use crate::report::{Bound, HamiltonianReport, MOST_READABLE, ModifiedPlace, Report};
 
 use drifts::drifts;
 use structure::structure;
@@ -300,6 +300,16 @@ fn polynomial_brackets(report: &Report) -> Option<String> {
 }
 
 fn densities(report: &Report) -> String {
+    let long = report.densities.first().map(|density| density.text.len()).filter(|&len| len > MOST_READABLE);
+    let long = long.map(|len| {
+        format!(
+            " Its formula has {len} characters: it stands in the JSON object and in the block of `--macro`."
+        )
+    });
+    density(report) + &long.unwrap_or_default()
+}
+
+fn density(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(_) => match report.brackets.len() - report.polynomial_brackets {

@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_discover::report::MOST_READABLE;
 use kahan_study::{
     Answer, End, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Verify,
     Watch, from_toml, list,
@@ -396,7 +398,7 @@ fn findings_are_told_when_they_are_proved() {
         let asked = question(json!({"ask": "discover", "degree": 2})).expect("a question");
         let Ok(Answer::Discover(found)) = e6.ask(&asked, &watch) else { panic!("a report") };
         let heard = watch.heard.into_inner().expect("no listener fails");
-        let claims = found.claims(&[]);
+        let claims = found.claims();
         assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
         // Once it is told to stop, the search says no more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
@@ -449,7 +451,26 @@ fn what_is_found_can_be_claimed() {
         panic!("a report")
     };
     let claimed = found.claimed().expect("a field with its claims");
-    assert_eq!(claimed.claims.len(), found.claims(&[]).len());
+    assert_eq!(claimed.claims.len(), found.claims().len());
+}
+
+/// The second flow of Clebsch's system has a density of some 40 000 characters.
+#[test]
+fn long_claims_are_not_for_people_to_read() {
+    let clebsch = "m1dot = (w3 - w2)*(m2*m3 - w1*p2*p3); m2dot = (w1 - w3)*(m3*m1 - w2*p3*p1); \
+        m3dot = (w2 - w1)*(m1*m2 - w3*p1*p2); p1dot = w3*p2*m3 - w2*p3*m2; \
+        p2dot = w1*p3*m1 - w3*p1*m3; p3dot = w2*p1*m2 - w1*p2*m1;";
+    let asked = question(json!({"ask": "discover"})).expect("a question");
+    let Ok(Answer::Discover(found)) = study(Subject::text(clebsch)).ask(&asked, &Unwatched) else {
+        panic!("a report")
+    };
+    let [density] = &found.report.densities[..] else { panic!("a density") };
+    assert!(density.text.len() > MOST_READABLE, "{}", density.text.len());
+    assert!(found.claims().contains(&density.text.as_str()));
+    let readable = found.readable().expect("a field with its claims");
+    assert!(readable.claims.iter().all(|claim| claim.kind != ClaimKind::Density));
+    let said = format!("Its formula has {} characters", density.text.len());
+    assert!(found.report.sentences.iter().any(|sentence| sentence.contains(&said)));
 }
 
 #[test]

@@ -133,7 +133,7 @@ fn text(found: &Discovered) -> String {
         iter::once(found.label("K") + " =").chain(rows.iter().map(|row| format!("  {row}"))).collect()
     });
     let modified = modified(found, report.compact());
-    let claims = found.claims(&report.replaced());
+    let claims = found.readable_claims();
     let claims: Vec<String> = claims.iter().map(|claim| (*claim).to_owned()).collect();
     let groups = [numbers.collect(), report.sentences.clone()].into_iter().chain(tensors).chain(modified);
     let groups = groups.chain(bases(found).map(Vec::from));

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use kahan_discover::report::MOST_READABLE;
 use kahan_discover::{Finding, Progress, Watch};
 use kahan_runtime::threads;
 
@@ -107,9 +108,14 @@ impl Watch for Prompt {
         ControlFlow::Continue(())
     }
 
-    /// Prints the finding above the spinner, with the seconds that it took.
+    /// Prints the finding above the spinner, with the seconds that it took; of a long one, its name.
     fn found(&self, finding: &Finding) {
-        self.bar.println(format!("{:.1} s: {finding}", self.since.elapsed().as_secs_f64()));
+        let Finding { kind, name, text } = finding;
+        let shown = match text.len() {
+            0..=MOST_READABLE => text.clone(),
+            len => format!("{} {name} of {len} characters", kind.keyword()),
+        };
+        self.bar.println(format!("{:.1} s: {shown}", self.since.elapsed().as_secs_f64()));
     }
 
     fn threads(&self) -> usize {

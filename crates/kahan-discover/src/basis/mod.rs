@@ -15,8 +15,11 @@ mod proof;
 #[cfg(test)]
 mod tests;
 
+use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text, push_term};
+use kahan_algebra::symbols::Symbols;
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -132,6 +135,18 @@ impl Basis {
         let unit = self.term_of(self.unit);
         let quotients = self.integrals.iter().filter_map(|&place| Some((self.term_of(place)?, unit?)));
         quotients.collect()
+    }
+
+    /// The integral that a relation between two monomials gives: one divided by the other.
+    pub(crate) fn monomial_quotient(&self, symbols: &Symbols) -> Option<(Polynomial, Polynomial)> {
+        let [below, above] = &self.monomials[..] else { return None };
+        let monomial = |exponents: &[u32]| {
+            let powers = exponents.iter().enumerate().map(|(state, &exponent)| {
+                Polynomial::term(Monomial::power(symbols.state(state), exponent), Rational::one())
+            });
+            powers.fold(Polynomial::one(), |product, power| &product * &power)
+        };
+        Some((monomial(above), monomial(below)))
     }
 
     /// Joins monomials whose coefficients are multiples of each other on several orbits of several

@@ -9,7 +9,7 @@ use kahan_discover::basis::Basis;
 use kahan_discover::claims::Formula;
 use kahan_discover::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
 use kahan_discover::monomials::Monomials;
-use kahan_discover::report::{HamiltonianReport, ModifiedPlace};
+use kahan_discover::report::{HamiltonianReport, MOST_READABLE, ModifiedPlace};
 use kahan_discover::{Options, Report, Unwatched, Watch, discover};
 use kahan_runtime::FieldText;
 use serde::ser::Error;
@@ -151,9 +151,23 @@ fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, Study
 }
 
 impl Discovered {
-    /// The claims as text, but for these integrals.
+    /// The claims as text.
     #[must_use]
-    pub fn claims(&self, but: &[usize]) -> Vec<&str> {
+    pub fn claims(&self) -> Vec<&str> {
+        self.claims_but(&[])
+    }
+
+    /// The claims for people to read, as text: without integrals that the compact forms of modified
+    /// Hamiltonians replace, and without claims of more than [`MOST_READABLE`] characters.
+    #[must_use]
+    pub fn readable_claims(&self) -> Vec<&str> {
+        let mut claims = self.claims_but(&self.report.replaced());
+        claims.retain(|claim| claim.len() <= MOST_READABLE);
+        claims
+    }
+
+    /// The claims but for these integrals.
+    fn claims_but(&self, but: &[usize]) -> Vec<&str> {
         let report = &self.report;
         let integrals = (0..report.integrals.len()).filter(|index| !but.contains(index));
         let integrals = integrals.map(|index| &report.integrals[index]);
@@ -162,13 +176,12 @@ impl Discovered {
         formulas.chain(report.brackets.iter().map(String::as_str)).chain(drifts).collect()
     }
 
-    /// The field with what is to be read as its claims: integrals that the compact forms of
-    /// modified Hamiltonians replace are left out.
+    /// The field with its [readable claims](Self::readable_claims).
     ///
     /// # Errors
     /// Where the text of the claims has mistakes, which the search excludes.
     pub fn readable(&self) -> Result<System, StudyError> {
-        self.with_claims(&self.report.replaced())
+        self.with_claims(self.readable_claims())
     }
 
     /// The field with all that was found as its claims.
@@ -176,7 +189,7 @@ impl Discovered {
     /// # Errors
     /// Where the text of the claims has mistakes, which the search excludes.
     pub fn claimed(&self) -> Result<System, StudyError> {
-        self.with_claims(&[])
+        self.with_claims(self.claims())
     }
 
     /// All that is claimed, each claim in its parts, and H where the field is K grad H.
@@ -208,12 +221,12 @@ impl Discovered {
         Ok(claims.chain(hamiltonians).collect())
     }
 
-    fn with_claims(&self, but: &[usize]) -> Result<System, StudyError> {
+    fn with_claims(&self, claims: Vec<&str>) -> Result<System, StudyError> {
         let symbols = &self.field.field.symbols;
         let values = Formulas { field: &self.field.field, map: None, notation: &Text }.field();
         let equations =
             symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
-        let items: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
+        let items: Vec<String> = equations.chain(claims.into_iter().map(str::to_owned)).collect();
         let items = items.join("\n");
         // A header keeps the order of the parameters, and may not name what nothing uses.
         let named = lex(&items).tokens;
