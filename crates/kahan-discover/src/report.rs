@@ -146,6 +146,8 @@ pub enum Bound {
     /// None exists if growth is linear, as it was seen to be: a drift shows the only pencil of
     /// curves that the map of the plane permutes, which it does with infinite order.
     Linear,
+    /// No more are possible by the drifts.
+    Drifts,
     /// The degree that was asked for.
     Degree,
     /// The time.
@@ -161,7 +163,7 @@ impl Bound {
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
-            Bound::Orbits | Bound::Ceiling | Bound::Growth => "complete",
+            Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts => "complete",
             Bound::Linear => "growth",
             Bound::Degree => "degree",
             Bound::Time => "time",
@@ -170,7 +172,8 @@ impl Bound {
         }
     }
 
-    /// Why no more integrals are possible than are known; `None` where more may exist.
+    /// Why no more integrals are possible than are known, `by_drifts` being the most by the drifts;
+    /// `None` where more may exist.
     pub(crate) fn complete(
         hilbert: &Hilbert,
         n: usize,
@@ -178,6 +181,7 @@ impl Bound {
         ceiling: Option<&Ceiling>,
         growth: &GrowthVerdict,
         linear: Option<usize>,
+        by_drifts: usize,
     ) -> Option<Self> {
         // With n independent integrals an orbit is a finite set. Where ε is generic it is none: the
         // map would have a finite order N, but its N-th iterate is x + 2Nε f(x) + O(ε²).
@@ -187,6 +191,9 @@ impl Bound {
         }
         if known == 0 && growth.proof.is_some() {
             return Some(Bound::Growth);
+        }
+        if known >= by_drifts {
+            return Some(Bound::Drifts);
         }
         if known == 0 && linear.is_some() {
             return Some(Bound::Linear);

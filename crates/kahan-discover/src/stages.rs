@@ -141,8 +141,9 @@ pub(crate) fn discover_within(
     let n = searched.dimension();
     let linear =
         plane::linear(&searched, &place.sample.map, &growth, &drifts, &mut random.clone(), &for_structure);
+    let by_drifts = drift::most_integrals(&drifts, n);
     let complete = |hilbert: &Hilbert, known, ceiling: Option<&Ceiling>| {
-        Bound::complete(hilbert, n, known, ceiling, &growth, linear)
+        Bound::complete(hilbert, n, known, ceiling, &growth, linear, by_drifts)
     };
     let is_open = |hilbert: &Hilbert| complete(hilbert, found.independent, None).is_none();
     let trials = if options.degree.is_some() { FEW_TRIALS } else { MANY_TRIALS };

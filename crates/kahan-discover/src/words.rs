@@ -113,6 +113,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "So nothing can be missing (Ziglin's lemma at a fixed point), and the search ended.".to_owned(),
         ),
         Bound::Growth => Some(plane::GROWTH_ENDS.to_owned()),
+        Bound::Drifts => Some(drifts::ENDS.to_owned()),
         Bound::Linear => plane::linear_ends(report),
         Bound::Degree => Some(format!(
             "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
@@ -164,7 +165,7 @@ fn orbits(report: &Report) -> Vec<String> {
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
                 // That there is none is proved then.
-                Bound::Orbits | Bound::Ceiling | Bound::Growth if report.independent == 0 => "",
+                Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
         )

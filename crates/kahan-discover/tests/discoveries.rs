@@ -343,6 +343,8 @@ fn searches_end_where_nothing_can_be_missing() {
         ("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", 0, Bound::Ceiling),
         ("xdot = 2*x; ydot = -3*y; zdot = 5*z;", 0, Bound::Ceiling),
         ("xdot = x^2 - 1;", 0, Bound::Orbits),
+        ("xdot = x; ydot = x + y;", 0, Bound::Drifts),
+        ("xdot = -1; ydot = -3*y - 3; zdot = y;", 1, Bound::Drifts),
         (EULER, 2, Bound::Orbits),
         ("xdot = 0; ydot = 0;", 2, Bound::Orbits),
         (

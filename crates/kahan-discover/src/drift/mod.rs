@@ -131,6 +131,20 @@ pub(crate) fn drifts(
     search().unwrap_or_default()
 }
 
+/// The most independent integrals that a map in n dimensions with these drifts can have, of
+/// whatever degree.
+///
+/// With F + c, c ≠ 0, and c′·G, c′ no root of unity, the closure of each generic orbit in the plane
+/// of F and G is that of the powers of (+c, ·c′), which is all of 𝔾ₐ × 𝔾ₘ. So its closure in the
+/// space has dimension 2 at least, and dimension 1 with one of both.
+pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
+    let has_sum = drifts.iter().any(|drift| matches!(drift.kind, DriftKind::Sum(_)));
+    // The roots of unity among rational functions are 1, which makes an integral, and −1.
+    let has_multiple =
+        drifts.iter().any(|drift| matches!(&drift.kind, DriftKind::Multiple(factor) if factor != "-1"));
+    n - usize::from(has_sum) - usize::from(has_multiple)
+}
+
 /// The drifts up to the first that follows from those before and the integrals.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,

@@ -4,6 +4,11 @@ use crate::drift::DriftKind;
 use crate::report::Report;
 use crate::writing::is_product;
 
+/// What ends a search by the drifts.
+pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one function and multiplies another by \
+    a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
+    integrals are constant on it: nothing can be missing, and the search ended.";
+
 /// What changes evenly, by how much at a step, and what is constant because of that.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<(String, String)> = report
@@ -30,9 +35,13 @@ pub(super) fn drifts(report: &Report) -> Option<String> {
         ));
     }
     let all: Vec<String> = even.iter().map(|(drift, step)| format!("{step} to {drift}")).collect();
+    let divisor = |step: &String| {
+        let is_one = step.starts_with("log(") || step.chars().all(char::is_alphanumeric);
+        if is_one { step.clone() } else { format!("({step})") }
+    };
     let constants: Vec<String> = others
         .iter()
-        .map(|(drift, own)| format!("{first}/{} - {drift}/{}", factor(step), factor(own)))
+        .map(|(drift, own)| format!("{first}/{} - {drift}/{}", divisor(step), divisor(own)))
         .collect();
     Some(format!(
         "Every step adds {}: along orbits {} is constant.",
