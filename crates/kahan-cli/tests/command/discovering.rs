@@ -139,7 +139,7 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
 }
 
 /// The integrals and densities that the blocks of the further systems claim for generic parameters,
-/// against those found.
+/// against those found. Blocks claim no integral that fills a page, of 2440 characters for Clebsch.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -155,13 +155,11 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
         // What has no short formula is given by a basis.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
-        assert_eq!(
-            found["independent_integrals"],
-            claimed("integral") + by_bases.sum::<usize>(),
-            "{}",
-            entry.command
-        );
-        assert_eq!(texts(&found["integrals"]).len(), claimed("integral"), "{}", entry.command);
+        let integrals = texts(&found["integrals"]);
+        let all = integrals.len() + by_bases.sum::<usize>();
+        assert_eq!(found["independent_integrals"], all, "{}", entry.command);
+        let short = integrals.iter().filter(|text| text.len() < 1000).count();
+        assert_eq!(short, claimed("integral"), "{}", entry.command);
         assert_eq!(texts(&found["densities"]).is_empty(), claimed("density") == 0, "{}", entry.command);
     }
 }
