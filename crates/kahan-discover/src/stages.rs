@@ -337,7 +337,8 @@ impl Search<'_> {
             }
         };
         let modified = self.modified.iter().filter_map(|modified| modified.written.clone());
-        let quotients = candidates.iter().filter_map(|basis| basis.monomial_quotient(symbols));
+        let quotients =
+            candidates.iter().filter_map(|basis| basis.quotient_of_terms(searched, &mut random.clone()));
         let known: Vec<_> = modified.chain(quotients).collect();
         let aims = Aims {
             proved: self.proved,

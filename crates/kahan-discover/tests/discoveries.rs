@@ -483,11 +483,15 @@ fn brackets_of_full_rank_are_found() {
 /// Evripidou, Kassotakis and Vanhaecke, "Morphisms and automorphisms of skew-symmetric
 /// Lotka-Volterra systems" (2021): variables that are cloned keep their quotient.
 #[test]
-fn quotients_of_monomials_are_integrals() {
+fn quotients_of_two_terms_are_integrals() {
     let found = report("xdot = x*(y + z); ydot = -x*y; zdot = -x*z;", &options());
     let texts: Vec<&str> = found.integrals.iter().map(|formula| formula.text.as_str()).collect();
     assert_eq!(texts, ["integral H1 = x + y + z;", "integral H2 = y/z;"]);
     assert!(found.bases.is_empty());
+    let found = report("xdot = x^2; ydot = y^2; zdot = z^2;", &options());
+    let texts: Vec<&str> = found.integrals.iter().map(|formula| formula.text.as_str()).collect();
+    assert_eq!(texts, ["integral H1 = x*y/(x - y);", "integral H2 = x*z/(x - z);"]);
+    assert_eq!(found.drifts.len(), 1);
 }
 
 /// The densities are 1/Pf(P).

@@ -19,7 +19,6 @@ use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text, push_term};
-use kahan_algebra::symbols::Symbols;
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -137,16 +136,29 @@ impl Basis {
         quotients.collect()
     }
 
-    /// The integral that a relation between two monomials gives: one divided by the other.
-    pub(crate) fn monomial_quotient(&self, symbols: &Symbols) -> Option<(Polynomial, Polynomial)> {
-        let [below, above] = &self.monomials[..] else { return None };
-        let monomial = |exponents: &[u32]| {
-            let powers = exponents.iter().enumerate().map(|(state, &exponent)| {
+    /// The integral that a relation between two terms gives, one divided by the other; looked for
+    /// where there are few monomials.
+    pub(crate) fn quotient_of_terms(
+        &self,
+        searched: &SearchField,
+        random: &mut SplitMix64,
+    ) -> Option<(Polynomial, Polynomial)> {
+        if self.monomials.len() > MOST_IN_TWO_TERMS {
+            return None;
+        }
+        let mut joined = self.clone();
+        joined.join(searched, random);
+        let [below, above] = &joined.terms[..] else { return None };
+        let symbols = searched.family().symbols();
+        let summand = |&(place, factor): &(usize, i64)| {
+            let powers = self.monomials[place].iter().enumerate().map(|(state, &exponent)| {
                 Polynomial::term(Monomial::power(symbols.state(state), exponent), Rational::one())
             });
-            powers.fold(Polynomial::one(), |product, power| &product * &power)
+            powers.fold(Polynomial::constant(Rational::from(factor)), |product, power| &product * &power)
         };
-        Some((monomial(above), monomial(below)))
+        let sum =
+            |term: &Term| term.iter().map(summand).fold(Polynomial::zero(), |sum, summand| &sum + &summand);
+        Some((sum(above), sum(below)))
     }
 
     /// Joins monomials whose coefficients are multiples of each other on several orbits of several
@@ -210,6 +222,9 @@ impl Basis {
         self.terms.len() - 1
     }
 }
+
+/// Relations between more monomials are not looked at as relations between two terms.
+const MOST_IN_TWO_TERMS: usize = 8;
 
 /// Coefficients are joined whose quotient is a whole number up to this size.
 const LARGEST_FACTOR: i64 = 4;
