@@ -9,7 +9,7 @@ mod tests;
 
 use std::cmp::Reverse;
 
-use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
@@ -66,7 +66,7 @@ pub(crate) fn brackets(
     }
     let written = |tensor: Vec<RationalFunction>| {
         let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-        Some(claims.bracket_entries(symbols, &coprime(&tensor, &mut budget)?))
+        Some(claims.bracket_entries(symbols, &coprime(symbols, &tensor, &mut budget)?))
     };
     let mut proved: Vec<(usize, String)> = Vec::new();
     let mut taken: Vec<String> = Vec::new();
@@ -157,13 +157,28 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// The tensor times a number: a bracket is one up to that. Its entries have coprime integers, and
-/// the first begins with a positive one.
-fn coprime(tensor: &[RationalFunction], budget: &mut Budget) -> Option<Vec<RationalFunction>> {
-    let numerators: Vec<&Polynomial> =
-        tensor.iter().filter(|entry| !entry.is_zero()).map(RationalFunction::numerator).collect();
+/// The tensor without what is free of states in all its numerators: a bracket is one up to that.
+/// Its entries have coprime integers, and the first begins with a positive one.
+fn coprime(
+    symbols: &Symbols,
+    tensor: &[RationalFunction],
+    budget: &mut Budget,
+) -> Option<Vec<RationalFunction>> {
+    let numerators = |tensor: &[RationalFunction]| {
+        let entries = tensor.iter().filter(|entry| !entry.is_zero());
+        entries.map(|entry| entry.numerator().clone()).collect::<Vec<_>>()
+    };
+    let coefficients = |numerator: &Polynomial| {
+        let groups = numerator.group(|variable| symbols.is_state(variable)).into_iter();
+        groups.map(|(_, coefficient)| coefficient).collect::<Vec<_>>()
+    };
+    let coefficients: Vec<Polynomial> = numerators(tensor).iter().flat_map(coefficients).collect();
+    let free = RationalFunction::from(gcd_all_within(&coefficients, budget).ok()?).recip()?;
+    let tensor: Option<Vec<_>> = tensor.iter().map(|entry| entry.mul_within(&free, budget).ok()).collect();
+    let tensor = tensor?;
+    let numerators = numerators(&tensor);
     let common = numerators.iter().map(|numerator| numerator.content()).reduce(|a, b| a.gcd(&b))?.abs();
-    let number = if begins_negative(numerators[0]) { -common } else { common };
+    let number = if begins_negative(&numerators[0]) { -common } else { common };
     let scale = RationalFunction::constant(number.recip()?);
     tensor.iter().map(|entry| entry.mul_within(&scale, budget).ok()).collect()
 }

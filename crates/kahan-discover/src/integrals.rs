@@ -32,7 +32,7 @@ const CHEAP: usize = 100;
 pub struct Aims<'a> {
     /// Integrals that are proved already, independent.
     pub proved: &'a [Formula],
-    /// Integrals that are known beforehand.
+    /// Polynomial integrals that are known beforehand.
     pub kept: &'a [Polynomial],
     /// Integrals P/Q that are known, too, each to be taken unless others are found up to its
     /// degree, and in any case before this deadline.

@@ -336,14 +336,14 @@ impl Search<'_> {
                 tell(formula);
             }
         };
-        let modified = self.modified.iter().filter_map(|modified| modified.written.clone());
+        let known: Vec<_> = self.modified.iter().filter_map(|modified| modified.written.clone()).collect();
         let quotients =
             candidates.iter().filter_map(|basis| basis.quotient_of_terms(searched, &mut random.clone()));
-        let known: Vec<_> = modified.chain(quotients).collect();
+        let further: Vec<_> = self.further.iter().cloned().chain(quotients).collect();
         let aims = Aims {
             proved: self.proved,
             kept: self.kept,
-            further: (self.further, &until.end),
+            further: (&further, &until.end),
             hilbert,
             known: &known,
             reach,
