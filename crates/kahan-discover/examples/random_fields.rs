@@ -1,23 +1,26 @@
-//! Proves again over ℚ what `discover` finds of random fields, by the thorough proof, which shares
-//! neither primes nor random points with it.
+//! Proves the findings of `discover` for random fields a second time: by expansion over ℚ, which
+//! shares neither primes nor random points with `discover`.
 //! `cargo run --release -p kahan-discover --example random_fields -- --help`
 
+#[path = "literature/clock.rs"]
+mod clock;
+
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
 use clap::Parser;
+use clock::Clock;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::prove::prove_by_normal_form;
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::{lexer, read, read_unproved};
-use kahan_discover::{Finding, Options, Watch, discover};
+use kahan_discover::{Options, discover};
 
-/// Proves again over ℚ what `discover` finds of random fields.
+/// Proves the findings of `discover` for random fields a second time, by expansion over ℚ.
 ///
-/// The fields have two to four variables, small whole coefficients and few terms, one in three of
-/// them parameters. A third have terms at random, a third are Lotka-Volterra fields, and a third a
-/// constant antisymmetric matrix times the gradient of a cubic. The exit status is 1 if a finding
-/// is false.
+/// The fields have two to four variables, few terms and small whole coefficients; one field in
+/// three has parameters. One third of the fields have random terms, one third are Lotka-Volterra
+/// fields, and one third are a constant antisymmetric matrix times the gradient of a cubic. The
+/// exit status is 1 if a finding is false.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
 Examples:
@@ -28,33 +31,13 @@ struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 2000)]
     fields: u64,
 
-    /// The time that the search may take for each field.
+    /// The most seconds of the search for each field.
     #[arg(long, value_name = "S", default_value_t = 0.3)]
     seconds: f64,
 
-    /// The fields follow from it.
+    /// The seed of the random fields.
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
-}
-
-/// A watch with a clock, which keeps what is found.
-struct Clock {
-    begun: Instant,
-    findings: Mutex<Vec<Finding>>,
-}
-
-impl Watch for Clock {
-    fn now(&self) -> Option<Duration> {
-        Some(self.begun.elapsed())
-    }
-
-    fn found(&self, finding: &Finding) {
-        self.findings.lock().expect("no thread panics").push(finding.clone());
-    }
-
-    fn threads(&self) -> usize {
-        std::thread::available_parallelism().map_or(1, usize::from)
-    }
 }
 
 fn main() -> ExitCode {
@@ -68,19 +51,25 @@ fn main() -> ExitCode {
     for index in 0..arguments.fields {
         let field = field(index, &mut random);
         let system = read(&lexer::lex(&field).tokens).system().expect("a field is read");
-        let clock = Clock { begun: Instant::now(), findings: Mutex::default() };
+        let clock = Clock::start();
         let options = Options { seconds: arguments.seconds, ..Options::default() };
         without_map += u64::from(discover(&system, &options, &clock).is_err());
-        let findings = clock.findings.into_inner().expect("no thread panics");
+        let (_, findings) = clock.stop();
         with_findings += u64::from(!findings.is_empty());
-        for finding in findings {
-            match proved_again(&field, &finding.text) {
+        let mut block = field.clone();
+        for (_, finding) in findings {
+            // A drift may name integrals and earlier drifts.
+            let before = if finding.kind == ClaimKind::Drift { &block } else { &field };
+            match proved_again(before, &finding.text) {
                 Some(Proved::ByExpansion) => expanded += 1,
                 Some(Proved::ModuloPrimes) => modular += 1,
                 None => {
                     untrue += 1;
                     println!("FALSE: {field} {finding}");
                 }
+            }
+            if matches!(finding.kind, ClaimKind::Integral | ClaimKind::Drift) {
+                block = format!("{block} {}", finding.text);
             }
         }
         if (index + 1) % 100 == 0 {
@@ -95,19 +84,21 @@ fn main() -> ExitCode {
     if untrue == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// How a finding is proved again.
+/// The second proof of a finding.
 enum Proved {
     ByExpansion,
     ModuloPrimes,
 }
 
-/// Proves a claim of a field; `None` if it is false.
-fn proved_again(field: &str, claim: &str) -> Option<Proved> {
-    let block = format!("{field} {claim}");
+/// Proves the claim after a block by expansion or, beyond its budget, modulo primes; `None` if the
+/// claim is false.
+fn proved_again(before: &str, claim: &str) -> Option<Proved> {
+    let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The points follow from the text.
+        // The seed of primes and points is the text of the block, so both differ from those of
+        // `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }
@@ -115,7 +106,7 @@ fn proved_again(field: &str, claim: &str) -> Option<Proved> {
 const STATES: [&str; 4] = ["x", "y", "z", "w"];
 const PARAMETERS: [&str; 2] = ["a", "b"];
 
-/// A coefficient, times a parameter where there is one, times powers of the states.
+/// A product of a coefficient, at most one parameter, and powers of the states.
 #[derive(Clone)]
 struct Term {
     coefficient: i64,
@@ -124,7 +115,7 @@ struct Term {
 }
 
 impl Term {
-    /// A product of so many of 1 and the first n states.
+    /// Draws a term with `factors` factors, each 1 or one of the first n states.
     fn draw(n: u64, factors: usize, has_parameters: bool, random: &mut SplitMix64) -> Self {
         let sizes = [-3, -2, -1, -1, 1, 1, 2, 3];
         let parameter = has_parameters && random.below(3) == 0;
@@ -142,7 +133,7 @@ impl Term {
         }
     }
 
-    /// The derivative times a factor.
+    /// The derivative with respect to a state, times a factor.
     fn derivative(&self, state: usize, factor: i64) -> Self {
         let mut term = self.clone();
         term.coefficient *= factor * self.powers[state];

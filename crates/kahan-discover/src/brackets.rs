@@ -32,26 +32,26 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// Beside a bracket of full rank in four dimensions, brackets of rank 2 with more characters are not
-/// written; in more dimensions none are.
+/// The most characters of a bracket of rank 2 that stands beside a bracket of full rank in four
+/// dimensions. In more dimensions no bracket of rank 2 stands beside one of full rank.
 const MOST_BESIDE: usize = 400;
 
-/// Brackets that are proved.
+/// Proved brackets.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
-    /// Their ranks, and their claims in the language of `kahan!`.
+    /// The rank of each bracket, and its claim in the language of `kahan!`.
     pub(crate) claims: Vec<(usize, String)>,
-    /// How many of them, the first, have polynomial entries.
+    /// The number of brackets with polynomial entries; these come first.
     pub(crate) polynomial: usize,
-    /// The numbers from 0 of the constant K for which (I − ε² f′²)K is one, perhaps too long to be
-    /// among the claims.
+    /// The indices of the constant tensors K for which (I − ε² f′²)K is proved to be a bracket.
+    /// The claims leave such a bracket out if it is too long or others are chosen in its place.
     pub(crate) structures: Vec<usize>,
 }
 
-/// Proves brackets: first those with the given tensors, the highest rank and then the shortest
-/// first, then those of a density with n − 2 integrals, the shortest first. A bracket of more than
-/// 2500 characters is left out; beside a bracket of full rank in four dimensions, so are those of a
-/// density with more than 400, and in more dimensions all of them.
+/// Proves brackets. Brackets with the given tensors come first, sorted by descending rank and then
+/// by length. Brackets of rank 2 from the density and n − 2 integrals follow, the shortest first.
+/// A bracket has at most 2500 characters. Beside a bracket of full rank, a bracket of rank 2 has at
+/// most 400 characters in four dimensions, and is left out in more dimensions.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -64,9 +64,9 @@ pub(crate) fn brackets(
     if n < 2 {
         return Brackets::default();
     }
-    let written = |tensor: Vec<RationalFunction>| {
+    let written = |tensor: &[RationalFunction]| {
         let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-        Some(claims.bracket_entries(symbols, &coprime(symbols, &tensor, &mut budget)?))
+        Some(claims.bracket_entries(symbols, &coprime(symbols, tensor, &mut budget)?))
     };
     let mut proved: Vec<(usize, String)> = Vec::new();
     let mut taken: Vec<String> = Vec::new();
@@ -81,7 +81,8 @@ pub(crate) fn brackets(
     let mut polynomial: Vec<(&PoissonTensor, String)> = tensors
         .iter()
         .filter_map(|tensor| {
-            Some((tensor, written(tensor.entries.iter().cloned().map(Into::into).collect())?))
+            let entries: Vec<_> = tensor.entries.iter().cloned().map(RationalFunction::from).collect();
+            Some((tensor, written(&entries)?))
         })
         .collect();
     polynomial.sort_by_key(|(tensor, entries)| (Reverse(tensor.rank), entries.len()));
@@ -99,7 +100,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // Long integrals make long brackets.
+    // A bracket is about as long as the integrals in it.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {
@@ -109,7 +110,7 @@ pub(crate) fn brackets(
                 break;
             }
             let tensor = tensor(symbols, &chosen, integrals, density);
-            found.extend(tensor.and_then(written).filter(|entries| entries.len() <= most));
+            found.extend(tensor.and_then(|tensor| written(&tensor)).filter(|entries| entries.len() <= most));
         }
     }
     found.sort_by_key(String::len);
@@ -157,8 +158,9 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// The tensor without what is free of states in all its numerators: a bracket is one up to that.
-/// Its entries have coprime integers, and the first begins with a positive one.
+/// Divides a tensor by the factors of all its numerators that are free of states, so that the
+/// coefficients are coprime integers and the first is positive. A multiple of a bracket by such a
+/// factor is a bracket.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

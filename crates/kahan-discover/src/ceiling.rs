@@ -56,9 +56,9 @@ const WORK: usize = 100_000_000;
 /// As many trials are made with the same values of the parameters.
 const TRIALS_A_SAMPLE: usize = 40;
 
-/// The lowest ceiling that was found in so many `trials` at most, the search being over with the
-/// first that is `enough` or lower; `None` where no zero was found, where ε is fixed or λ depends on
-/// it, or in more than 24 variables.
+/// Returns the lowest ceiling of at most `trials` trials; the search ends with the first ceiling
+/// that is `enough` or lower. `None` if no zero was found, if ε is fixed, if the field depends on
+/// ε, or in more than 24 variables.
 pub fn ceiling(
     searched: &SearchField,
     enough: usize,

@@ -21,7 +21,7 @@ use crate::writing::{factors_of, quotient};
 /// higher degree is taken that is known already.
 const MOST_AHEAD: usize = 150;
 
-/// Where P and Q have more characters other members of their pencil are looked at.
+/// Other members of the pencil of P and Q are tried if P and Q have more characters in all.
 const SHORT: usize = 60;
 
 pub(crate) struct Collector<'a> {
@@ -100,8 +100,8 @@ impl Collector<'_> {
         }
     }
 
-    /// The quotient of the two members of the pencil of P and Q that is shortest to write, with a
-    /// limit at ε = 0; P/Q where that is short.
+    /// Returns P/Q if it is short. Otherwise, returns the quotient of two members of the pencil of
+    /// P and Q that has the shortest text among those with a limit at ε = 0.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -118,7 +118,8 @@ impl Collector<'_> {
         if special.is_empty() {
             return own;
         }
-        // A denominator without zeros at ε = 0, where there is one: the limit is a polynomial then.
+        // A member without states at ε = 0 is preferred as the denominator: the limit of the
+        // integral is then a polynomial.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -132,7 +133,7 @@ impl Collector<'_> {
                 && (is_flat(below) || !has_flat)
                 && with_a_limit(symbols, (*above).clone(), below) == **above
         };
-        // The first of equal ones: P/Q, if it is one of them.
+        // `min_by_key` keeps the first of equal pairs, so P/Q wins a tie.
         let best = pairs.filter(is_fit).min_by_key(|((above, _), (below, _))| above + below);
         best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }

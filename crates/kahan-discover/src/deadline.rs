@@ -101,9 +101,8 @@ impl<'a> Deadline<'a> {
         Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
     }
 
-    /// A deadline of its own, when this share of the time that is left is over.
-    #[must_use]
-    pub fn after_share(&self, share: f64) -> Self {
+    /// A new deadline, after this share of the time that is left.
+    pub(crate) fn after_share(&self, share: f64) -> Self {
         self.work.map_or_else(Deadline::never, |work| Deadline::after(work, share * self.left()))
     }
 

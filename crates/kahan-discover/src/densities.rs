@@ -73,8 +73,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// The linear factors P of components of the field whose zeros the flow keeps, so that P divides
-/// ∇P·f; the map keeps them, too.
+/// The linear factors P of components of the field for which P divides ∇P·f. The hyperplane P = 0
+/// is invariant under the flow, and hence under the map.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();

@@ -1,8 +1,9 @@
-//! A field with its coefficients as polynomials in the parameters and ε, from which it comes modulo
-//! a prime at values of them.
+//! A field whose coefficients are polynomials in the parameters and ε. It is evaluated modulo a
+//! prime at values of the parameters and ε.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::map::{ModularMap, Term};
@@ -58,10 +59,16 @@ impl Family {
     }
 
     /// Whether a coefficient depends on ε.
-    #[must_use]
-    pub fn depends_on_eps(&self) -> bool {
+    pub(crate) fn depends_on_eps(&self) -> bool {
         let coefficients = self.terms.iter().map(|term| &term.coefficient);
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
+    }
+
+    /// Whether the field has a value at ε = 0. Values of parameters can make a divisor vanish there:
+    /// 1/(a + ε²) has no value at ε = 0 for a = 0.
+    pub(crate) fn has_limit(&self) -> bool {
+        let epsilon = self.symbols.epsilon();
+        self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }
 
     /// The map at these parameters and ε (half the time step); `None` where the field then divides
@@ -74,7 +81,7 @@ impl Family {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => parameters[k],
             Symbol::Epsilon => eps,
-            // Coefficients are free of states.
+            // No coefficient contains a state.
             _ => 0,
         };
         let mut inverses = Vec::with_capacity(self.dimension);

@@ -29,7 +29,7 @@ pub struct GrowthVerdict {
     pub growth: Growth,
     /// What was seen, as a sentence.
     pub evidence: String,
-    /// A proof that growth is exponential; without it the class is an observation.
+    /// A proof that the growth is exponential. If there is none, the class is an observation.
     pub proof: Option<GrowthProof>,
 }
 

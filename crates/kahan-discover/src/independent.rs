@@ -4,6 +4,7 @@
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::claims::Formula;
 use crate::matrix::Echelon;
 use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::stepping::Stepping;
@@ -46,6 +47,13 @@ impl<'a> Independent<'a> {
         Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
 
+    /// Starts with the gradients of known integrals.
+    pub(crate) fn of(searched: &'a SearchField, known: &[Formula], random: &mut SplitMix64) -> Self {
+        let mut independent = Self::new(searched, random);
+        known.iter().for_each(|formula| independent.keep(&formula.numerator, &formula.denominator));
+        independent
+    }
+
     fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
         let step = self.step.as_ref()?;
         quotient_gradient(self.searched, &step.sample, &step.here, numerator, denominator)
@@ -55,7 +63,7 @@ impl<'a> Independent<'a> {
     #[must_use]
     pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
         let Some(gradient) = self.gradient(numerator, denominator) else { return false };
-        self.step.is_some() && self.rank_with(vec![gradient]) == self.gradients.len() + 1
+        self.rank_with(vec![gradient]) == self.gradients.len() + 1
     }
 
     /// The map and the point at which gradients are taken.
@@ -63,7 +71,7 @@ impl<'a> Independent<'a> {
         self.step.as_ref()
     }
 
-    /// The rank of what was kept and of further gradients; 0 without a point.
+    /// The rank of the gradients kept and further ones; 0 without a point.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();

@@ -64,13 +64,10 @@ pub fn integrals(
         known: aims.known,
         further: aims.further.0,
         step: searched.step(random),
-        independent: Independent::new(searched, random),
+        independent: Independent::of(searched, aims.proved, random),
         tell: aims.tell,
         formulas: aims.proved.to_vec(),
     };
-    for Formula { numerator, denominator, .. } in aims.proved {
-        collector.independent.keep(numerator, denominator);
-    }
     for kept in aims.kept {
         collector.offer_one(kept.clone(), Polynomial::one());
     }
@@ -189,7 +186,8 @@ impl Collector<'_> {
         bases
     }
 
-    /// Two members of a pencil in the whole space that are shorter than those of its reduced basis.
+    /// Special members of a pencil of polynomials in all states, as a basis instead of the reduced
+    /// one; `None` if fewer than two are found.
     fn special_basis(
         &self,
         pencil: &Pencil,
@@ -233,7 +231,8 @@ impl Collector<'_> {
     }
 }
 
-/// The coefficients of a polynomial in the states in the order of a leaf, in their own order.
+/// Permutes coefficients: from monomials whose variables are in the order of a leaf to monomials
+/// whose variables are in the order of the states.
 fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
     let own = |index: usize| {
         let exponents = monomials.exponents(index);

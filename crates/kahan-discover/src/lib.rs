@@ -14,18 +14,20 @@
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`],
-//! [`degrees`], [`growth`], [`plane`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
-//! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`],
-//! [`chart`], [`constrained`], [`independent`], `reduction`, `members`, `collector`, [`integrals`];
-//! [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
-//! `writing`, [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid,
-//! [`mod@poles`] follows what the map sends to infinity or blows down.
+//! [`degrees`], [`growth`], [`plane`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`];
+//! [`reconstruct`], [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`],
+//! [`search`], [`leaf`], [`chart`], [`constrained`], [`independent`], `reduction`, `members`,
+//! `collector`, [`integrals`]; [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`],
+//! [`hamiltonian`], `modified`; [`composition`]; `writing`, [`claims`], [`report`]; [`mod@scan`]
+//! looks for special values on a grid, [`mod@poles`] follows what the map sends to infinity or
+//! blows down.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
 //! use kahan_discover::{Options, Unwatched, discover};
 //!
-//! let system = read(&lexer::lex("xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;").tokens).system().expect("a system");
+//! let field = "xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;";
+//! let system = read(&lexer::lex(field).tokens).system().expect("a system");
 //! let report = discover(&system, &Options::default(), &Unwatched).unwrap();
 //! assert_eq!(report.independent_integrals(), 2);
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`

@@ -67,7 +67,8 @@ impl ModularMap {
         self.eps
     }
 
-    /// The map with another ε and these coefficients: −ε for the way back.
+    /// The map with another ε and the same values of the coefficients. The map with −ε is the
+    /// inverse of the map with ε.
     #[must_use]
     pub fn with_eps(&self, eps: u64) -> Self {
         ModularMap { eps, ..self.clone() }

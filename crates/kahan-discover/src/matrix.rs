@@ -78,6 +78,11 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
+    /// The row minus a combination of the rows of the form: 0 in every pivot column.
+    pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
+        reduced_by(modulus, row, &self.pivots, &self.rows)
+    }
+
     /// A basis of the null space: for each column without a pivot the vector with 1 there, 0 in the
     /// other such columns.
     #[must_use]

@@ -1,15 +1,20 @@
-//! The members of a pencil P + cQ that fall apart.
+//! Special members of a pencil: the P + cQ that factor, have lower degree, or do not depend on ε.
 //!
-//! An integral P/Q may be written by any two members of its pencil, and those with factors say most
-//! in the fewest letters. A polynomial F in two variables s, t of degree d is reducible over the
-//! complex numbers, or a square divides it, where ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H of degree
-//! d − 1 beside the multiples of ∇F (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72,
-//! 2003). For F = P + cQ on a random plane these linear equations are linear in c, so the c for
-//! which they have solutions are the roots of a polynomial modulo a prime. A member that alone has
-//! its multiplicity there, its number of solutions and its monomials is told from the others at any
-//! parameters, so that its coefficients, one of them being 1, are interpolated by themselves: those
-//! of other members may be too long. What holds: a member is one of the pencil modulo a prime;
-//! integrals made of members are proved elsewhere.
+//! An integral P/Q can be written with any two members of its pencil, and members with factors have
+//! the shortest texts. Let F be a polynomial of degree d in two variables s, t. The equation
+//!
+//!   ∂(G/F)/∂t = ∂(H/F)/∂s
+//!
+//! has solutions G, H of degree d − 1 beside the multiples of ∇F if and only if F factors over the
+//! complex numbers or is divisible by a square (Ruppert, J. reine angew. Math. 369, 1986; Gao,
+//! Math. Comp. 72, 2003). For F = P + cQ on a random plane these linear equations depend linearly
+//! on c, so the c with solutions are the roots of a polynomial modulo a prime.
+//!
+//! The members at different parameters are matched by their [`Kind`]. If a kind has a single
+//! member, the coefficients of this member are interpolated, with one of them set to 1.
+//! Coefficients that are not rational functions are lost, and so are members that take too much
+//! work. Each member found lies in the pencil modulo a prime; the integrals made of members are
+//! proved elsewhere.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,17 +28,18 @@ use crate::reconstruct::Oracle;
 use crate::search_field::SearchField;
 use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 
-/// The products modulo a prime that one search may take, some tenths of a second, and those of a
-/// look at the pencil without the equations.
+/// The most products modulo a prime in one search: some tenths of a second.
 const MOST_WORK: u64 = 100_000_000;
+
+/// The products that one evaluation of the pencil takes before the equations are solved.
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// So often the members are looked at before one is told from the others.
+/// The number of parameter samples at which the members of each kind are counted.
 const LOOKS: usize = 4;
 
-/// The members of the pencil of P and Q that fall apart, perhaps over a larger field, those of lower
-/// degree, and one that does not depend on ε, as far as their coefficients are rational functions of the parameters and ε; none
-/// where that is too much work.
+/// Finds the special members of the pencil of P and Q whose coefficients are rational functions of
+/// the parameters and ε. The factors of a member may have coefficients in a larger field. The list
+/// is empty if the search would take too much work.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
@@ -69,7 +75,8 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Those of the pencil of two polynomials whose coefficients of the monomials `pair` gives.
+/// Like [`special_members`], for a pencil whose coefficients `pair` gives at values of the unknowns
+/// modulo a prime.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -121,7 +128,8 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // How few of a kind there are: one that is no rational function comes and goes.
+    // The number of members of each kind at each sample. A member whose c is not a rational
+    // function is missing at some samples.
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -147,7 +155,7 @@ pub(crate) fn members(
     found
 }
 
-/// The polynomial that is in both spans, if there is one but for factors.
+/// The polynomial in the intersection of both spans; `None` unless the intersection is a line.
 fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -156,17 +164,21 @@ fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Opt
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// What tells a member from others at all parameters.
+/// Properties of a member that do not depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Kind {
+    /// The multiplicity of c as a root.
     multiplicity: usize,
+    /// The dimension of the space of solutions G, H.
     solutions: usize,
-    /// How many of its points at infinity are one.
+    /// The degree of the greatest common divisor of the leading form and its derivative.
     at_infinity: usize,
+    /// The monomials that occur, by their indices.
     support: Vec<usize>,
 }
 
-/// The members at one choice of the parameters and ε, as far as they lie in the prime field.
+/// The members that factor or have lower degree, at one choice of the parameters and ε; only those
+/// with c in the prime field.
 fn special(
     modulus: &Modulus,
     monomials: &Monomials,
@@ -177,15 +189,18 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // No member stands where c is infinite.
+    // A random basis of the pencil: no special member is the one of c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
     let sides = pair.each_ref().map(|side| plane.restricted(side));
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let mut spectrum = spectrum(modulus, &first, &second, random)?;
-    // Where F has no sᵈ, ∇F is a solution, whatever F is.
+    // If F has no term sᵈ, then ∇F solves the equations. The root c of these F is divided out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
+    if highest[1] == 0 {
+        return None;
+    }
     spectrum = divided(modulus, spectrum, &highest).0;
     let mut found = Vec::new();
     while let Some(root) = kahan_factor::root(
@@ -219,15 +234,15 @@ fn special(
     Some(found)
 }
 
-/// A random plane: each state an affine function of s and t.
+/// A random plane, on which each state is an affine function of s and t.
 struct Plane<'a> {
     modulus: Modulus,
     monomials: &'a Monomials,
-    /// By state, then by exponent: its powers, as polynomials of the degree.
+    /// The powers of each state: by state, then by exponent.
     powers: Vec<Vec<Vec<u64>>>,
 }
 
-/// Where sᵃtᵇ stands among the coefficients of polynomials of this degree.
+/// The index of sᵃtᵇ among the coefficients of a polynomial of this degree.
 fn place(degree: usize, a: usize, b: usize) -> usize {
     a * (degree + 1) + b
 }
@@ -252,7 +267,8 @@ impl<'a> Plane<'a> {
         plane
     }
 
-    /// The product of polynomials whose degrees add up to the plane's at most.
+    /// The product of two polynomials in s and t whose degrees add up to at most that of the
+    /// pencil.
     fn product(&self, left: &[u64], right: &[u64]) -> Vec<u64> {
         let mut product = vec![0; left.len()];
         for (i, &own) in left.iter().enumerate().filter(|(_, own)| **own != 0) {
@@ -263,7 +279,7 @@ impl<'a> Plane<'a> {
         product
     }
 
-    /// The polynomial with these coefficients on the plane.
+    /// Restricts the polynomial with these coefficients to the plane.
     fn restricted(&self, coefficients: &[u64]) -> Vec<u64> {
         let mut sum: Vec<u64> = vec![0; self.powers[0][0].len()];
         for (index, &value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0) {
@@ -282,13 +298,13 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// The polynomial, lowest coefficient first, whose roots are the c for which the equations p + cq
-/// have solutions; each column of p and q stands for an unknown.
+/// The polynomial whose roots are the c for which the equations p + cq have solutions, lowest
+/// coefficient first. Each row of `p` and `q` holds the coefficients of one unknown.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // As many combinations of the equations as there are unknowns.
+        // Random combinations of the equations, as many as unknowns.
         let mixers: Vec<Vec<u64>> =
             (0..columns).map(|_| (0..p[0].len()).map(|_| modulus.sample(random)).collect()).collect();
         let mixed = |side: &[Vec<u64>]| -> Vec<Vec<u64>> {
@@ -311,8 +327,9 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     gcd(modulus, first, second)
 }
 
-/// F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial in G and in H of a degree below that of
-/// F, but for the highest power of s in G, so that ∇F is no solution.
+/// The coefficients of F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H of
+/// degree below that of F. The highest power of s is left out of G, which excludes ∇F as a
+/// solution.
 fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     let wide = 2 * degree;
     let mut columns = Vec::new();
@@ -337,12 +354,13 @@ fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     columns
 }
 
-/// The derivative of a polynomial, lowest coefficient first.
+/// The derivative of a polynomial; coefficients are listed from the lowest.
 fn derivative(modulus: &Modulus, polynomial: &[u64]) -> Vec<u64> {
     let terms = polynomial.iter().enumerate().skip(1);
     terms.map(|(exponent, own)| modulus.times(modulus.integer(exponent as u64), *own)).collect()
 }
 
+/// The determinant of a square matrix, by Gaussian elimination.
 fn determinant(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> u64 {
     let mut product = modulus.one();
     for column in 0..rows.len() {
@@ -365,7 +383,7 @@ fn determinant(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> u64 {
     product
 }
 
-/// The coefficients, lowest first, of the polynomial with these values (Newton).
+/// The coefficients of the polynomial with these values, lowest first, by divided differences.
 fn interpolated(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<Vec<u64>> {
     let mut differences = values.to_vec();
     for level in 1..points.len() {
@@ -386,7 +404,7 @@ fn interpolated(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<Vec
     Some(sum)
 }
 
-/// The quotient and the rest; the divisor is not 0 and ends with a coefficient that is not 0.
+/// The quotient and the remainder. The last coefficient of the divisor is not 0.
 fn divided(modulus: &Modulus, mut above: Vec<u64>, below: &[u64]) -> (Vec<u64>, Vec<u64>) {
     let inverse = modulus.inverse(below[below.len() - 1]).expect("the divisor has its degree");
     let mut quotient = vec![0; (above.len() + 1).saturating_sub(below.len())];
@@ -400,7 +418,7 @@ fn divided(modulus: &Modulus, mut above: Vec<u64>, below: &[u64]) -> (Vec<u64>, 
     (quotient, above)
 }
 
-/// The monic greatest common divisor; `None` of 0 and 0.
+/// The monic greatest common divisor; `None` if both polynomials are 0.
 fn gcd(modulus: &Modulus, mut left: Vec<u64>, mut right: Vec<u64>) -> Option<Vec<u64>> {
     let trim = |side: &mut Vec<u64>| {
         side.truncate(side.iter().rposition(|own| *own != 0).map_or(0, |last| last + 1));
@@ -422,7 +440,7 @@ mod tests {
     use kahan_algebra::symbols::Symbols;
     use kahan_algebra::{lexer, read};
 
-    /// The numerators of expressions in x, y and a, and a field in these.
+    /// The numerators of expressions in x, y and a, with a field in these symbols.
     fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
         let field = "xdot = a*x + y^2; ydot = x^2;";
         let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
@@ -434,7 +452,8 @@ mod tests {
         (searched, system.field.symbols.clone(), sides.collect())
     }
 
-    /// Of three conics that fall apart two are not rational; of a pencil of cubics one is.
+    /// In a pencil of conics three members factor, two of them with irrational c. In a pencil of
+    /// cubics one member factors.
     #[test]
     fn the_member_that_falls_apart_is_found() {
         for (product, other) in [
@@ -449,7 +468,7 @@ mod tests {
         }
     }
 
-    /// Neither falls apart, and ε is in one.
+    /// Neither polynomial factors, and only one contains ε.
     #[test]
     fn the_member_without_epsilon_is_found() {
         let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");

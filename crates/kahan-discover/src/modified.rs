@@ -1,5 +1,5 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and how each is to
-//! be given beside formulas and bases.
+//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and the choice of
+//! the form in which each is given.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -16,22 +16,23 @@ use crate::search_field::SearchField;
 use crate::space::tidy;
 use crate::writing::factors_of;
 
-/// A formula of more characters is given by the compact form of a modified Hamiltonian, where that
-/// says the same and is shorter by far.
+/// The compact form of a modified Hamiltonian replaces an equivalent formula of more characters
+/// than this, if the compact form is far shorter.
 const LONG: usize = 1000;
 
-/// What is shorter by this factor is shorter by far.
+/// A far shorter text is shorter by this factor.
 const FAR_SHORTER: usize = 4;
 
 /// K and H with f = K∇H, and the integral H̃ that they give.
 pub(crate) struct Modified {
     pub(crate) found: Hamiltonian,
-    /// H̃ as numerator and denominator, where these are short enough to be written.
+    /// The numerator and denominator of H̃, if they are within the budget.
     pub(crate) written: Option<(Polynomial, Polynomial)>,
 }
 
 impl Modified {
-    /// Finds those of a field, the shortest first; one that is too long to be written comes last.
+    /// Finds the modified Hamiltonians of a field, sorted by the number of terms. Those beyond the
+    /// budget come last.
     pub(crate) fn all(
         searched: &SearchField,
         field: &Field,
@@ -52,8 +53,8 @@ impl Modified {
     }
 }
 
-/// Adds the modified Hamiltonians that are proved and independent of the others; for each, whether
-/// it is proved.
+/// Adds the modified Hamiltonians that are proved and independent of the other integrals. Returns
+/// for each whether it is proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -77,7 +78,7 @@ pub(crate) fn add_modified(
     all.iter().map(&mut add).collect()
 }
 
-/// A formula that depends on the others adds nothing; one that replaces nothing is kept.
+/// Adds a formula if it is functionally independent of the others.
 fn add_if_independent(
     searched: &SearchField,
     integrals: &mut Vec<Formula>,
@@ -85,30 +86,26 @@ fn add_if_independent(
     random: &mut SplitMix64,
 ) {
     let Some(formula) = formula else { return };
-    let mut independent = Independent::new(searched, random);
-    for known in integrals.iter() {
-        independent.keep(&known.numerator, &known.denominator);
-    }
-    if independent.admits(&formula.numerator, &formula.denominator) {
+    if Independent::of(searched, integrals, random).admits(&formula.numerator, &formula.denominator) {
         integrals.push(formula);
     }
 }
 
-/// Integrals whose gradients are known at one point.
+/// The gradients of integrals at one point.
 pub(crate) struct Gradients<'a> {
-    /// The gradients of formulas, each up to a factor.
+    /// The gradient of each formula, up to a factor.
     pub(crate) formulas: Vec<Option<Vec<u64>>>,
     /// The gradients of the integrals that bases give.
     pub(crate) in_bases: Vec<Vec<u64>>,
     /// The gradient of each modified Hamiltonian.
     pub(crate) modified: &'a [Option<Vec<u64>>],
-    /// The rank of gradients.
+    /// Computes the rank of gradients.
     pub(crate) rank: &'a dyn Fn(&[Vec<u64>]) -> usize,
 }
 
 impl Gradients<'_> {
-    /// Chooses how each modified Hamiltonian is to be given: alone where nothing before says it,
-    /// in place of the longest formula that it can replace, or not at all.
+    /// Chooses the form in which each modified Hamiltonian is given: alone if it is independent of
+    /// the integrals given, in place of the longest formula that it can replace, or not at all.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -119,7 +116,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // The rank of the kept formulas but one, the bases, the compact forms, and perhaps H̃.
+            // The rank of the kept formulas without one, the bases, the compact forms, and maybe
+            // H̃.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

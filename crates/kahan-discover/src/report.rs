@@ -56,7 +56,8 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether coefficients depend on ε: then the flow is that of the field at any one ε.
+    /// Whether coefficients of the field depend on ε. If so, statements on the flow hold for the
+    /// field at any fixed ε.
     pub depends_on_eps: bool,
     /// div f.
     pub divergence: String,
@@ -72,8 +73,8 @@ pub struct StructureReport {
     pub flow_degree: u32,
     /// How many of these the map keeps as they stand.
     pub kept: usize,
-    /// The K of a reduced basis with f = K∇H, each with its H, as far as they were found; the
-    /// shortest modified Hamiltonian comes first.
+    /// The K found with f = K∇H, each with its H. They form a reduced basis, sorted by the length
+    /// of the modified Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
@@ -89,16 +90,16 @@ pub struct DensitySearch {
 /// f = K∇H.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, from 1; `None` where there is no other.
+    /// The number of this K, counted from 1; `None` if there is only one.
     pub number: Option<usize>,
     /// K, row by row.
     pub tensor: Vec<Vec<String>>,
     /// H
     pub hamiltonian: String,
-    /// Whether the modified Hamiltonian was written out, and proved as a claim.
+    /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
-    /// Whether (I − ε² f′²)K with the field's Jacobian f′ is proved to be an invariant Poisson
-    /// bracket, also where it is too long to be written.
+    /// Whether (I − ε² f′²)K, with the Jacobian f′ of the field, is proved to be an invariant
+    /// Poisson bracket. The bracket may be too long to be written.
     pub bracket_is_proved: bool,
     /// How it is to be given, beside or instead of formulas.
     pub place: ModifiedPlace,
@@ -114,7 +115,7 @@ impl HamiltonianReport {
         self.found.compact(&self.symbols, notation)
     }
 
-    /// `K` with the number of this K, or another letter in its place.
+    /// A letter with the number of this K, if there are several K.
     #[must_use]
     pub fn label(&self, letter: &str) -> String {
         self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
@@ -141,10 +142,10 @@ pub enum Bound {
     Orbits,
     /// No more are possible by the [`Ceiling`].
     Ceiling,
-    /// None exists: the map is one of the plane, and growth is proved exponential.
+    /// The map is one of the plane and growth is proved exponential, so no integral exists.
     Growth,
-    /// None exists if growth is linear, as it was seen to be: a drift shows the only pencil of
-    /// curves that the map of the plane permutes, which it does with infinite order.
+    /// The map is one of the plane, growth is observed to be linear, and a drift has infinite
+    /// order. If growth is linear, then no integral exists.
     Linear,
     /// No more are possible by the drifts.
     Drifts,
@@ -172,8 +173,8 @@ impl Bound {
         }
     }
 
-    /// Why no more integrals are possible than are known, `by_drifts` being the most by the drifts;
-    /// `None` where more may exist.
+    /// The reason why there are no more than the `known` integrals; `None` if more may exist. The
+    /// drifts admit at most `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
         n: usize,
@@ -183,8 +184,8 @@ impl Bound {
         linear: Option<usize>,
         by_drifts: usize,
     ) -> Option<Self> {
-        // With n independent integrals an orbit is a finite set. Where ε is generic it is none: the
-        // map would have a finite order N, but its N-th iterate is x + 2Nε f(x) + O(ε²).
+        // With n independent integrals every orbit is finite, and the map has a finite order N. At
+        // generic ε this is impossible, as the N-th iterate is x + 2Nε f(x) + O(ε²).
         let most = if hilbert.period.is_some() { n } else { n - 1 };
         if known >= most {
             return Some(Bound::Orbits);
@@ -213,8 +214,8 @@ pub struct Report {
     pub degrees: Vec<usize>,
     /// Their growth.
     pub growth: GrowthVerdict,
-    /// The number of iterates over which growth in the plane was seen to be linear, where that
-    /// excludes integrals: a drift shows that no curve of the only pencil is kept.
+    /// The number of iterates over which growth in the plane is linear, if linear growth excludes
+    /// integrals: the map permutes the curves of a drift with infinite order.
     pub linear_iterates: Option<usize>,
     /// The Hilbert function of a generic orbit; absent where every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
@@ -238,7 +239,8 @@ pub struct Report {
     pub bracket_ranks: Vec<usize>,
     /// How many of them, the first, have polynomial entries.
     pub polynomial_brackets: usize,
-    /// Functions whose next value follows from their value, proved; independent of the integrals.
+    /// Proved functions whose next value follows from their value. They are functionally
+    /// independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
     /// How the search for densities ended.
     pub density_search: DensitySearch,
@@ -268,18 +270,17 @@ impl Report {
         self.bases.iter().map(|basis| basis.integrals.len()).sum()
     }
 
-    /// The modified Hamiltonians that are to be given in their compact forms.
+    /// The modified Hamiltonians that are given in compact form.
     pub fn compact(&self) -> impl Iterator<Item = &HamiltonianReport> {
         self.structure.hamiltonians.iter().filter(|found| found.place != ModifiedPlace::Implied)
     }
 
-    /// Those of them that no formula says.
+    /// The modified Hamiltonians that are given in compact form and stand for no formula.
     pub fn alone(&self) -> impl Iterator<Item = &HamiltonianReport> {
         self.compact().filter(|found| found.place == ModifiedPlace::Alone)
     }
 
-    /// The formulas, by their indices, in whose place the compact form of a modified Hamiltonian is
-    /// to be given.
+    /// The indices of the formulas that the compact form of a modified Hamiltonian replaces.
     #[must_use]
     pub fn replaced(&self) -> Vec<usize> {
         let replaced = |found: &HamiltonianReport| match found.place {

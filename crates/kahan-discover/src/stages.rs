@@ -39,7 +39,8 @@ use crate::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integr
 use crate::watch::{Progress, Watch};
 use crate::words::sentences;
 
-/// Where compact forms or brackets say all, so much of the time that is left goes into formulas.
+/// The share of the remaining time for formulas, if compact forms give all integrals or a bracket
+/// gives the density.
 const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
@@ -134,6 +135,7 @@ pub(crate) fn discover_within(
     let until_drifts = Deadline::after(work, end.left().min(drift::SHARE * options.seconds));
     let drifts =
         drifts(&searched, &fixed.field, &claims, &found.integrals, &mut random.clone(), &until_drifts, tell);
+    let before = found.integrals.clone();
     let mut is_stopped =
         [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
             || until.has_stopped();
@@ -213,7 +215,7 @@ pub(crate) fn discover_within(
         independent: found.independent,
         ceiling,
         bound,
-        drifts: drift::independent(drifts, &searched, &found.integrals, &mut random.clone()),
+        drifts: drift::independent(drifts, &searched, &before, &found.integrals, &mut random.clone()),
         integrals: found.integrals,
         bases: found.bases,
         densities: found.densities,

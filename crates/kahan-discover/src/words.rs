@@ -127,7 +127,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
             degree + 1
         )),
-        // Without any orbit the first sentences say it.
+        // If there was no orbit at all, the sentences on orbits say so.
         Bound::Poles => report.hilbert.as_ref().map(|_| {
             format!(
                 "Poles ended the search beyond degree {degree}: no orbit of a random point was long enough."
@@ -273,7 +273,7 @@ fn modified(of: &[&HamiltonianReport]) -> String {
     }
 }
 
-/// `K1, K2 and K3`; empty where the only K has no number.
+/// `K1, K2 and K3`; empty if the only K has no number.
 fn listed_labels(of: &[&HamiltonianReport]) -> String {
     let numbered = of.iter().filter(|found| found.number.is_some());
     let labels: Vec<String> = numbered.map(|found| found.label("K")).collect();

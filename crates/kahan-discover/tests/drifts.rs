@@ -1,7 +1,6 @@
-//! Functions whose next value follows from their value: found in fields where they are known, and
-//! nowhere where integrals say all.
+//! Drifts, functions whose next value follows from their value: found for fields in which they are
+//! known, and for no field that lacks them.
 
-use kahan_algebra::{lexer, read};
 use kahan_discover::hilbert::default_degree;
 use kahan_discover::{Options, Report, Unwatched, discover};
 
@@ -15,11 +14,9 @@ fn report(text: &str, degree: Option<u32>) -> Report {
     discover(&system, &options, &Unwatched).expect("there is a map")
 }
 
-/// The lines of a report's drifts, which compile behind its other claims.
+/// The lines of a report's drifts; they compile after its other claims.
 fn drifts(text: &str, report: &Report) -> Vec<String> {
-    let block = format!("{text} {}", claims(report).join(" "));
-    let reading = read(&lexer::lex(&block).tokens);
-    assert_eq!(reading.diagnostics(), [], "{block}");
+    check_lines(text, report);
     report.drifts.iter().map(|drift| drift.text.clone()).collect()
 }
 
@@ -28,10 +25,10 @@ fn drifts_are_found_where_they_are_known() {
     let cases: [(&str, &[&str]); 10] = [
         ("xdot = x^2;", &["drift F1 = 1/x by F1 - 2*eps;"]),
         ("xdot = a*x;", &["drift F1 = x by F1*(1 + eps*a)/(1 - eps*a);"]),
-        // Quadratic eigenvalues: the map itself.
+        // Quadratic eigenvalues: the drift is x.
         ("xdot = 1 + x^2;", &["drift F1 = x by (F1 + 2*eps)/(1 - 2*eps*F1);"]),
         ("xdot = x^2 - 1;", &["drift F1 = (1 - x)/(1 + x) by F1*(1 + 2*eps)/(1 - 2*eps);"]),
-        // Jordan's chain.
+        // A Jordan chain.
         (
             "xdot = x + y; ydot = y;",
             &[
@@ -39,11 +36,11 @@ fn drifts_are_found_where_they_are_known() {
                 "drift F2 = y by F2*(1 + eps)/(1 - eps);",
             ],
         ),
-        // One drift beside the integral says how the orbit runs through its circle.
+        // One integral, whose level sets are circles, and one drift.
         ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
-        // An integral may stand in the next value.
+        // The next value contains an integral.
         ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
-        // Two first integrals and nothing besides, and none at all.
+        // Fields without drifts: with two integrals, with one, and with none.
         ("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", &[]),
         ("xdot = y; ydot = 6*x^2 - a;", &[]),
         ("xdot = x*(1 - y); ydot = y*(x - 1);", &[]),

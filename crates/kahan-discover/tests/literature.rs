@@ -1,5 +1,5 @@
-//! The published cases are read, and the shortest forms that they list are proved.
-//! `examples/literature` compares them with what is found.
+//! Reads the published cases and proves the shortest forms that they list. `examples/literature`
+//! compares them with the findings of `discover`.
 
 use std::collections::BTreeSet;
 

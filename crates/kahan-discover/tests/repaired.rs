@@ -1,14 +1,14 @@
-//! Maps that coefficients of ε repair: without them there is no integral, with them one is found.
+//! Fields with coefficients that depend on ε: their maps have an integral, and the maps of the
+//! fields at ε = 0 have none.
 //!
-//! The fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and by y z².
-//! Their homogeneous forms are the reduced Nahm systems of octahedral and icosahedral symmetry,
-//! whose maps blow down three lines to points that are points of indeterminacy (4, 4, 2) and
-//! (6, 3, 2) steps later. Coefficients follow from these numbers. Schmalian, Suris and Tumarkin,
-//! "How one can repair non-integrable Kahan discretizations. II" (2021), have such a map, with
-//! invariant curves of degree 6.
+//! The fields at ε = 0 are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
+//! by y z². Their homogeneous forms are the reduced Nahm systems of octahedral and icosahedral
+//! symmetry. The maps of these systems contract three lines to points, which reach points of
+//! indeterminacy after (4, 4, 2) and (6, 3, 2) steps. The numbers of steps determine the
+//! coefficients. Schmalian, Suris and Tumarkin, "How one can repair non-integrable Kahan
+//! discretizations. II" (2021), repair a map with invariant curves of degree 6 in this way.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::{lexer, read};
 use kahan_discover::{Options, Report, Unwatched, discover};
 
 mod support;
@@ -25,13 +25,11 @@ const OF_DEGREE_6: [&str; 2] = [
      ydot = -y*(1 + 4*(1 + eps^2)/(1 + 3*eps^2)*x + y);",
 ];
 
-/// The report of a field, whose claims a block of the field has as true ones.
+/// The report of a field, after all its claims are proved in a block of the field.
 fn found(text: &str, eps: Option<Rational>) -> Report {
     let options = Options { seconds: 3600.0, eps, ..Options::default() };
     let report = discover(&system(text), &options, &Unwatched).expect("there is a map");
-    let block = format!("{text} {}", claims(&report).join(" "));
-    let reading = read(&lexer::lex(&block).tokens);
-    assert!(reading.diagnostics().is_empty(), "{block}: {:?}", reading.diagnostics());
+    check_lines(text, &report);
     report
 }
 
@@ -62,7 +60,7 @@ fn the_repaired_map_of_degree_4_has_its_integral_found() {
     assert_eq!(report.ceiling, None);
 }
 
-/// The integral is found as a formula, for all ε and at one.
+/// The integral is found as a formula at generic ε and at ε = 1/2.
 #[test]
 fn the_repaired_map_of_degree_6_has_its_integral_found() {
     let report = found(OF_DEGREE_6[1], None);
@@ -83,7 +81,8 @@ fn the_repaired_map_of_degree_6_has_its_integral_found() {
     );
 }
 
-/// λ₁ = 2/(1 + ε²) and λ₂ = 1 have different squares, and yet μ₁ = μ₂².
+/// The eigenvalues λ₁ = 2/(1 + ε²) and λ₂ = 1 of the field have different squares, but the
+/// eigenvalues of the map satisfy μ₁ = μ₂².
 #[test]
 fn eigenvalues_that_depend_on_eps_are_no_bound() {
     let report = found("xdot = 2*x/(1 + eps^2); ydot = y;", None);

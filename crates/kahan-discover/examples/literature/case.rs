@@ -1,38 +1,38 @@
-//! A published case: a field, what is known of it, and where this is said.
+//! A published case: a field, facts on its map, and their source.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 use serde_json::{Map, Value};
 
-/// A field, and what is known of its map.
+/// A field, and published facts on its map.
 #[derive(Debug)]
 pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) system: System,
-    /// The parameters that are fixed.
+    /// The values of fixed parameters.
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) known: Known,
-    /// The reason why something that is known is out of reach.
+    /// The reason why a known fact is out of reach.
     pub(crate) limit: Option<String>,
-    /// Claims in their shortest known form, proved.
+    /// Proved claims in their shortest known form.
     pub(crate) shortest: Vec<String>,
 }
 
-/// Facts of the map that a publication states.
+/// Facts on the map that a publication states.
 #[derive(Debug)]
 pub(crate) struct Known {
     /// The number of independent integrals, exactly.
     pub(crate) independent_integrals: Option<usize>,
-    /// The growth of degrees, in one word.
+    /// The growth class of degrees, as one word.
     pub(crate) growth: Option<String>,
     /// The least number of densities.
     pub(crate) densities: usize,
-    /// The least number of functions that advance.
+    /// The least number of drifts.
     pub(crate) drifts: usize,
-    /// Ranks, of each of which there is a bracket.
+    /// Ranks of invariant Poisson brackets.
     pub(crate) bracket_ranks: Vec<usize>,
-    /// The seconds that the whole discovery may take.
+    /// The most seconds for the whole discovery.
     pub(crate) seconds: Option<f64>,
 }
 
@@ -124,7 +124,8 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // One by one, as claims may have equal names; a drift may name those before it.
+    // Each claim is read alone, as names may repeat. A drift is read after the earlier drifts,
+    // which it may name.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

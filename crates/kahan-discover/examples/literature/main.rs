@@ -1,7 +1,9 @@
-//! Compares what `discover` finds with what is published: reads cases, one JSON object a line, and
-//! prints a row for each. `cargo run --release -p kahan-discover --example literature -- --help`
+//! Compares the findings of `discover` with published results: reads cases, one JSON object a line,
+//! and prints a row for each. `cargo run --release -p kahan-discover --example literature --
+//! --help`
 
 mod case;
+mod clock;
 mod outcome;
 
 use std::path::PathBuf;
@@ -14,19 +16,19 @@ use outcome::Outcome;
 /// The cases of the repository.
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/cases.jsonl");
 
-/// Compares what `discover` finds with what is published, case by case.
+/// Compares the findings of `discover` with published results, case by case.
 ///
 /// A case is a JSON object on a line of its own, with `name`, `source` and `field`. `params` fixes
-/// parameters. `known` says what is published: `independent_integrals` and `growth` exactly,
-/// `densities` and `drifts` at least, `bracket_ranks` each, and `seconds`, the time that the
-/// discovery may take. `shortest` lists the claims in their shortest known form. Each is proved
-/// before it is compared, and as many of its kind must be found. `limit` names the reason why
-/// something that is known is out of reach. `comment` is for readers.
+/// parameters. `known` holds the published facts: `independent_integrals` and `growth` must be
+/// equal, `densities` and `drifts` are least numbers, each of the `bracket_ranks` must occur, and
+/// `seconds` is the most time. `shortest` lists claims in their shortest known form: each is
+/// proved, and at least as many claims of each kind must be found. `limit` names the reason why a
+/// known fact is out of reach. `comment` is for readers.
 ///
-/// A row says how many independent integrals there are and how many of them are written, the growth
-/// of degrees, the numbers of densities and drifts, the ranks of the brackets, the seconds to the
-/// last finding and in all, and the characters of what is printed divided by those of the shortest
-/// form; spaces and names do not count. The exit status is 1 if a case disagrees.
+/// A row shows the number of independent integrals and the number of written ones, the growth of
+/// degrees, the numbers of densities and drifts, the ranks of the brackets, the seconds to the last
+/// finding and in all, and the length of the printed claims divided by that of the shortest known
+/// ones, without spaces and names. The exit status is 1 if a case disagrees.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
 Examples:
@@ -34,19 +36,19 @@ Examples:
   cargo run --release -p kahan-discover --example literature -- --only weierstrass --only e6
   cargo run --release -p kahan-discover --example literature -- --seconds 10 cases.jsonl")]
 struct Arguments {
-    /// The file of cases; those of the repository if it is not given.
+    /// The file of cases; by default that of the repository.
     #[arg(default_value = CASES, hide_default_value = true)]
     file: PathBuf,
 
-    /// The time that the search may take for each case.
+    /// The most seconds of the search for each case.
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     seconds: f64,
 
-    /// Look at the case of this name alone; may be repeated.
+    /// Compare only the case of this name; may be repeated.
     #[arg(long, value_name = "NAME")]
     only: Vec<String>,
 
-    /// Print what is found, too.
+    /// Print the claims that are found.
     #[arg(long)]
     found: bool,
 }
@@ -62,7 +64,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints the table; whether no case disagrees.
+/// Prints the table. Returns whether no case disagrees.
 fn compared(arguments: &Arguments) -> Result<bool, String> {
     let path = arguments.file.display();
     let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;
@@ -92,7 +94,7 @@ fn compared(arguments: &Arguments) -> Result<bool, String> {
     }
     println!("\n{} cases: {agree} agree, {limited} have a known limit, {disagree} disagree", cases.len());
     if with_shortest > 0 {
-        // A case whose shortest form is not found at all counts as infinitely long.
+        // A case in which a claim is missing counts as infinitely long.
         ratios.resize(with_shortest, f64::INFINITY);
         ratios.sort_unstable_by(f64::total_cmp);
         let median = (ratios[(with_shortest - 1) / 2] + ratios[with_shortest / 2]) / 2.0;

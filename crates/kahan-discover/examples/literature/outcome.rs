@@ -1,74 +1,54 @@
-//! The findings of `discover` for a case, compared with what is known.
+//! The findings of `discover` for a case, compared with the known facts.
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
 use kahan_algebra::render::Text;
 use kahan_discover::report::ModifiedPlace;
-use kahan_discover::{Finding, Options, Report, Watch, discover};
+use kahan_discover::{Options, Report, discover};
 
 use crate::case::Case;
+use crate::clock::Clock;
 
 /// The row of a case.
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// The counts of the report, each in a column.
+    /// The columns between the name and the times.
     counts: [String; 5],
     last_finding: f64,
     total: f64,
     /// The claims that the command prints.
     pub(crate) printed: Vec<String>,
-    /// Characters printed by those of the shortest form; `None` where not all of it is found.
+    /// The length of the printed claims divided by that of the shortest ones; `None` if a claim is
+    /// missing or no shortest form is known.
     pub(crate) ratio: Option<f64>,
-    /// How the discovery differs from what is known.
+    /// The differences between the findings and the known facts.
     pub(crate) differences: Vec<String>,
-}
-
-/// A watch with a clock and all processors, which notes when something was found.
-struct Clock {
-    begun: Instant,
-    found: Mutex<Vec<(Duration, String)>>,
-}
-
-impl Watch for Clock {
-    fn now(&self) -> Option<Duration> {
-        Some(self.begun.elapsed())
-    }
-
-    fn found(&self, finding: &Finding) {
-        self.found.lock().expect("no thread panics").push((self.begun.elapsed(), finding.text.clone()));
-    }
-
-    fn threads(&self) -> usize {
-        std::thread::available_parallelism().map_or(1, usize::from)
-    }
 }
 
 impl<'a> Outcome<'a> {
     pub(crate) const HEAD: &'static str = "\
 case             integrals written growth      densities drifts ranks          last     all  ratio";
 
-    /// Discovers what the map of a case keeps.
+    /// Runs the discovery for a case and compares the result.
     pub(crate) fn of(case: &'a Case, seconds: f64) -> Self {
         let options = Options { parameters: case.parameters.clone(), seconds, ..Options::default() };
-        let clock = Clock { begun: Instant::now(), found: Mutex::default() };
+        let clock = Clock::start();
         let report = discover(&case.system, &options, &clock);
-        let total = clock.begun.elapsed().as_secs_f64();
-        let found = clock.found.into_inner().expect("no thread panics");
+        let (total, found) = clock.stop();
         let last_finding = found.last().map_or(0.0, |(at, _)| at.as_secs_f64());
         let mut outcome = Outcome {
             case,
             counts: Default::default(),
             last_finding,
-            total,
+            total: total.as_secs_f64(),
             printed: Vec::new(),
             ratio: None,
             differences: Vec::new(),
         };
+        let claims = found.into_iter().map(|(_, finding)| finding.text).collect();
         match report {
-            Ok(report) => outcome.compare(&report, found.into_iter().map(|(_, text)| text).collect()),
+            Ok(report) => outcome.compare(&report, claims),
             Err(error) => outcome.differences.push(error.to_string()),
         }
         outcome
@@ -111,7 +91,7 @@ case             integrals written growth      densities drifts ranks          l
             all += found.iter().take(wanted).sum::<usize>();
             least += shortest.iter().sum::<usize>();
             if count < wanted {
-                // A claim that is not found has no length.
+                // Without all claims there is no length to compare.
                 least = 0;
                 break;
             }
@@ -130,8 +110,8 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// The claims that the command prints: those of the report, the modified Hamiltonian in its compact
-/// form where this stands for a formula, and findings that are of another kind.
+/// The claims that `kahan discover` prints: those of the report, the compact forms of modified
+/// Hamiltonians, and the drifts.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {
@@ -148,12 +128,12 @@ fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     printed
 }
 
-/// The word that a claim begins with.
+/// The first word of a claim.
 fn kind(claim: &str) -> &str {
     claim.split_whitespace().next().unwrap_or_default()
 }
 
-/// For each kind of claim the characters of each, ascending, without its name and without spaces.
+/// The lengths of the claims of each kind, ascending, without names and spaces.
 fn by_kind(claims: &[String]) -> BTreeMap<&str, Vec<usize>> {
     let mut lengths: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for claim in claims {

@@ -1,13 +1,13 @@
-//! Invariant Poisson brackets from a constant bracket of the field: (I − ε² f′²)K for f = K∇H.
+//! Invariant Poisson brackets of the form (I − ε² f′²)K for fields f = K∇H with a constant K.
 //!
-//! Let A(x,ε) = I − ε f′(x), so that the map has the Jacobian A(x,ε)⁻¹ A(x̃,−ε). Since f′K is
-//! symmetric,
+//! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε). The matrix f′K is
+//! symmetric, so
 //!
 //!   P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ.
 //!
-//! P is invariant in the plane, where it is det A · K, in direct sums of such systems, and where f
-//! is a field in the plane over a commutative algebra: these are the canonical systems of Petrera
-//! and Suris. In general it is not.
+//! In general P is not invariant. P is invariant in three cases: in the plane, where P = det A · K;
+//! in direct sums of systems in the plane; and for a field in the plane over a commutative algebra
+//! (the canonical systems of Petrera and Suris).
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -23,12 +23,12 @@ use crate::stepping::Stepping;
 
 use super::polynomial::{PoissonTensor, Tensor};
 
-/// The work that one tensor may take, in products of terms.
+/// The budget of one tensor: terms of a polynomial, and products of terms.
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Returns the tensor of K number `structure` if it is an invariant bracket, as seen modulo a prime;
-/// `None` also beyond the budget.
+/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. Returns `None`
+/// if the tensor is not an invariant bracket modulo a prime, or is beyond the budget.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -65,6 +65,7 @@ pub(crate) fn of_structure(
     Some(PoissonTensor { rank, ..found })
 }
 
+/// The product of two matrices; `None` beyond the budget.
 fn product(
     left: &[Vec<RationalFunction>],
     right: &[Vec<RationalFunction>],
@@ -82,28 +83,26 @@ fn product(
     left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
 }
 
-impl PoissonTensor {
-    /// The values of polynomials above the diagonal, and their opposites below, at a point of a
-    /// sampled map.
-    fn values(
-        searched: &SearchField,
-        place: &SampledStep,
-        point: &[u64],
-        entry: impl Fn(&Polynomial) -> Polynomial,
-        entries: &[Polynomial],
-    ) -> Option<Vec<Vec<u64>>> {
-        let (n, modulus) = (point.len(), place.sample.map.modulus());
-        let mut matrix = vec![vec![0; n]; n];
-        for i in 0..n {
-            for j in i + 1..n {
-                let value = entry(&entries[upper_index(n, i, j)]);
-                matrix[i][j] = searched.evaluate(&value, &place.sample, point)?;
-                matrix[j][i] = modulus.opposite(matrix[i][j]);
-            }
+/// The antisymmetric matrix of the values of entries above the diagonal, at a point of a sampled
+/// map.
+fn matrix_at(
+    searched: &SearchField,
+    place: &SampledStep,
+    point: &[u64],
+    entries: &[Polynomial],
+) -> Option<Vec<Vec<u64>>> {
+    let (n, modulus) = (point.len(), place.sample.map.modulus());
+    let mut matrix = vec![vec![0; n]; n];
+    for i in 0..n {
+        for j in i + 1..n {
+            let value = searched.evaluate(&entries[upper_index(n, i, j)], &place.sample, point)?;
+            (matrix[i][j], matrix[j][i]) = (value, modulus.opposite(value));
         }
-        Some(matrix)
     }
+    Some(matrix)
+}
 
+impl PoissonTensor {
     /// The matrix of the tensor at a point of a sampled map.
     pub(super) fn at(
         &self,
@@ -111,17 +110,17 @@ impl PoissonTensor {
         place: &SampledStep,
         point: &[u64],
     ) -> Option<Vec<Vec<u64>>> {
-        Self::values(searched, place, point, Polynomial::clone, &self.entries)
+        matrix_at(searched, place, point, &self.entries)
     }
 
-    /// The rank at the place, if J P Jᵀ is P(x̃) there and Jacobi's identity holds.
+    /// Returns the rank at the place if J P Jᵀ = P(x̃) and Jacobi's identity hold there.
     fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
         let map = &place.sample.map;
         let modulus = map.modulus();
         let jacobian = map.jacobian(&place.here, &place.there)?;
         let here = self.at(searched, place, &place.here)?;
         let there = self.at(searched, place, &place.there)?;
-        // P is antisymmetric: the rows of JP are J times the columns of −P.
+        // P is antisymmetric, so row i of JP is −P times row i of J.
         let half: Vec<Vec<u64>> = jacobian
             .iter()
             .map(|row| here.iter().map(|own| modulus.opposite(modulus.dot(row, own))).collect())
@@ -133,8 +132,8 @@ impl PoissonTensor {
         }
         let symbols = searched.family().symbols();
         let slope = |k: usize| {
-            let along = |entry: &Polynomial| entry.derivative(symbols.state(k));
-            Self::values(searched, place, &place.here, along, &self.entries)
+            let slopes = self.entries.iter().map(|entry| entry.derivative(symbols.state(k)));
+            matrix_at(searched, place, &place.here, &slopes.collect::<Vec<_>>())
         };
         let slopes: Vec<Vec<Vec<u64>>> = (0..here.len()).map(slope).collect::<Option<_>>()?;
         let gradient = |i: usize, j: usize| slopes.iter().map(|slope| slope[i][j]).collect();

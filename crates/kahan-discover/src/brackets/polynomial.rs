@@ -1,10 +1,11 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is
-//! linear in the coefficients of P. Jacobi's identity is quadratic in them. Elements of a reduced
-//! basis that satisfy it, and whose sums of two do, span brackets alone: a sum of them is a bracket
-//! of a rank that none of them may have, such as that of systems without a coupling. The search
-//! goes on by degree until a bracket has full rank, n or n − 1.
+//! linear in the coefficients of P. Jacobi's identity is quadratic in these coefficients. If some
+//! elements of a reduced basis satisfy it, and so do their sums of two, then every linear
+//! combination of these elements is a bracket. The rank of a sum can exceed the rank of each
+//! element, for example if the field is a direct sum of two fields. The search goes on by degree
+//! until a bracket has full rank, n or n − 1.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -34,13 +35,13 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients up to degree 2: those in eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The highest degree that is looked at beside a known bracket of full rank.
+/// The highest degree of the search if a bracket of full rank is known before.
 const HIGHEST_BESIDE: u32 = 1;
 
-/// The points at which tensors are compared, and at which Jacobi's identity is seen.
+/// The number of points at which tensors are compared and Jacobi's identity is checked.
 const POINTS: usize = 3;
 
-/// The most basis elements that sums are made of.
+/// The most basis elements whose sums are tried.
 const MOST_ELEMENTS: usize = 40;
 
 /// The most tensors that are given.
@@ -61,17 +62,18 @@ pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
     /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
-    /// The number from 0 of the constant K, where the tensor is (I − ε² f′²)K.
+    /// The index of the constant K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether others say what it says, so that it is proved and not written.
+    /// Whether the tensor is proved and not written, because others are chosen in its place.
     pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// The Pfaffian of a tensor of full rank: 1/Pf(P) is an invariant density. In odd dimension it
-    /// is the greatest common divisor of those without one row and column, which are that times the
-    /// gradient of a Casimir function where this is a polynomial. `None` for a lower rank, and
-    /// beyond the budget.
+    /// A polynomial p for a tensor of full rank, such that 1/p is a candidate for an invariant
+    /// density. In even dimension p is the Pfaffian. In odd dimension the Pfaffians without one row
+    /// and column are the entries of a common factor times the gradient of a Casimir function, if
+    /// that function is a polynomial; p is their greatest common divisor. `None` for a lower rank,
+    /// and beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -114,16 +116,16 @@ struct Candidate {
     values: Vec<u64>,
 }
 
-/// What a bracket is made of.
+/// The origin of a bracket.
 enum Source {
-    /// A tensor over ℚ.
+    /// A tensor over ℚ that was known before the search.
     Known(PoissonTensor),
-    /// Elements of a reduced basis of a degree, each a bracket by its coefficients: their sum.
+    /// The sum of elements of a reduced basis: the degree, and the coefficients of each element.
     Sum(u32, Vec<Vec<u64>>),
 }
 
 impl Candidate {
-    /// The number of monomials in the states of all entries together.
+    /// The number of monomials in the states, summed over the entries.
     fn terms(&self, symbols: &Symbols) -> usize {
         let of_states = |entry: &Polynomial| {
             let monomials = entry.terms().map(|(monomial, _)| {
@@ -138,10 +140,11 @@ impl Candidate {
     }
 }
 
-/// Returns at most four invariant brackets: independent ones of the highest rank that is found,
-/// and one of each lower rank; those of `known` that these imply follow. The brackets `known` count as found. The search ends with the
-/// degree that has a bracket of full rank, or with degree 4; all entries together have at most 600
-/// coefficients, or 1300 up to degree 2. What is not found before the deadline is left out.
+/// Searches for invariant brackets with entries up to degree `highest` or 4. Returns at most four
+/// brackets: independent brackets of the highest rank, and one bracket of each lower rank. The
+/// brackets in `known` take part in this choice; each one that is not chosen follows, marked as
+/// implied. The search ends at the first degree that has a bracket of full rank, at 600
+/// coefficients of all entries together (1300 up to degree 2), or at the deadline.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -183,8 +186,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Known tensors are written with fewer characters than elements of a reduced basis, but not
-    // than a sum of several parts, each of which is freed of its factors.
+    // The text of a known tensor is usually shorter than that of a basis element. The text of a sum
+    // of several basis elements may be shorter still, as each one is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -198,7 +201,7 @@ pub(crate) fn polynomial_tensors(
         (Reverse(candidate.rank), class, terms)
     });
     let chosen = chosen(map.modulus(), found);
-    // A part may occur in several sums.
+    // Reconstructions by basis element: one element may occur in several sums.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
         let (degree, parts) = match source {
@@ -216,7 +219,11 @@ pub(crate) fn polynomial_tensors(
             });
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
-        Some(PoissonTensor { rank, entries, structure: None, is_implied: false })
+        let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
+        // Over ℚ each part has a factor of its own, which may change the rank of a sum.
+        let matrix = tensor.at(searched, &place, &points[0])?;
+        tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
+        Some(tensor)
     };
     let mut all: Vec<PoissonTensor> = chosen.into_iter().filter_map(&mut over_the_rationals).collect();
     let is_new = |tensor: &PoissonTensor| all.iter().all(|chosen| chosen.structure != tensor.structure);
@@ -225,8 +232,8 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// The first one of each rank, and further ones of the highest rank that are independent of these,
-/// at most four in all; the ranks descend in `found`.
+/// Chooses the first candidate of each rank, and further candidates of the highest rank that are
+/// linearly independent of the chosen ones: at most four in all. The ranks in `found` descend.
 fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -296,8 +303,8 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Brackets of a higher rank than `best` among the elements of a space and sums of them, the
-    /// highest rank first.
+    /// Brackets of a higher rank than `best` among the basis elements of a space and their sums,
+    /// the highest rank first.
     fn higher(
         &self,
         map: &ModularMap,
@@ -337,18 +344,23 @@ impl Shape {
             let values = sums.iter().flat_map(|sum| above(&sum.entries)).collect();
             Candidate { rank, source: Source::Sum(self.monomials.degree(), parts), values }
         };
+        let are_compatible = |one: &Element, other: &Element| {
+            let mut sums = one.tensors.iter().zip(&other.tensors).map(|(a, b)| a.plus(modulus, b));
+            sums.all(|sum| sum.satisfies_jacobi(modulus))
+        };
         let mut found: Vec<Candidate> = Vec::new();
         for (index, first) in elements.iter().enumerate() {
             let mut chosen = vec![first];
             let mut sums = first.tensors.clone();
             let mut rank = first.rank;
             found.push(candidate(rank, &chosen, &sums));
-            // A sum of brackets is one where each sum of two of them is.
+            // Two brackets are compatible if their sum is a bracket. Linear combinations of
+            // pairwise compatible brackets are brackets.
             for other in &elements[index + 1..] {
                 let next: [Tensor; POINTS] =
                     std::array::from_fn(|k| sums[k].plus(modulus, &other.tensors[k]));
                 let higher = next[0].rank(modulus);
-                if higher > rank && next.iter().all(|sum| sum.satisfies_jacobi(modulus)) {
+                if higher > rank && chosen.iter().all(|one| are_compatible(one, other)) {
                     (rank, sums) = (higher, next);
                     chosen.push(other);
                     found.push(candidate(rank, &chosen, &sums));
@@ -386,8 +398,8 @@ impl Shape {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // The other elements of the reduced basis begin where this one has no coefficient, so that
-        // it is the only tensor on its support.
+        // Each other element of the reduced basis has its pivot outside this support, so the part
+        // is the only tensor on its support.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -410,8 +422,8 @@ impl Shape {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// The weights of coefficients on a support, the first of which is 1: the entries of an
-    /// invariant tensor weigh as much as products of two states, up to a common weight.
+    /// The weights of the coefficients on a support, relative to the first coefficient, which is 1.
+    /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();
         let weights = searched.weights();
@@ -436,7 +448,7 @@ impl Shape {
     }
 }
 
-/// The values of monomials and of their derivatives at a point.
+/// The monomials and their derivatives at a point.
 struct Place {
     values: Vec<u64>,
     slopes: Vec<Vec<u64>>,
@@ -451,10 +463,11 @@ impl Place {
     }
 }
 
-/// A bracket of a reduced basis, and its tensor at the points of a search.
+/// A basis element that is a bracket, with its tensors at the points of a search.
 struct Element {
     rank: usize,
     terms: usize,
+    /// The coefficients of the element.
     part: Vec<u64>,
     tensors: [Tensor; POINTS],
 }

@@ -1,9 +1,10 @@
 //! The cofactors that a space of polynomials can have under the map.
 //!
-//! In homogeneous coordinates the map is F = (N₁ … Nₙ, D) of degree δ, with the denominator D for
-//! the coordinate x₀ = 1. Where P∘F = C·Q with P and Q of degree d, the polynomial C has degree
-//! d(δ − 1) and vanishes only on what F contracts: it is a product of factors of the Jacobian
-//! determinant of F, which has degree (n + 1)(δ − 1) and may contain x₀.
+//! In homogeneous coordinates the map is F = (N₁ … Nₙ, D) of degree δ, where D is the component of
+//! the coordinate x₀ = 1. Let P∘F = C·Q with P and Q of degree d. The polynomial C has the degree
+//! d(δ − 1) and vanishes only on hypersurfaces that F contracts. So C is a product of factors of
+//! the Jacobian determinant of F. This determinant has degree (n + 1)(δ − 1), and x₀ may be a
+//! factor.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -13,24 +14,24 @@ use crate::poles::curves::{components, jacobian};
 use crate::products::exponents;
 use crate::search_field::SearchField;
 
-/// What writing out and factoring the Jacobian determinant may cost.
+/// The budget for expanding the Jacobian determinant, and for factoring it.
 const MOST_TERMS: usize = 5_000;
 const MOST_WORK: u64 = 2_000_000;
 
-/// The factors that a cofactor is made of, and the degree of the map.
+/// The possible factors of a cofactor, and the degree of the map.
 pub(super) struct Cofactors {
     /// N₁ … Nₙ, D
     pub(super) components: Vec<Polynomial>,
-    /// Factors of the Jacobian determinant that depend on states.
+    /// The factors of the Jacobian determinant that contain states.
     pub(super) factors: Vec<Polynomial>,
-    /// Their degrees in the states, and 1 for x₀ where that is a factor, too.
+    /// The degrees of the factors in the states, and 1 for x₀ if x₀ is a factor.
     degrees: Vec<u32>,
     /// δ
     degree: u32,
 }
 
 impl Cofactors {
-    /// `None` where the map or its Jacobian determinant is beyond the budget.
+    /// Factors the Jacobian determinant; `None` if the map or the determinant is beyond the budget.
     pub(super) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let components = components(field, searched)?;

@@ -1,11 +1,12 @@
-//! Functions whose next value follows from their value alone: F(x̃) = F(x) + c, c·F(x), or a
-//! fraction that is linear in F(x) above and below.
+//! Drifts: functions whose next value follows from their value alone. F(x̃) is F(x) + c, c·F(x), or
+//! (aF(x) + b)/(cF(x) + d).
 //!
-//! A space of polynomials that the map carries into itself up to a cofactor C has a matrix M with
-//! P(x̃) = C(x)·M·P(x), and M acts on the quotients of its elements. The spaces are found modulo a
-//! prime for each C and degree, lowest first; where one shows a function that is independent of the
-//! integrals and of the drifts before, its basis and M are reconstructed, and each function that
-//! `normal` reads off M is proved as a claim.
+//! Take a space of polynomials with basis P that the map carries into itself up to a cofactor C. It
+//! has a matrix M with P(x̃) = C(x)·M·P(x), and M acts on the quotients of elements. The search
+//! goes through the degrees, lowest first, and the cofactors, and finds the spaces modulo a prime.
+//! If a space has a function that is independent of the integrals and of earlier drifts, its basis
+//! and M are reconstructed over ℚ. Each function that `normal` reads off M is then proved as a
+//! claim.
 
 mod cofactors;
 mod normal;
@@ -35,19 +36,19 @@ use normal::{Next, carried};
 use spaces::{Carried, Points};
 use triangular::Triangle;
 
-/// The share of the time that the search may take.
+/// The share of the whole time that the search may take.
 pub(crate) const SHARE: f64 = 0.03;
 
-/// Polynomials are looked at up to this degree.
+/// The highest degree of the polynomials.
 const HIGHEST: u32 = 4;
 
-/// The products that eliminations may take in all: a fraction of a second.
+/// The most products of all eliminations together: a fraction of a second.
 const MOST_PRODUCTS: usize = 20_000_000;
 
-/// A space of more dimensions is not reconstructed.
+/// The most dimensions of a space that is reconstructed.
 const MOST_DIMENSIONS: usize = 8;
 
-/// A claim of more characters is not written.
+/// The most characters of a claim.
 const MOST_CHARACTERS: usize = 1000;
 
 /// A proved drift.
@@ -57,7 +58,7 @@ pub struct Drift {
     pub name: String,
     /// The claim as a line of the language of `kahan!`: `drift F1 = … by …;`.
     pub text: String,
-    /// How it goes on.
+    /// The form of the next value.
     pub kind: DriftKind,
     /// The numerator of F.
     pub numerator: Polynomial,
@@ -65,20 +66,21 @@ pub struct Drift {
     pub denominator: Polynomial,
 }
 
-/// How the value of a drift goes on.
+/// The next value of a drift F.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
-    /// F + c, with this c.
+    /// F + c; holds c.
     Sum(String),
-    /// c·F, with this c.
+    /// c·F; holds c.
     Multiple(String),
-    /// (aF + b)/(cF + d)
+    /// (aF + b)/(cF + d), a Möbius image of F.
     Image,
-    /// A function of F and of earlier integrals and drifts.
+    /// A function of F, of integrals, and of earlier drifts.
     Link,
 }
 
-/// Independent drifts of a map, none of which follows from the integrals; `tell` hears of each.
+/// Finds and proves drifts of a map that are functionally independent of each other and of the
+/// integrals. Calls `tell` for each drift.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -90,13 +92,11 @@ pub(crate) fn drifts(
 ) -> Vec<Drift> {
     let mut search = || {
         let cofactors = Cofactors::of(field, searched)?;
-        let mut known = Independent::new(searched, random);
+        let known = Independent::of(searched, integrals, random);
         let SampledStep { sample, here, .. } = known.step()?.clone();
-        integrals.iter().for_each(|formula| known.keep(&formula.numerator, &formula.denominator));
         let names = integrals.iter().filter_map(Formula::name).map(str::to_owned);
         let names = names.chain((1..=searched.dimension()).map(|index| claims.name("F", Some(index))));
         let triangle = Triangle::new(&field.symbols, &cofactors.components, names.collect());
-        let found = Vec::new();
         let mut search = Search {
             searched,
             claims,
@@ -108,7 +108,7 @@ pub(crate) fn drifts(
             triangle,
             deadline,
             tell,
-            found,
+            found: Vec::new(),
         };
         for formula in integrals {
             search.triangle.take_integral(formula);
@@ -131,12 +131,12 @@ pub(crate) fn drifts(
     search().unwrap_or_default()
 }
 
-/// The most independent integrals that a map in n dimensions with these drifts can have, of
-/// whatever degree.
+/// The most independent integrals, of any degree, of a map in n dimensions with these drifts.
 ///
-/// With F + c, c ≠ 0, and c′·G, c′ no root of unity, the closure of each generic orbit in the plane
-/// of F and G is that of the powers of (+c, ·c′), which is all of 𝔾ₐ × 𝔾ₘ. So its closure in the
-/// space has dimension 2 at least, and dimension 1 with one of both.
+/// Let F + c with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts. In the
+/// plane of F and G the closure of a generic orbit is that of the powers of (+c, ·c′), which is all
+/// of 𝔾ₐ × 𝔾ₘ. So the closure of a generic orbit of the map has dimension at least 2. If there is
+/// only one of both drifts, the dimension is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let has_sum = drifts.iter().any(|drift| matches!(drift.kind, DriftKind::Sum(_)));
     // The roots of unity among rational functions are 1, which makes an integral, and −1.
@@ -145,17 +145,22 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// The drifts up to the first that follows from those before and the integrals.
+/// Keeps the drifts before the first one that depends on the integrals and earlier drifts, or that
+/// names an integral of `before`, the integrals at its proof, that is no longer among them. A
+/// later drift may need the one that is dropped.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
+    before: &[Formula],
     integrals: &[Formula],
     random: &mut SplitMix64,
 ) -> Vec<Drift> {
-    let mut known = Independent::new(searched, random);
-    integrals.iter().for_each(|formula| known.keep(&formula.numerator, &formula.denominator));
+    let mut known = Independent::of(searched, integrals, random);
     let is_news = |drift: &Drift| {
-        let is_news = known.admits(&drift.numerator, &drift.denominator);
+        let is_named = |old: &&Formula| old.name().is_some_and(|name| drift.text.contains(name));
+        let mut named = before.iter().filter(is_named);
+        let is_news = known.admits(&drift.numerator, &drift.denominator)
+            && named.all(|old| integrals.iter().any(|new| new.text == old.text));
         known.keep(&drift.numerator, &drift.denominator);
         is_news
     };
@@ -170,9 +175,9 @@ struct Search<'a> {
     integrals: &'a [Formula],
     cofactors: Cofactors,
     sample: Sample,
-    /// Where independence is seen.
+    /// The point at which ranks of gradients are computed.
     here: Vec<u64>,
-    /// The integrals, and the drifts so far.
+    /// The gradients of the integrals and of the drifts found so far.
     known: Independent<'a>,
     triangle: Triangle,
     deadline: &'a Deadline<'a>,
@@ -181,12 +186,13 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Whether there are as many functions as states.
+    /// Whether integrals and drifts together are as many as the states.
     fn is_done(&self) -> bool {
         self.known.rank_with(Vec::new()) == self.searched.dimension()
     }
 
-    /// Looks at the spaces of one degree; `None` where the map has no value or the deadline passes.
+    /// Searches the spaces of one degree; `None` if the map has no value at a sampled point or the
+    /// deadline passes.
     fn of_degree(&mut self, monomials: &Monomials, all: &[Vec<i32>], random: &mut SplitMix64) -> Option<()> {
         let modulus = *self.sample.map.modulus();
         let points = Points::new(self.searched, &self.sample, &self.cofactors, monomials, random)?;
@@ -210,7 +216,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs a space of this form with its matrix, and adds what it shows.
+    /// Reconstructs a space of this form with its matrix, and adds the drifts that it gives.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -235,7 +241,7 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // Σ vᵢPᵢ as a polynomial, and by what that is multiplied.
+        // The polynomial s·Σ vᵢPᵢ with integer coefficients and no factor without states, and s.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
@@ -247,7 +253,7 @@ impl Search<'_> {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
-            // The reciprocal is carried, too.
+            // 1/F is a drift, too. The simpler side becomes the denominator.
             let size = |side: &Polynomial| (symbols.degree(side), side.len());
             candidates.push(match next.of_reciprocal() {
                 Some(next) if size(&below) > size(&above) => (below, above, next),
@@ -266,12 +272,12 @@ impl Search<'_> {
         Some(())
     }
 
-    /// The name of the next drift.
+    /// Names the next drift.
     fn name(&self) -> String {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    /// Adds the drift above/below if its claim is short and proved.
+    /// Adds the drift above/below if its claim is short enough and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
         let value = quotient(
@@ -286,7 +292,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds the drifts of the states whose next value follows from the drifts before.
+    /// Adds drifts of the states whose next value follows from earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();
@@ -302,8 +308,8 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds a drift if its claim, behind the integrals and the drifts before, is short and proved;
-    /// whether it is.
+    /// Adds a drift and returns `true` if its claim is short enough and proved. The integrals and
+    /// the earlier drifts stand before the claim of a link, which may name them.
     fn add(
         &mut self,
         name: String,
@@ -328,5 +334,37 @@ impl Search<'_> {
             self.found.push(Drift { name, text, kind, numerator, denominator });
         }
         is_added
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_algebra::{lexer, read};
+
+    use super::*;
+
+    #[test]
+    fn a_drift_that_names_an_integral_stays_with_it() {
+        let text = "xdot = 0; ydot = x*y;";
+        let system = read(&lexer::lex(text).tokens).system().expect("a system");
+        let searched = SearchField::new(&system.field, None);
+        let claims = Claims::new(&system, &[], None);
+        let symbols = &system.field.symbols;
+        let [x, y] = [0, 1].map(|i| Polynomial::variable(symbols.state(i)));
+        let one = Polynomial::one();
+        let [before, other] = [x.clone(), &x * &x]
+            .map(|side| [claims.integral(symbols, 1, &side, &one, &[]).expect("an integral")]);
+        let drift = Drift {
+            name: "F1".to_owned(),
+            text: "drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);".to_owned(),
+            kind: DriftKind::Link,
+            numerator: y,
+            denominator: one,
+        };
+        for (integrals, count) in [(&before, 1), (&other, 0)] {
+            let mut random = SplitMix64::new(1);
+            let kept = independent(vec![drift.clone()], &searched, &before, integrals, &mut random);
+            assert_eq!(kept.len(), count);
+        }
     }
 }

@@ -1,7 +1,7 @@
-//! Functions that a matrix over ℚ(parameters, ε) carries on: its Jordan form, as far as the
-//! eigenvalues are rational or quadratic.
+//! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), as far as the eigenvalues of M
+//! are rational or quadratic.
 //!
-//! For a row vector v let P_v = Σ vᵢPᵢ. From P(x̃) = C(x)·M·P(x) follows P_v(x̃) = C(x)·P_{vM}(x).
+//! For a row vector v let P_v = Σ vᵢPᵢ. P(x̃) = C(x)·M·P(x) implies P_v(x̃) = C(x)·P_{vM}(x).
 //!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
@@ -19,7 +19,7 @@ use crate::space::over_common;
 type Vector = Vec<RationalFunction>;
 type Matrix = Vec<Vector>;
 
-/// What factoring a characteristic polynomial may cost.
+/// The budget for factoring a characteristic polynomial.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -35,7 +35,7 @@ pub(super) enum Next {
 }
 
 impl Next {
-    /// Sums before multiples before images.
+    /// The order of preference: sums, then multiples, then images.
     pub(super) fn rank(&self) -> u8 {
         match self {
             Next::Sum(_) => 0,
@@ -53,7 +53,7 @@ impl Next {
         }
     }
 
-    /// With other constants.
+    /// Replaces the constants by their images under `to`.
     pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
         match self {
             Next::Sum(step) => Next::Sum(to(step)),
@@ -62,7 +62,7 @@ impl Next {
         }
     }
 
-    /// Of s·F.
+    /// The next value of s·F in terms of s·F.
     pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
         Some(match self {
             Next::Sum(step) => Next::Sum(&step * scale),
@@ -71,7 +71,7 @@ impl Next {
         })
     }
 
-    /// Of 1/F; `None` where that is of another kind.
+    /// The next value of 1/F in terms of 1/F; `None` for F + c.
     pub(super) fn of_reciprocal(&self) -> Option<Next> {
         match self {
             Next::Sum(_) => None,
@@ -81,14 +81,15 @@ impl Next {
     }
 }
 
-/// F = P_above/P_below, and its next value.
+/// A function F = P_above/P_below, and its next value.
 pub(super) struct Carried {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
 }
 
-/// The functions that M shows, sums first and images last; `free` is a variable that M lacks.
+/// The functions that M gives: sums, then multiples, then images. `free` is a variable that does
+/// not occur in M.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -103,8 +104,8 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
                 let Some(value) = (-&coefficient(0)).checked_div(&coefficient(1)) else { continue };
                 let Some(step) = value.recip() else { continue };
                 let difference = plus_multiple(matrix, &-&value);
-                let own = null_space(&transposed(&difference));
-                for above in null_space(&transposed(&product(&difference, &difference))) {
+                let own = left_null_space(&difference);
+                for above in left_null_space(&product(&difference, &difference)) {
                     let below = image(&above, &difference);
                     if below.iter().any(|entry| !entry.is_zero()) {
                         sums.push(Carried { above, below, next: Next::Sum(step.clone()) });
@@ -127,7 +128,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
                     let entries = square.iter().zip(own);
                     entries.map(|(square, own)| &(square * &leading) + &(own * &linear)).collect()
                 });
-                let plane = null_space(&transposed(&plus_multiple(&entries.collect::<Matrix>(), &constant)));
+                let plane = left_null_space(&plus_multiple(&entries.collect::<Matrix>(), &constant));
                 if let [above, below] = &plane[..] {
                     images.extend(in_plane(matrix, above, below));
                 }
@@ -140,7 +141,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
 
 /// The function of an invariant plane of M.
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
-    // Of each basis vector of a null space one entry is 1 where that of the other is 0.
+    // Each basis vector of a null space has an entry 1 in a column in which the other has 0.
     let place = |of: &Vector, other: &Vector| {
         (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
     };
@@ -150,7 +151,7 @@ fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> 
     Some(Carried { above: above.clone(), below: below.clone(), next: Next::Image(next) })
 }
 
-/// det(λ − M) times a factor without λ, by Faddeev and LeVerrier.
+/// det(λ − M) times a factor without λ, by the algorithm of Faddeev and LeVerrier.
 fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
     let size = matrix.len();
     let mut coefficients = vec![RationalFunction::one()];
@@ -165,10 +166,6 @@ fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
     let (numerators, _) = over_common(&coefficients);
     let lambda = Polynomial::variable(free);
     numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
-}
-
-fn transposed(matrix: &Matrix) -> Matrix {
-    (0..matrix.len()).map(|column| matrix.iter().map(|row| row[column].clone()).collect()).collect()
 }
 
 /// v·M
@@ -193,11 +190,12 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// The vectors that a matrix sends to zero: for each column without a pivot one, with 1 there and 0
-/// in the other such columns.
-fn null_space(matrix: &Matrix) -> Vec<Vector> {
-    let columns = matrix[0].len();
-    let mut rows: Matrix = matrix.clone();
+/// A basis of the vectors v with vM = 0 for a square matrix M, by elimination in Mᵀ. Each vector
+/// has 1 in one column without a pivot, and 0 in the other columns without one.
+fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
+    let columns = matrix.len();
+    let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();
+    let mut rows: Matrix = (0..columns).map(transposed).collect();
     let mut pivots = Vec::new();
     for column in 0..columns {
         let done = pivots.len();
@@ -231,7 +229,6 @@ fn null_space(matrix: &Matrix) -> Vec<Vector> {
 mod tests {
     use super::*;
 
-    /// Entries that are integers, but for those with a name.
     fn matrix(rows: &[&[i64]]) -> Matrix {
         let entry = |&value: &i64| RationalFunction::constant(Rational::from(value));
         rows.iter().map(|row| row.iter().map(entry).collect()).collect()
@@ -250,7 +247,7 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // vM for each side, on two rows of numbers P, is C times the next value.
+        // At a column of values P, the next value is the quotient of wM·P and vM·P.
         for Carried { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

@@ -1,4 +1,4 @@
-//! Spaces of polynomials that the map carries into themselves, modulo a prime.
+//! Spaces of polynomials that the map carries into themselves up to a cofactor, modulo a prime.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,18 +12,20 @@ use crate::stepping::Stepping;
 
 use super::cofactors::Cofactors;
 
-/// Pairs of polynomials (P, Q) as coefficients, one behind the other, with P(x̃) = C(x)·Q(x).
+/// Pairs of polynomials (P, Q) with P(x̃) = C(x)·Q(x); the coefficients of Q follow those of P.
 type Pairs = Vec<Vec<u64>>;
 
 /// Values at random points of a map.
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point the monomials there, those at its image times D^d, and the factors there.
+    /// For each point: the monomials at the point, the monomials at its image times D^d, and the
+    /// factors at the point.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
 impl Points {
-    /// Enough points for polynomials on these monomials; `None` where the map has no value.
+    /// Samples enough points to determine pairs of polynomials on these monomials; `None` if the
+    /// map has no value at one of them.
     pub(super) fn new(
         searched: &SearchField,
         sample: &Sample,
@@ -50,8 +52,8 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// The largest space that the map carries into itself with this cofactor, each element with its
-    /// image.
+    /// Finds the largest space that the map carries into itself with this cofactor: a basis, each
+    /// element with its image.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -75,20 +77,11 @@ impl Points {
     }
 }
 
-/// The combinations of pairs (P, Q) for which Q is a combination of the P of all pairs.
+/// The linear combinations of pairs (P, Q) for which Q lies in the span of the P of all pairs.
 fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     let space = Echelon::of(modulus, pairs.iter().map(|pair| pair[..count].to_vec()).collect(), count);
-    let outside = |image: &[u64]| {
-        let mut rest = image.to_vec();
-        for (row, &pivot) in space.rows.iter().zip(&space.pivots) {
-            let factor = image[pivot];
-            rest.iter_mut()
-                .zip(row)
-                .for_each(|(rest, &own)| *rest = modulus.minus(*rest, modulus.times(factor, own)));
-        }
-        rest
-    };
-    let rows = pairs.iter().map(|pair| [outside(&pair[count..]), pair.clone()].concat()).collect();
+    let outside = |pair: &[u64]| space.remainder(modulus, pair[count..].to_vec());
+    let rows = pairs.iter().map(|pair| [outside(pair), pair.clone()].concat()).collect();
     let echelon = Echelon::of(modulus, rows, 3 * count);
     let inside = echelon.rank_of_first(count);
     echelon.rows[inside..].iter().map(|row| row[count..].to_vec()).collect()
@@ -101,7 +94,7 @@ pub(super) struct Carried {
 }
 
 impl Carried {
-    /// On the support of a form, if the space has it.
+    /// The space on the support of a form; `None` if the space has another form.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {
@@ -121,7 +114,7 @@ impl Carried {
         })
     }
 
-    /// Whether M is a number, so that all quotients of elements are integrals.
+    /// Whether M is a multiple of the unit matrix. If so, all quotients of elements are integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

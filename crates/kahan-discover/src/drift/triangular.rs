@@ -1,9 +1,9 @@
-//! States whose next value follows from theirs and from earlier drifts: first-order recurrences.
+//! First-order recurrences: states whose next value follows from their value and earlier drifts.
 //!
-//! A drift, or an integral, of one state xᵢ that is linear in it above and below gives xᵢ as a
-//! function of itself. Where the image of another state w needs w and such states alone, w is a
-//! drift, too, its next value written in the earlier ones; and so is w times a power of an earlier
-//! one, which may be shorter.
+//! Let F be a drift or an integral with a single state xᵢ, numerator and denominator linear in xᵢ.
+//! Then xᵢ is a function of F. Let w be another state whose image contains only w and states that
+//! are known in this way. Then w is a drift, whose next value is a function of w and of earlier
+//! drifts. The product of w and a power of an earlier drift is a drift, too, and may be shorter.
 
 use std::slice::from_ref;
 
@@ -17,39 +17,45 @@ use crate::writing::{is_product, quotient};
 use super::DriftKind;
 use super::normal::Next;
 
-/// What composing functions may cost.
+/// The budget for composing functions.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
-/// Powers of an earlier drift by which a state may be multiplied.
+/// The exponents of an earlier drift in its product with a state.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 /// States and drifts as the variables of one ring.
 pub(super) struct Triangle {
-    /// The states of the field, then the names of drifts and integrals.
+    /// The states of the field, followed by the names of drifts and integrals.
     symbols: Symbols,
+    /// The symbols of the field.
     own: Symbols,
     /// N₁ … Nₙ, D
     components: Vec<Polynomial>,
-    /// The states as functions of drifts, where they are known.
+    /// Each state as a function of drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// Each drift: its variable, what it is in the states, and its next value in drifts.
+    /// For each drift: its variable, the drift as a function of states, and its next value as a
+    /// function of drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
-/// A drift to be proved.
+/// A candidate for a drift of the form w·F^k, with a state w and an earlier drift F.
 pub(super) struct Link {
+    /// The index of w.
     state: usize,
+    /// The drift as a function of states.
     pub(super) value: RationalFunction,
     pub(super) value_text: String,
     pub(super) next_text: String,
+    /// The next value as a function of drifts.
     next: RationalFunction,
-    /// The state as a function of the drift and of earlier ones.
+    /// w as a function of the drift and of earlier ones.
     solved: RationalFunction,
 }
 
 impl Triangle {
-    /// For the map of these components; `names` are those that drifts and integrals may have.
+    /// Starts without drifts, for the map with these components. `names` lists the possible names
+    /// of drifts and integrals.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
@@ -62,7 +68,8 @@ impl Triangle {
         self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
     }
 
-    /// A drift of this name, its next value, and both as they are written.
+    /// The variable of a drift of this name, its next value, the kind of the next value, and the
+    /// text of the next value.
     pub(super) fn written(
         &self,
         name: &str,
@@ -90,7 +97,7 @@ impl Triangle {
         }
     }
 
-    /// a·F + b, where the next value of the drift F is of that form.
+    /// The text of a next value of the form a·F + b; `None` if it has another form.
     fn affine(&self, next: &RationalFunction, drift: Variable) -> Option<String> {
         let (above, below) = (next.numerator(), next.denominator());
         let is_affine = above.degree_where(|one| one == drift) == 1 && !below.contains(drift);
@@ -105,14 +112,14 @@ impl Triangle {
         quotient(&self.symbols, from_ref(function.numerator()), from_ref(function.denominator()), &[])
     }
 
-    /// A function of the field's symbols.
+    /// Translates a function from the symbols of the field to the joint symbols.
     fn moved(&self, function: &RationalFunction) -> RationalFunction {
         let [above, below] =
             [function.numerator(), function.denominator()].map(|side| moved(side, &self.own, &self.symbols));
         RationalFunction::new(above, below).expect("a denominator is not zero")
     }
 
-    /// Takes an integral, which goes on to itself.
+    /// Adds an integral: a drift that is its own next value.
     pub(super) fn take_integral(&mut self, formula: &Formula) {
         if let Some(variable) = formula.name().and_then(|name| self.variable(name)) {
             let value = RationalFunction::variable(variable);
@@ -120,23 +127,18 @@ impl Triangle {
         }
     }
 
-    /// Takes a drift that is above/below in the states, with its next value; whether a state is
-    /// known now.
-    pub(super) fn take(
-        &mut self,
-        drift: RationalFunction,
-        sides: [&Polynomial; 2],
-        next: RationalFunction,
-    ) -> bool {
+    /// Adds a drift above/below with its next value, if a state is then known as a function of the
+    /// drift.
+    pub(super) fn take(&mut self, drift: RationalFunction, sides: [&Polynomial; 2], next: RationalFunction) {
         let [above, below] = sides.map(|side| moved(side, &self.own, &self.symbols));
         let mut states = (0..self.values.len()).filter(|&i| {
             let state = self.symbols.state(i);
             above.contains(state) || below.contains(state)
         });
-        let (Some(state), None) = (states.next(), states.next()) else { return false };
+        let (Some(state), None) = (states.next(), states.next()) else { return };
         let variable = self.symbols.state(state);
         if [&above, &below].iter().any(|side| side.degree_where(|one| one == variable) > 1) {
-            return false;
+            return;
         }
         let part = |side: &Polynomial, power: u32| {
             let parts = side.coefficients_in(variable);
@@ -148,10 +150,9 @@ impl Triangle {
         self.values[state] = (&b - &(&d * &drift)).checked_div(&(&(&c * &drift) - &a));
         let in_states = RationalFunction::new(above, below).expect("a denominator is not zero");
         self.steps.push([drift, in_states, next]);
-        true
     }
 
-    /// The shortest drift of this name that another state gives.
+    /// The shortest drift of this name from the first state that can be linked.
     pub(super) fn link(&self, name: &str) -> Option<Link> {
         if self.steps.is_empty() {
             return None;
@@ -196,12 +197,12 @@ impl Triangle {
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 
-    /// What a link is in the states: its numerator and denominator.
+    /// The numerator and denominator of a link as a function of the field's states.
     pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
 
-    /// Takes a link that was proved under this name.
+    /// Adds a link that was proved under this name.
     pub(super) fn keep(&mut self, name: &str, link: Link) {
         let drift = self.variable(name).map(RationalFunction::variable);
         self.values[link.state] = Some(link.solved);
@@ -209,13 +210,13 @@ impl Triangle {
     }
 }
 
-/// f^power
+/// f^power; `None` for a negative power of 0.
 fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     let base = if power < 0 { function.recip()? } else { function.clone() };
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// A polynomial in the variables of other symbols that have these names, too.
+/// Translates a polynomial to other symbols in which the states and parameters have equal indices.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

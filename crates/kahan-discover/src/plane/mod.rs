@@ -1,45 +1,47 @@
-//! Maps of the plane: exponential growth of degrees that is proved, and that ends the search for
-//! integrals.
+//! Maps of the plane: proofs that degrees grow exponentially, and growth as the end of a search.
 //!
-//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. As A(x)x̃ is affine in
-//! x, φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ.
+//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x, so
+//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ.
 //!
-//! **A bound on degrees.** Let φ keep each curve of a pencil, as it does where there is a rational
-//! integral, or only permute them. The class w of the curves in the Picard–Manin space has w² = 0,
-//! w·ℓ > 0 for the class ℓ of a line, and φ∗w = w. The classes uⱼ = φʲ∗ℓ have uⱼ·w = ℓ·w and
-//! uᵢ·uⱼ = d₍ᵢ₋ⱼ₎, so that uᵢ − uⱼ lies in w^⊥, where the form is negative semidefinite (Hodge), and
-//! −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). By the triangle inequality
+//! **A bound on degrees.** Suppose that φ preserves a pencil of curves: it keeps each curve (as it
+//! does if there is a rational integral) or permutes the curves. Let w be the class of these curves
+//! in the Picard–Manin space, and ℓ the class of a line. Then w² = 0, w·ℓ > 0 and φ∗w = w. The
+//! classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which the
+//! form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality
+//! gives
 //!
 //! dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
 //!
-//! Where degrees do not grow exponentially there is a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w
-//! (Gizatullin; Diller and Favre, "Dynamics of bimeromorphic maps of surfaces", Amer. J. Math. 2001;
-//! Cantat 2011), and the inequality holds as well. So one degree dₖ > k² + 1 proves exponential
-//! growth, and that φ preserves no pencil of curves: no rational integral exists.
+//! If degrees do not grow exponentially, then there is a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w
+//! (Gizatullin; Diller and Favre, "Dynamics of bimeromorphic maps of surfaces", Amer. J. Math.
+//! 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
+//! growth is exponential and that φ preserves no pencil of curves: no rational integral exists.
 //!
 //! **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-//! and the values that were sampled, a factorial ring. By Gauss's lemma Φᵏ = HΨ with forms over R,
-//! those of Ψ of degree dₖ. Points of a line that have a k-th image modulo the prime are no zeros of
-//! the reduced Φᵏ, nor then of H, and the reduced Ψ gives their images: rational functions on the
-//! line, of degree dₖ at most. Thiele's continued fraction of a function of degree d has ended after
-//! 2d coefficients. Hence each of [`degrees`](crate::degrees::degrees) is at most the true one,
-//! whatever was sampled.
+//! ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms
+//! over R, where Ψ has degree dₖ. If a point of a line has a k-th image modulo the prime, then the
+//! reduced Φᵏ is not zero there, nor is H, so the reduced Ψ gives this image. On the line these
+//! images are rational functions of degree at most dₖ. Thiele's continued fraction of a function of
+//! degree d ends after at most 2d coefficients. Hence each of [`degrees`](crate::degrees::degrees)
+//! is at most the true degree, whatever was sampled.
 //!
 //! **Stability** (dₖ = 2ᵏ for all k) is proved in `stability`.
 //!
-//! **Linear growth.** The map permutes the curves of one pencil and of no other (Diller and Favre).
-//! A [drift](crate::drift) F is constant on them, and so is an integral: it is a function of F, and a
-//! constant where the Möbius map of F has infinite order. A finite order n is excluded for F + c, for
-//! c·F unless c = −1, and at generic ε: the map with the matrix M, of which (tr M)²/det M is 4
-//! cos²(πk/n), would be the identity at ε = 0, where that is 4. Linear growth is an observation, and
-//! words must say so.
+//! **Linear growth.** The map permutes the curves of exactly one pencil (Diller and Favre). It acts
+//! on the parameter t of this pencil by a Möbius map μ. A [drift](crate::drift) F and an integral
+//! are both constant on the curves, so both are functions of t. If the next value of F has infinite
+//! order as a Möbius map of F, then so has μ, and every integral is constant. The order of F + c is
+//! infinite, and so is that of c·F unless c = −1. At generic ε, and for a field with a value at
+//! ε = 0, the order of the map of F with the matrix M is infinite, too: for order n > 1 the
+//! function (tr M)²/det M is 4 cos²(πk/n) < 4 at all ε, but the map is the identity at ε = 0, where
+//! the function is 4. Linear growth is an observation, and sentences must say so.
 
 mod stability;
 
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
-use crate::degrees::{DegreeLimits, degrees};
+use crate::degrees::{self, DegreeLimits};
 use crate::drift::{Drift, DriftKind};
 use crate::growth::{Growth, GrowthVerdict};
 use crate::map::ModularMap;
@@ -48,12 +50,12 @@ use crate::search_field::SearchField;
 /// A proof that degrees grow exponentially.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrowthProof {
-    /// dₖ = 2ᵏ: modulo this prime the map is algebraically stable.
+    /// dₖ = 2ᵏ for all k, because the map is algebraically stable modulo this prime.
     Stable {
         /// The prime.
         prime: u64,
     },
-    /// dₖ > k² + 1.
+    /// One degree dₖ > k² + 1.
     Degree {
         /// k
         iterate: usize,
@@ -62,12 +64,12 @@ pub enum GrowthProof {
     },
 }
 
-/// Numbers of iterates that are looked at in turn where growth seems exponential and is not proved;
-/// with each number, degrees up to what a proof takes.
+/// The numbers of iterates that are tried in turn if growth seems exponential and the given degrees
+/// do not prove it. With k iterates, degrees up to k² + 1 are computed.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// The growth class of the degrees of a map, proved exponential where that is possible; `map` is a
-/// sample.
+/// The growth class of the degrees of a map, with a proof if growth is exponential in the plane.
+/// `map` is a sample of `searched`.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
@@ -86,7 +88,7 @@ pub(crate) fn growth(
     let shows = verdict.growth.entropy() > 0.0;
     let mut further = ITERATES.iter().filter(|_| shows).filter_map(|&iterates| {
         let limits = DegreeLimits { iterates, degree: iterates * iterates + 1, deadline };
-        exceeding(&crate::degrees::degrees(map, random, limits))
+        exceeding(&degrees::degrees(map, random, limits))
     });
     let seen = exceeding(degrees).or_else(|| further.next());
     let Some((iterate, degree)) = seen else { return verdict };
@@ -104,11 +106,11 @@ pub(crate) fn growth(
     verdict
 }
 
-/// The number of iterates that are looked at before growth counts as linear.
+/// The number of iterates over which growth must be linear to count as linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// The number of iterates over which growth was seen to be linear, where that excludes integrals:
-/// one of the drifts has infinite order.
+/// Returns the number of iterates over which growth is linear, if linear growth excludes integrals:
+/// the next value of the first drift has infinite order. `None` otherwise.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,
@@ -120,7 +122,7 @@ pub(crate) fn linear(
     let is_infinite = |drift: &Drift| match &drift.kind {
         DriftKind::Sum(_) => true,
         DriftKind::Multiple(factor) => factor != "-1",
-        DriftKind::Image => searched.eps().is_none(),
+        DriftKind::Image => searched.eps().is_none() && searched.family().has_limit(),
         DriftKind::Link => false,
     };
     if searched.dimension() != 2
@@ -130,7 +132,7 @@ pub(crate) fn linear(
         return None;
     }
     let limits = DegreeLimits { iterates: LINEAR_ITERATES, degree: 10 * LINEAR_ITERATES, deadline };
-    let degrees = degrees(map, random, limits);
+    let degrees = degrees::degrees(map, random, limits);
     let is_linear = degrees.len() > LINEAR_ITERATES && GrowthVerdict::of(&degrees).growth == Growth::Linear;
     is_linear.then_some(LINEAR_ITERATES)
 }

@@ -1,18 +1,19 @@
 //! Algebraic stability on ℙ², proved modulo a prime.
 //!
-//! A birational map φ of ℙ² is *algebraically stable* if no iterate of it sends a curve to a point
-//! of indeterminacy; then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
-//! 1.14): a factor that all forms of Φᵏ share, and those of Φᵏ⁻¹ do not, is a curve whose image
-//! under φᵏ⁻¹ is a point of indeterminacy.
+//! A birational map φ of ℙ² is *algebraically stable* if no iterate of φ sends a curve to a point
+//! of indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001,
+//! theorem 1.14): if all forms of Φᵏ share a factor that the forms of Φᵏ⁻¹ do not share, then φᵏ⁻¹
+//! sends the curve of this factor to a point of indeterminacy.
 //!
-//! Kahan's map has the inverse with −ε, in forms Ψ, and Ψ∘Φ = κ·(X, Y, Z) with a cubic form κ. Its
-//! curves are those that φ contracts: outside of them Ψ∘Φ tells points apart, and on them Φ has
-//! values where Ψ vanishes. Modulo a prime at which κ is a product of linear forms these are lines
-//! ℓᵢ with images qᵢ. The orbit of qᵢ either meets a point of indeterminacy, or comes to one of the
-//! lines, ℓⱼ, and goes on as that of qⱼ: it cannot avoid both, as φ is injective outside the lines
-//! and has no qᵢ as a value there. So a finite walk from each qᵢ decides stability over the closure
-//! of 𝔽ₚ. If the reduced map has deg φᵏ = 2ᵏ then so has φ: a factor that the forms of Φᵏ share
-//! would remain one modulo the prime.
+//! The inverse of Kahan's map is the map with −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a
+//! cubic form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points,
+//! and on them Φ has values at which Ψ vanishes. At a prime at which κ is a product of linear
+//! forms, these curves are lines ℓᵢ with images qᵢ. The orbit of qᵢ is finite modulo the prime. It
+//! cannot be periodic outside the lines, because φ is injective there and has no value qᵢ there. So
+//! the orbit meets a point of indeterminacy, or it comes to a line ℓⱼ and continues as the orbit of
+//! qⱼ. A finite walk from each qᵢ therefore decides stability over the closure of 𝔽ₚ. If the
+//! reduced map has deg φᵏ = 2ᵏ then so has φ: a factor that the forms of Φᵏ share remains a factor
+//! modulo the prime.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -22,18 +23,19 @@ use crate::modulus::Modulus;
 use crate::search_field::SearchField;
 use crate::stepping::Stepping;
 
-/// Primes are sampled from these on, as many more; a walk takes about a third of the prime in
-/// steps, and ends at a point of indeterminacy by chance once in as many walks.
+/// Primes are sampled from `LEAST` to about `LEAST + SPREAD`. A walk modulo p takes about p/3
+/// steps, and about one walk in p/3 meets a point of indeterminacy by chance.
 const LEAST: u64 = 211;
 const SPREAD: u64 = 1000;
 
-/// The number of samples that are looked at: where the lines are conjugate, one in six shows all.
+/// The most samples of a prime and of the unknowns. If the three lines are conjugate, one sample in
+/// six shows all of them.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
-/// A prime modulo which the map is algebraically stable of degree 2, at values of the unknowns that
-/// are sampled.
+/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled values of the
+/// unknowns.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -57,8 +59,9 @@ struct Forms {
 }
 
 impl Forms {
-    /// Whether the map has degree 2, three contracted lines (counted with multiplicity) that are
-    /// found, and is stable. Where it has no degree 2, a line on which Φ vanishes divides κ.
+    /// Whether three contracted lines are found, counted with multiplicity, and the map is stable
+    /// of degree 2. If the degree is less than 2, then κ has a linear factor on whose line Φ
+    /// vanishes.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on it.
@@ -67,10 +70,11 @@ impl Forms {
         lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
     }
 
-    /// Whether the orbit comes to a contracted line before a point of indeterminacy.
+    /// Whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // A walk ends within the number of points.
+        // The bound is for safety: an orbit leaves the complement of the lines after finitely many
+        // steps.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -84,7 +88,7 @@ impl Forms {
         false
     }
 
-    /// The lines whose product with multiplicities is κ up to a factor, if all are rational.
+    /// The lines of the linear factors of κ; `None` unless κ is a product of linear forms.
     fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
         let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
         let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);
@@ -107,8 +111,8 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Whether κ is the product of powers of lines, of degree 3, up to a factor that is not 0. Two
-    /// cubic forms are equal if they are at the ten points (i, j, k) with i + j + k = 3.
+    /// Whether κ is a product of powers of lines, up to a nonzero constant; the powers add up to 3.
+    /// Two cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
         let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
@@ -125,8 +129,8 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// The zeros of κ on the line through two points, but for the first of them; `None` where it
-    /// vanishes on all of the line.
+    /// The zeros of κ on the line through two points, except the first point; `None` if κ vanishes
+    /// on the whole line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;
@@ -140,7 +144,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// The point with the number t on a line, for small t different ones.
+    /// The point number t on a line; the points differ for different t below the prime.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {
@@ -152,13 +156,14 @@ impl Forms {
         std::array::from_fn(|i| modulus.plus(a[i], modulus.times(t, b[i])))
     }
 
+    /// The cross product: the line through two points.
     fn cross(&self, a: Point, b: Point) -> Point {
         let modulus = self.modulus();
         [(1, 2), (2, 0), (0, 1)]
             .map(|(i, j)| modulus.minus(modulus.times(a[i], b[j]), modulus.times(a[j], b[i])))
     }
 
-    /// The multiple whose first entry that is not 0 is 1.
+    /// The multiple whose first nonzero entry is 1.
     fn normalised(&self, point: Point) -> Point {
         let first = point.iter().copied().find(|&entry| entry != 0);
         let inverse = first.and_then(|first| self.modulus().inverse(first)).unwrap_or(0);
@@ -179,8 +184,11 @@ impl Forms {
         self.forms(point, self.map.eps())
     }
 
-    /// (adj A · b, det A) with A = Z − ε f′ and b = x + ε Bx + 2ε cZ, homogeneous, where f has the
-    /// linear part B and the constants c: A x̃ = b.
+    /// (adj A · b, det A) for the linear system A x̃ = b of the map in homogeneous coordinates,
+    ///
+    ///   A = Z − ε f′,  b = x + ε Bx + 2ε cZ,
+    ///
+    /// where f has the linear part Bx and the constant part c.
     fn forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];

@@ -18,7 +18,7 @@ fn verdict(text: &str, seed: u64) -> GrowthVerdict {
     let map = searched.sample(Modulus::mersenne_61(), &mut random).expect("a map").map;
     let far = Deadline::never();
     let limits = DegreeLimits { iterates: 12, degree: 40, deadline: &far };
-    growth(&searched, &map, &degrees(&map, &mut random, limits), &mut random, &far)
+    growth(&searched, &map, &degrees::degrees(&map, &mut random, limits), &mut random, &far)
 }
 
 #[test]
@@ -27,13 +27,13 @@ fn exponential_growth_is_proved() {
         let found = verdict(LOTKA_VOLTERRA, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Stable { .. })), "{found:?}");
         assert!((found.growth.entropy() - 2f64.ln()).abs() < 1e-15);
-        // Contracted lines come to points of indeterminacy: 62 in place of 64.
+        // Orbits of contracted lines reach points of indeterminacy: d₆ is 62 instead of 64.
         let found = verdict(ZANDER_113, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
     }
 }
 
-/// With few degrees given more are taken.
+/// If the given degrees are too few for a proof, more are computed.
 #[test]
 fn growth_that_shows_is_proved_from_more_degrees() {
     let searched = SearchField::new(&field(ZANDER_113), None);
@@ -44,8 +44,7 @@ fn growth_that_shows_is_proved_from_more_degrees() {
     assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
 }
 
-/// With an integral, or a pencil that is permuted, no degree is above k² + 1 and no prime shows
-/// stability.
+/// If the map preserves a pencil of curves, no degree exceeds k² + 1, and no prime shows stability.
 #[test]
 fn no_other_growth_is_proved_exponential() {
     let integrable = [

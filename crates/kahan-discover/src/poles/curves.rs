@@ -39,7 +39,8 @@ impl Curves {
     }
 }
 
-/// N₁ … Nₙ, D in lowest terms where ε may be fixed; `None` where the map is beyond its budget.
+/// The components N₁ … Nₙ, D of the map in lowest terms, at the ε of `searched` if it is fixed.
+/// `None` if the map is beyond its budget.
 pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Polynomial>> {
     let reduced = RationalMap::of(field)?.reduced;
     let mut components = reduced.numerators(&field.symbols);

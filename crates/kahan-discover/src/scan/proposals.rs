@@ -167,7 +167,7 @@ impl<'a> Prover<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // Coefficients depend on even powers of ε only, which a relation may not have.
+        // A field may contain only even powers of ε, and a relation may contain odd ones.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;

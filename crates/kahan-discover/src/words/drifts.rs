@@ -1,15 +1,15 @@
-//! What drifts say of time, and of integrals that are not rational.
+//! Drifts in words: functions that grow evenly, and the functions of them that are constant.
 
 use crate::drift::DriftKind;
 use crate::report::Report;
 use crate::writing::is_product;
 
-/// What ends a search by the drifts.
+/// The sentence on the end of a search by the drifts.
 pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one function and multiplies another by \
     a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
     integrals are constant on it: nothing can be missing, and the search ended.";
 
-/// What changes evenly, by how much at a step, and what is constant because of that.
+/// The sentence on drifts that change by a constant at every step, or whose logarithms do.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<(String, String)> = report
         .drifts

@@ -1,5 +1,7 @@
-//! A sum as a sum of products: by powers of ε, and with what several coefficients have in common
-//! once: 1 − ε²(b² − ac)(gy + hz)² for ten terms.
+//! Sums written as sums of products: 1 − ε²(b² − ac)(gy + hz)² for ten terms.
+//!
+//! A sum is split by powers of ε, or into the terms whose coefficients have a common factor and the
+//! other terms. The parts are written in the same way, and the shortest text wins.
 
 use std::slice::from_ref;
 
@@ -9,13 +11,13 @@ use kahan_algebra::symbols::Symbols;
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// A longer sum is written as it is.
+/// The most terms of a sum that is grouped.
 const MOST_GROUPED: usize = 400;
 
-/// Products in sums in products: so deep.
+/// The deepest nesting of sums in products.
 const DEEPEST: usize = 4;
 
-/// The shortest text of the polynomial that is found.
+/// The shortest text that is found for the polynomial.
 pub(super) fn grouped(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let writer = Writer { symbols };
     writer.sum(polynomial, DEEPEST, &mut Budget::new(MOST_TERMS, MOST_WORK / 10))
@@ -26,6 +28,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
+    /// The shortest text of a sum, with at most `depth` further levels of products.
     fn sum(&self, polynomial: &Polynomial, depth: usize, budget: &mut Budget) -> String {
         let expanded = Text.polynomial(self.symbols, polynomial);
         let is_worth_it = depth > 0 && (3..=MOST_GROUPED).contains(&polynomial.len());
@@ -52,7 +55,8 @@ impl Writer<'_> {
         found
     }
 
-    /// What has the most frequent factor of the coefficients, and what has not.
+    /// Splits the polynomial into the terms whose coefficients have the most frequent factor, and
+    /// the other terms.
     fn by_factor(
         &self,
         polynomial: &Polynomial,
@@ -63,7 +67,7 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // How many terms a factor stands for, and in which groups.
+        // Each factor, the number of terms of the coefficients with it, and the indices of these.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -90,7 +94,8 @@ impl Writer<'_> {
         Some([part(true), part(false)].into_iter().filter(|part| !part.is_zero()).collect())
     }
 
-    /// The sum of parts, each as a product; the part with the first term in writing first.
+    /// The text of a sum of parts, each written as a product. The part with the term that is
+    /// written first in the expanded polynomial comes first.
     fn parts(
         &self,
         polynomial: &Polynomial,
@@ -109,7 +114,7 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A sum in a sum needs no parentheses, and takes its sign from its own text.
+                // A part that is a plain sum needs no parentheses; its own text brings the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -29,7 +29,7 @@ const MOST_WORK: u64 = 20_000_000;
 /// A factor of fewer terms is written as it is.
 const FEW_TERMS: usize = 12;
 
-/// Of conjugate factors with so many terms the product is written.
+/// The fewest terms of two conjugate factors that are multiplied.
 const LONG_CONJUGATE: usize = 3;
 
 /// The irreducible factors that contain states, each once.
@@ -101,12 +101,13 @@ enum Sum {
 }
 
 impl Product {
+    /// Factors each polynomial within a budget of its own.
     fn of(polynomials: &[Polynomial]) -> Self {
         let each = || Budget::new(MOST_TERMS, MOST_WORK);
         Self::factored(polynomials, |polynomial| factors(polynomial, &mut each()))
     }
 
-    /// The same, all within one budget.
+    /// Factors all polynomials within one budget.
     fn within(polynomials: &[Polynomial], budget: &mut Budget) -> Self {
         Self::factored(polynomials, |polynomial| factors(polynomial, budget))
     }
@@ -144,7 +145,7 @@ impl Product {
         }
     }
 
-    /// Makes one factor of (1 + εF)(1 − εF) where F is long: it is written once then.
+    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so that a long F is written once.
     fn join_conjugates(&mut self, symbols: &Symbols) {
         let conjugate = |polynomial: &Polynomial| {
             let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
@@ -167,8 +168,8 @@ impl Product {
         }
     }
 
-    /// Writes factors in groups, and long ones by powers of shorter polynomials, where that is
-    /// shorter.
+    /// Chooses the shortest text of each factor: its groups, or, for a long factor, powers of
+    /// shorter polynomials.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
@@ -179,7 +180,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor, which stands above as well, has to be worth it.
+                        // A divisor also appears as a factor of the other side, so a text with a
+                        // divisor must be shorter by a third.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

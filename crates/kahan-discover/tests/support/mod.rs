@@ -3,12 +3,14 @@
 #![allow(dead_code, unused_imports, reason = "not every test uses all of it")]
 
 mod recording;
+mod reports;
 
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 use kahan_discover::Report;
 
 pub(crate) use recording::Recording;
+pub(crate) use reports::*;
 
 pub(crate) const E1: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;";
 pub(crate) const E2: &str = "xdot = -x^2; ydot = x*y; zdot = -2*y^2 + x*z;";
