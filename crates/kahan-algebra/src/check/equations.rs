@@ -85,8 +85,8 @@ fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope
     Err(Diagnostic::new(Kind::Name, place_of_eps(value, scope), message, help))
 }
 
-/// The `eps` at which coefficients go wrong: the first in the first term with odd powers, where
-/// there is one.
+/// The place to report of a mistake with ε: the first `eps` of the first term with odd powers, or
+/// of the whole expression where no term has any.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd = |expr: &Expr| {
         let eps = scope.symbols.epsilon();

@@ -145,7 +145,7 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // It holds the screen open otherwise.
+        // The command's own copy of the screen would keep it open.
         drop(command);
         let mut read = Vec::new();
         // The last reader of the screen is gone when the command is: Linux then says so by an
