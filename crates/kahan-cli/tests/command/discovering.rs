@@ -169,7 +169,8 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
 #[test]
 fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let found = object(&["discover", "euler"]);
-    let all: usize = ["integrals", "densities", "brackets", "drifts"].iter().map(|key| texts(&found[*key]).len()).sum();
+    let all: usize =
+        ["integrals", "densities", "brackets", "drifts"].iter().map(|key| texts(&found[*key]).len()).sum();
     let block = answer(&["discover", "euler", "--macro"]);
     let inside =
         block.trim().strip_prefix("kahan! {").and_then(|rest| rest.strip_suffix('}')).expect("a block");

@@ -124,12 +124,12 @@ mod on_a_terminal {
 
     use super::WIDE;
 
-    /// What a terminal of so many columns shows of standard output.
+    /// The standard output as a terminal of this many columns shows it.
     fn shown(columns: u16, arguments: &[&str]) -> String {
         on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
     }
 
-    /// What a terminal shows of the streams that `connect` gives it.
+    /// The text that a terminal shows of the streams that `connect` gives it.
     fn on_terminal(
         columns: u16,
         arguments: &[&str],
