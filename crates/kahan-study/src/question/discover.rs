@@ -63,8 +63,8 @@ pub struct Discovered {
 }
 
 impl Discover {
-    /// Looks for integrals, densities, brackets, drifts and structure. Parameters that are not given are
-    /// generic; the claims of the field are not looked at. The watch hears of what is proved.
+    /// Looks for integrals, densities, brackets, drifts and structure. Parameters without values are
+    /// generic. Claims of the field are ignored. The watch hears of each finding that is proved.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
