@@ -159,8 +159,8 @@ impl Planned {
 }
 
 impl Derived {
-    /// The plans of the field at ε = 0, which the map approximates: `self` if coefficients are free of
-    /// ε.
+    /// The plans of the field at ε = 0, which the map approximates. They are `self` if coefficients
+    /// are free of ε.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
             true => self.at_eps_zero.get_or_init(|| {

@@ -63,8 +63,8 @@ pub struct Discovered {
 }
 
 impl Discover {
-    /// Looks for integrals, densities, brackets, drifts and structure. Parameters without values are
-    /// generic. Claims of the field are ignored. The watch hears of each finding that is proved.
+    /// Looks for integrals, densities, brackets, drifts and structure. Parameters without values
+    /// are generic. Claims of the field are ignored. The watch hears of each proved finding.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
