@@ -26,8 +26,8 @@
 ///
 /// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
 /// invariant measure, `bracket` a Poisson tensor, `drift` a function whose next value follows from
-/// its value. They are proved while compiling, and a false
-/// claim does not compile; `eps` in them is ε, **half** the time step.
+/// its value. They are proved while compiling, and a false claim does not compile. In claims and
+/// coefficients `eps` is ε, **half** the time step.
 ///
 /// ```
 /// use kahan_core::prelude::*;

@@ -20,8 +20,8 @@ __all__ = ["Discovery"]
 class Discovery(Answer):
     """Integrals, densities, brackets and drifts of a map, by the names of ``kahan discover --json``.
 
-    ``integrals``, ``densities``, ``brackets`` and ``drifts`` are formulas by name, and ``claims`` the same as lines
-    of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
+    ``integrals``, ``densities``, ``brackets`` and ``drifts`` are formulas by name, and ``claims`` has all of
+    them as lines of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
     too long to write are in ``bases``.
     """
 
@@ -79,5 +79,5 @@ class Discovery(Answer):
 
     @property
     def drifts(self) -> dict[str, Formula]:
-        """Functions whose next value follows from their value, by name, each a vector of both."""
+        """Functions whose next value follows from their value, by name, each a vector of the two values."""
         return self.claimed.drifts

@@ -51,12 +51,12 @@ class Formulas(Field):
 
     @property
     def field(self) -> Formula:
-        """f(x), a vector: where coefficients depend on eps, the one at eps = 0."""
+        """f(x), a vector, at eps = 0 where coefficients depend on eps."""
         return self._formula("field")
 
     @property
     def field_jacobian(self) -> Formula:
-        """f'(x), a matrix: where coefficients depend on eps, the one at eps = 0."""
+        """f'(x), a matrix, at eps = 0 where coefficients depend on eps."""
         return self._formula("field_jacobian")
 
     @property
@@ -130,7 +130,7 @@ class Formulas(Field):
 
     @property
     def drifts(self) -> dict[str, Formula]:
-        """The claimed drifts, by name: vectors of a function and its next value, which follows from it.
+        """The claimed drifts, by name: vectors of a function F and of its next value as a formula of F.
 
         >>> import kahan
         >>> F = kahan.System("xdot = x^2; drift F = 1/x by F - 2*eps;").drifts["F"]
@@ -148,8 +148,9 @@ class Formulas(Field):
         def lines(accent: str, formula: Formula) -> list[str]:
             return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self._all_variables, formula)]
 
-        rows = lines("dot", self.field)
-        if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
+        sheet = self._sheet("text")
+        rows = lines("dot", self._formula("field_at_eps") if "field_at_eps" in sheet else self.field)
+        if sheet["map"] is not None and len(str(self.map)) < 400:
             rows += lines("widetilde", self.map)
         known = self.__dict__.get("_found", self)
         rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
@@ -157,7 +158,7 @@ class Formulas(Field):
 
 
 def _sides(claim: dict[str, Any]) -> list[str]:
-    """The right side of a claim that is a function; of a drift the next value, too."""
+    """The right side of a claim that is a function; of a drift the function and its next value."""
     text: str = claim["statement"].partition(" = ")[2].rstrip(";").partition(" when ")[0]
-    # Behind an operator `by` is a state or a parameter.
+    # After an operator `by` is a name.
     return re.split(r"(?<![-+*/(]) by ", text, maxsplit=1) if claim["kind"] == "drift" else [text]

@@ -506,8 +506,8 @@ class System(Formulas):
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
 
         ``field``, ``field_jacobian``, ``A``, ``b``, ``det_A``, ``x_next``, ``jacobian``,
-        ``det_jacobian``, ``integrals``, ``density`` (of which there is one without ``when``) and
-        ``brackets``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
+        ``det_jacobian``, ``integrals``, ``density`` (of which there is one without ``when``),
+        ``brackets`` and ``drifts``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
         at the point is ``None``. Formulas are functions of many points: ``s.densities["rho"](x, eps)``.
         """
         found = self._ask("evaluate", at=self._point(x), eps=_exact(half_step(eps, dt), "eps"), scalar="exact" if exact else "f64")
@@ -654,7 +654,7 @@ class System(Formulas):
 
     def discover(self, *, eps: Number | None = None, dt: Number | None = None, degree: int | None = None, seconds: float | None = None,
                  progress: bool = False) -> Discovery:
-        """What the map preserves, found from the equations alone and proved: integrals, densities, brackets.
+        """What the map preserves, found from the equations alone and proved: integrals, densities, brackets, drifts.
 
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.

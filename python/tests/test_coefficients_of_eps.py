@@ -8,7 +8,7 @@ import pytest
 import kahan
 
 TEXT = "struct P { a, b } xdot = y*(1 - a*eps^2) + b*eps^4*x^2; ydot = (a - eps^2)*(x - b*y)*x/(1 + b^2*eps^2) - eps^2/2;"
-# eps^2 is a parameter.
+# The field with eps^2 replaced by a parameter k.
 STRAIGHT = "struct P { a, b, k } xdot = y*(1 - a*k) + b*k^2*x^2; ydot = (a - k)*(x - b*y)*x/(1 + b^2*k) - k/2;"
 VALUES = {"a": "3/2", "b": "-2/3"}
 EPS = Fraction(1, 8)
@@ -76,6 +76,12 @@ def test_claims_of_eps_are_found_and_proved() -> None:
     integral = found.claimed.integrals["H1"]
     x, eps = [Fraction(1, 2), Fraction(1, 3)], Fraction(1, 7)
     assert integral(x, eps=eps) == integral(found.claimed.map(x, eps=eps), eps=eps)
+
+
+def test_notebooks_show_the_coefficients_of_the_map() -> None:
+    s = kahan.System("xdot = y + eps^2*x^2; ydot = -x")
+    assert r"\dot{x} &= y + \varepsilon^{2} x^{2}" in s._repr_latex_()
+    assert str(s.field[0]) == "y"
 
 
 def test_what_is_not_possible_is_refused() -> None:

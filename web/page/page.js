@@ -240,13 +240,14 @@ function search() {
   }
   return long('search', { ask: 'discover', seconds: 30 }, async ({ answer, html }) => {
     set('search-shown', html)
-    const lines = [...answer.integrals, ...answer.densities, ...answer.brackets]
+    const lines = [...answer.integrals, ...answer.densities, ...answer.brackets, ...answer.drifts]
     list.textContent = lines.join('\n')
     list.hidden = $('copies-found').hidden = !lines.length
     $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}${answer.growth_proved ? ', proved' : ''}. Found in ${answer.seconds.toFixed(1)} s.`
     const sheet = await workers.search.ask(asked, { ask: 'show' })
     if (!sheet?.answer || searched?.subject !== asked) return
-    const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${sheet.answer.field[k]};`)
+    const right = sheet.answer.field_at_eps ?? sheet.answer.field
+    const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${right[k]};`)
     // The equations have the values that claims are made for; a lift's text has not.
     searched = { ...searched, equations, lines: lifted ? lines : lines.map(line => line.replace(/ when [^{}]*;$/, ';')) }
     move()

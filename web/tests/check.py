@@ -110,7 +110,7 @@ def findings_are_those_of_the_command(browser, kahan):
             if seconds < 4:
                 break
         object_ = json.loads(command(kahan, "discover", "--field", text, "--json"))
-        assert lines == object_["integrals"] + object_["densities"] + object_["brackets"], lines
+        assert lines == object_["integrals"] + object_["densities"] + object_["brackets"] + object_["drifts"], lines
         assert seconds < 4, f"{name}: {seconds} s"
         print(f"{name}: {len(lines)} findings, those of the command, {seconds:.2f} s after a cold start")
 

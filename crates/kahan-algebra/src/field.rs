@@ -1,8 +1,8 @@
 //! The checked quadratic field: from here on nothing can be wrong.
 //!
-//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Coefficients
-//! may depend on ε²; the field that the map approximates is the one at ε = 0. Everything
-//! that the map needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
+//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced.
+//! Coefficients may depend on ε²; the map approximates the field at ε = 0. Everything that the map
+//! needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
@@ -17,7 +17,7 @@ pub struct Component {
 }
 
 impl Component {
-    /// Whether it depends on this variable.
+    /// Whether p or q depends on this variable.
     #[must_use]
     pub fn contains(&self, variable: Variable) -> bool {
         self.numerator.contains(variable) || self.denominator.contains(variable)

@@ -59,6 +59,8 @@ pub struct Evaluation<V> {
     pub density: Option<Option<V>>,
     /// The unconditional brackets as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
+    /// The unconditional drifts: F(x), and F(x̃) by the recurrence.
+    pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 
 /// A parameter value at which the field itself divides by zero.
@@ -98,6 +100,8 @@ impl Interpreter {
         let jacobian = next.as_ref().and_then(|next| self.jacobian(arithmetic, point, next));
         let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(arithmetic, jacobian));
         let integrals = self.run_partly(arithmetic, &derived.integrals, point, None);
+        let drifts = derived.drifts.iter();
+        let drifts = drifts.map(|(name, plan)| (name.clone(), self.run(arithmetic, plan, point, None)));
         Ok(Evaluation {
             field: vector(derived.at_eps_zero().field())?,
             field_jacobian: rows(vector(derived.at_eps_zero().field_jacobian())?),
@@ -110,6 +114,7 @@ impl Interpreter {
             integrals: derived.integral_names.iter().cloned().zip(integrals).collect(),
             density: derived.density.as_ref().map(|plan| self.run(arithmetic, plan, point, None)?.pop()),
             brackets: self.brackets(arithmetic, point),
+            drifts: drifts.collect(),
         })
     }
 

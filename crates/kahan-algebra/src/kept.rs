@@ -86,8 +86,8 @@ impl Values {
         Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// These values and `components` with ε² as the first value, where ε stands in even powers only:
-    /// so ε² is a parameter of the field of which a step is planned.
+    /// Puts ε² as the first value and writes powers of ε in the values and `components` by it, so
+    /// that plans of a step treat ε² as a parameter. Changes nothing if an odd power of ε occurs.
     fn over_square(self, components: Vec<Polynomial>) -> (Self, Vec<Polynomial>) {
         let mut polynomials = self.values.iter().map(Value::polynomial).chain(&components);
         let has_eps = polynomials.clone().any(|of| of.contains(self.epsilon));
@@ -96,7 +96,7 @@ impl Values {
         }
         let square = Value::Sum(Polynomial::term(Monomial::power(self.epsilon, 2), Rational::ONE));
         let mut over = Values { values: Numbered::default(), ..self };
-        let own = over.intern(square.clone()).expect("it is the first");
+        let own = over.intern(square.clone()).expect("the first value has a number");
         let mut renamed: Vec<Variable> = Vec::with_capacity(self.values.len());
         let halved = |polynomial: &Polynomial, renamed: &[Variable]| {
             Polynomial::from_terms(polynomial.terms().map(|(monomial, coefficient)| {
@@ -318,14 +318,14 @@ impl Kept {
         Kept::new(values, components)
     }
 
-    /// Whether ε stands in it otherwise than as ε².
+    /// Whether an odd power of ε occurs.
     pub(crate) fn has_odd_powers_of_eps(&self) -> bool {
         let Values { epsilon, values, .. } = &self.values;
         let mut polynomials = values.iter().map(Value::polynomial).chain(&self.components);
         !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
     }
 
-    /// The field with coefficients at this ε, at which it divides by nothing that is 0.
+    /// The field with coefficients at this ε, where its divisors must differ from 0.
     pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
         let mut values = Values::of(symbols);
         let put = |variable| match variable == symbols.epsilon() {
@@ -367,7 +367,7 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// ∂f/∂a over the values for what a is; for ε it is f + ε ∂f/∂ε, which 1/ε multiplies.
+    /// ∂f/∂a over the values. For a = ε it is f + ε ∂f/∂ε, which the step multiplies by 1/ε.
     fn sources(&self, symbols: &Symbols, values: &mut Values, by: By) -> Vec<Polynomial> {
         let name = match by {
             By::Start => return vec![Polynomial::zero(); self.components.len()],

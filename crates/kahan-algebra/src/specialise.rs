@@ -63,8 +63,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// The system whose coefficients are those at this ε, without claims: at 0 the field that the
-    /// map approximates. `None` where the field then divides by zero, which it does not at 0.
+    /// The system with its coefficients at this ε, without claims. At ε = 0 it has the field that
+    /// the map approximates. `None` where the field divides by zero, which never happens at ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;

@@ -1,8 +1,8 @@
 //! The variational field: a field and tangent vectors that it carries along.
 //!
 //! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Its Kahan
-//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε the
-//! source is f/ε + ∂f/∂ε.
+//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε
+//! f/ε + ∂f/∂ε stands in place of ∂f/∂a.
 
 use std::sync::Arc;
 

@@ -117,7 +117,7 @@ fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     assert_eq!(next, [Rational::from(-4), Rational::from(-45)]);
 }
 
-/// What is prepared from ε keeps the digits of a float step.
+/// A float step has all its digits where its constants are prepared from ε.
 #[test]
 fn a_step_of_floats_is_near_the_exact_one() {
     let float = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
@@ -238,7 +238,7 @@ fn mistakes(text: &str) -> Vec<Diagnostic> {
     read(&lex(text).tokens).system().expect_err("a mistake")
 }
 
-/// What a mistake's span covers.
+/// The text that the span of a mistake covers.
 fn place(text: &str, mistake: &Diagnostic) -> std::ops::Range<usize> {
     let ranges = lex(text).ranges;
     ranges[mistake.span.first].start..ranges[mistake.span.last].end
@@ -257,7 +257,7 @@ fn odd_powers_of_eps_are_refused_at_the_token() {
         assert!(found[0].message.contains("odd powers"), "{found:?}");
         assert_eq!(place(text, &found[0]), start..start + 3, "{text}");
     }
-    // Odd powers that cancel, or meet in even ones, are none.
+    // Odd powers may cancel, or multiply to even ones.
     system("xdot = (x + eps*y)*(x - eps*y) + eps*x - eps*x; ydot = eps*x*eps;");
 }
 

@@ -1,5 +1,5 @@
 //! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`,
-//! `drift_NAME`. What is claimed `when` something holds has one of its own, `density_NAME` for a density, in
+//! `drift_NAME`. A claim with `when` has an accessor of its own, `density_NAME` for a density, in
 //! which the names that the conditions are solved for have their values.
 
 use kahan_algebra::plan::Plan;

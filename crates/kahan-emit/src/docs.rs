@@ -233,7 +233,7 @@ pub(super) fn bracket(claim: &Claim) -> TokenStream {
 pub(super) fn drift(claim: &Claim) -> TokenStream {
     let name = &claim.name.text;
     let mut lines = vec![format!(
-        " `{name}` at `x`, and its next value, which follows from it alone; `eps` is ε, half the time step."
+        " `{name}` at `x` and at the next point, the latter by its recurrence; `eps` is ε, half the time step."
     )];
     push_block(&mut lines, "Namely, `~` for the next value:", &statement(claim));
     emit_lines(&lines)

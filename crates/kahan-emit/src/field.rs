@@ -44,7 +44,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to what a map has besides whose coefficients depend on ε; to nothing for other maps.
+/// Expands to the methods that evaluate the field at ε; `None` where coefficients are free of ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     let (value, slope) = match derived.couplings() {
@@ -70,7 +70,7 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// The bodies of a function for f and of one for f′ in many variables, with coefficients at `eps`.
+/// The bodies of functions for f and for f′ in many variables, with coefficients at `eps`.
 fn emit_coupled_field(
     context: &Context<'_>,
     couplings: &Couplings,

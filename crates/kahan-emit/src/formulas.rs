@@ -71,7 +71,7 @@ impl PostfixWriter<'_> {
                     let k = index(k);
                     quote!(Parameter(#k))
                 }
-                // Behind the parameters, where coefficients depend on it.
+                // ε follows the parameters where coefficients depend on it.
                 Symbol::Epsilon => {
                     let k = index(self.symbols.parameters.len());
                     quote!(Parameter(#k))

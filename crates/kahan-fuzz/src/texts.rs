@@ -74,6 +74,8 @@ const WORDS: &[&str] = &[
     "integral H = x^2 + y^2",
     " when a = 1, b = 2",
     "bracket P { {x,y} = 1; }",
+    "drift F = 1/x by F - 2*eps",
+    "*eps^2",
     "->",
     "'",
     "\"",

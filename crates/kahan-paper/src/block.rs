@@ -7,6 +7,7 @@
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::render::{claim_text, macro_block};
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::TokenKind;
 use kahan_algebra::{read_unproved, seed};
@@ -90,7 +91,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
 fn field_of(block: &str) -> &str {
     let lexed = lex(block);
     let begins_claim = |index: usize| {
-        matches!(&*lexed.tokens[index].text, "integral" | "density" | "bracket")
+        ClaimKind::of_keyword(&lexed.tokens[index].text).is_some()
             && lexed.tokens.get(index + 1).is_some_and(|next| next.kind == TokenKind::Identifier)
     };
     let end = (0..lexed.tokens.len()).find(|&index| begins_claim(index));

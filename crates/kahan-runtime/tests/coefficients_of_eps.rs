@@ -1,5 +1,5 @@
 //! Coefficients that depend on ε: the macro against maps by hand and against maps read at run time,
-//! and what follows orbits besides.
+//! compositions, derivatives, error estimates and exact orbits.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -143,7 +143,7 @@ where
     let same = |a: &T, b: &T| a == b || (a.clone() != *a && b.clone() != *b);
     for (x, eps) in samples::<T, N>(40) {
         let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
-        // In more variables the macro's promise is another one, with bits of its own.
+        // In more variables the macro solves in another way, so that the last bits differ.
         if N <= 8 {
             assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok());
         }
@@ -192,7 +192,7 @@ fn the_promise_of_a_step_holds() {
     let exact_chain = Chain { a: q("3/2") };
     let rounded = |p: &BigRational| round::<f64>(&p.clone().into());
     let (map, chain) = (exact.extend_scalars(rounded), exact_chain.extend_scalars(rounded));
-    // Parameters of the floats, exactly.
+    // The exact values of the floats.
     let exact = map.extend_scalars(|p| Rational::from_f64(*p).expect("finite").to_big());
     let big = |value: f64| Rational::from_f64(value).expect("finite").to_big();
     for (x, eps) in samples::<f64, 3>(200) {

@@ -341,7 +341,8 @@ impl Study {
     /// The coefficients of the field at the values of its parameters.
     ///
     /// # Errors
-    /// A parameter without a value, a field that divides by zero, and coefficients that depend on ε.
+    /// A parameter without a value, a field that divides by zero, and coefficients that depend on
+    /// ε.
     pub fn coefficients(&self) -> Result<Vec<Coefficient>, StudyError> {
         let values = self.values()?;
         let system = self.at(values.into_iter().map(Some).collect()).specialised()?;

@@ -33,7 +33,7 @@ pub struct Block<X = InFamily> {
     pub equations: Vec<Equation<X>>,
     /// `for i in periodic { … }`, where the equations stand in one.
     pub family: Option<FamilyHead>,
-    /// `integral`, `density`, `bracket`.
+    /// `integral`, `density`, `bracket`, `drift`.
     pub claims: Vec<Claim>,
     /// `hamiltonian H = sum(…);` of a family, read as a claim of an integral.
     pub hamiltonians: Vec<Claim>,
@@ -185,7 +185,7 @@ pub enum ClaimBody {
 }
 
 impl ClaimBody {
-    /// The function, and its next value in a drift; or the values of the entries.
+    /// The expressions of the claim: a function, a function and its next value, or entries' values.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {

@@ -244,7 +244,7 @@ fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let first = lines.iter().position(|line| begins(line)).filter(|_| !text.contains("for i in"))?;
     let behind = lines[first..].iter().position(|line| {
         let word = line.trim().split(' ').next().unwrap_or("");
-        matches!(word, "integral" | "density" | "bracket" | "//" | "const")
+        matches!(word, "integral" | "density" | "bracket" | "drift" | "//" | "const")
     });
     let last = behind.map_or(lines.len(), |count| first + count);
     let body = lines[first..last].join("\n");
@@ -376,6 +376,8 @@ const PIECES: &[&str] = &[
     "const",
     "integral",
     "bracket",
+    "drift",
+    "by",
     "density",
     "when",
     "for",

@@ -23,9 +23,8 @@ where
     /// f″(f,f)/6] + O(h⁴).
     ///
     /// With f″(f,f) = 2Q(f,f) it is (2ε³/3)·[f′f′f − 4Q(f,f)], all at x: no linear system is solved
-    /// and nothing has a pole. Coefficients that depend on ε add 2ε times the difference that they
-    /// make to f. Subtracting it from x̃ raises the order to 3 and gives up the
-    /// structure of the map.
+    /// and nothing has a pole. Where coefficients depend on ε, 2ε(f at ε − f at 0) is added.
+    /// Subtracting the error from x̃ raises the order to 3 and gives up the structure of the map.
     ///
     /// Cost: f, f′ and Q once, and two products with f′.
     ///
@@ -49,8 +48,8 @@ where
     }
 }
 
-/// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf, and for coefficients that depend on ε the difference
-/// 2ε(f at ε − f) besides.
+/// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf; where coefficients depend on ε, plus
+/// 2ε(f at ε − f at 0).
 fn local_error<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> SVector<T, N>
 where
     M: KahanMap<T, N>,

@@ -97,9 +97,9 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Where the field divides by zero at these parameters, for exact scalars.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
-    /// Whether coefficients of the field depend on ε. Then [`field_at`](Self::field_at),
-    /// [`field_jacobian_at`](Self::field_jacobian_at) and [`polarized_at`](Self::polarized_at) are
-    /// written for it; else they are the objects of the field.
+    /// Whether coefficients of the field depend on ε. A map for which they do implements
+    /// [`field_at`](Self::field_at), [`field_jacobian_at`](Self::field_jacobian_at) and
+    /// [`polarized_at`](Self::polarized_at); by default these are free of ε.
     #[inline(always)]
     fn has_coefficients_of_eps(&self) -> bool {
         false

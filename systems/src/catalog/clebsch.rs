@@ -5,10 +5,10 @@
 //! found to be integrable in 1871. The flow has four quadratic integrals. The map has four, too,
 //! which are not quadratic, and of which H alone is short; Petrera, Pfadler and Suris found them by
 //! computer (arXiv:0808.3345). `kahan discover` finds H, with w3 p.p taken from its denominator,
-//! the density, and of the other three integrals bases: along every orbit the functions 1, p2^2,
-//! p3^2, m1 p1, m2 p2, m3 p3 satisfy one linear relation, and so do 1, p2^2, p3^2, m1^2, m3^2, m2
-//! p2, m3 p3; the quotients of its coefficients are integrals. The degrees of the map's iterates
-//! grow quadratically.
+//! the density, a long formula of a second integral, and bases of the other two: along every orbit
+//! 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3 satisfy one linear relation, and so do 1, p2^2, p3^2, m1^2,
+//! m3^2, m2 p2, m3 p3; quotients of the coefficients are integrals. The degrees of the map's
+//! iterates grow quadratically.
 
 use kahan_core::prelude::*;
 

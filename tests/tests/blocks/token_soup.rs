@@ -60,6 +60,8 @@ const WORDS: [&str; 66] = [
     "integral",
     "density",
     "bracket",
+    "drift",
+    "by",
     "when",
     "H",
     "rho",

@@ -40,17 +40,16 @@ pub(super) fn compile_all(
             .as_ref()
             .filter(|body| {
                 // Every expression is looked at, so that all unknown names are reported.
-                let unsound = match body {
+                let mut resolve = |expr: &Expr| scope.resolve(expr, true, diagnostics);
+                match body {
                     ClaimBody::Recurrence { function, next } => {
-                        let is_known = scope.resolve(function, true, diagnostics);
-                        usize::from(!is_known | !resolve_next(next, claim, &claims, scope, diagnostics))
+                        resolve(function) & resolve_next(next, claim, &claims, scope, diagnostics)
                     }
-                    body => {
-                        let expressions = body.expressions().into_iter();
-                        expressions.filter(|expr| !scope.resolve(expr, true, diagnostics)).count()
+                    ClaimBody::Function(function) => resolve(function),
+                    ClaimBody::Tensor(entries) => {
+                        entries.iter().filter(|entry| !resolve(&entry.value)).count() == 0
                     }
-                };
-                unsound == 0
+                }
             })
             .zip(entries)
             .and_then(|(body, entries)| match compiler.body(&claim.name.text, body, &entries, scope) {
@@ -83,8 +82,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports the names in the next value of a drift that mean nothing there, where the claim stands
-/// for its function. A state means nothing there, nor does a density: F(x̃) is to follow from F(x).
+/// Reports the names that the next value of a drift may not hold: unknown names, states and
+/// densities. The claim's own name stands for its function, so that F(x̃) follows from F(x).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,

@@ -61,7 +61,6 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
 fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
     let eps = scope.symbols.epsilon();
     let Expansion { numerator, denominator, .. } = expansion;
-    let at_zero = || denominator.substitute(eps, &Rational::ZERO);
     let (message, help) = if !numerator.contains(eps) && !denominator.contains(eps) {
         return Ok(());
     } else if in_family {
@@ -69,12 +68,12 @@ fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope
             "the coefficients of a family are free of `eps`",
             "write the equations of each site, or declare a parameter for the coefficient",
         )
-    } else if !numerator.is_even_in(eps) || !denominator.is_even_in(eps) {
+    } else if has_odd_powers(expansion, scope) {
         (
             "`eps` stands in odd powers: the map would not be reversible",
             "write even powers of it, as in `c*eps^2*x`",
         )
-    } else if at_zero().is_zero() {
+    } else if denominator.substitute(eps, &Rational::ZERO).is_zero() {
         (
             "this divides by a power of `eps`: the field has no value at `eps = 0`",
             "divide by what is not 0 at `eps = 0`, as in `x/(1 + c*eps^2)`",
@@ -85,14 +84,16 @@ fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope
     Err(Diagnostic::new(Kind::Name, place_of_eps(value, scope), message, help))
 }
 
-/// The `eps` at which coefficients go wrong: the first in the first term with odd powers, where
-/// there is one.
+/// Whether an odd power of ε occurs.
+fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &Scope) -> bool {
+    [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
+}
+
+/// The place to report of a mistake with ε: the first `eps` of the first term with odd powers, or
+/// of the whole expression where no term has any.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
-    let is_odd = |expr: &Expr| {
-        let eps = scope.symbols.epsilon();
-        expand_unkept(expr, scope)
-            .is_ok_and(|of| !of.numerator.is_even_in(eps) || !of.denominator.is_even_in(eps))
-    };
+    let is_odd =
+        |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
     match &expr.kind {
         ExprKind::Negation(inner) => return place_of_eps(inner, scope),
         ExprKind::Sum(terms) => {

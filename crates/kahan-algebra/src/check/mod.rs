@@ -176,7 +176,7 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // A product that was written with odd powers of ε stands as it is expanded.
+    // Odd powers of ε in kept factors cancel in the expanded form, and the step needs powers of ε².
     let kept = if kept.has_odd_powers_of_eps() { Kept::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();

@@ -133,7 +133,7 @@ impl Planned {
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return Planned { with_constants: with, map: map.cloned() };
         };
-        // ε² in coefficients is a parameter of the field with constants.
+        // In a field with constants ε² of coefficients is a parameter, so degrees in ε differ.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -159,8 +159,8 @@ impl Planned {
 }
 
 impl Derived {
-    /// The plans of the field at ε = 0, which the map approximates: these, unless coefficients
-    /// depend on ε.
+    /// The plans of the field at ε = 0, which the map approximates. They are `self` if coefficients
+    /// are free of ε.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
             true => self.at_eps_zero.get_or_init(|| {
@@ -171,7 +171,7 @@ impl Derived {
         }
     }
 
-    /// f(x), one result for each component; where coefficients depend on ε, at this ε.
+    /// f(x), one result for each component. Coefficients may depend on ε, which is an input then.
     pub fn field(&self) -> &Plan {
         self.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -309,8 +309,8 @@ impl Derived {
         self.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
-    /// Whether the field divides by nothing that is zero at these parameters, in their order, and at
-    /// this ε.
+    /// Whether all divisors of the field differ from 0 at this ε and these parameters, in their
+    /// order.
     pub fn is_defined_at<A: Arithmetic>(
         &self,
         arithmetic: &A,

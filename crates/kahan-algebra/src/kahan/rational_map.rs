@@ -88,8 +88,9 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Whether this has no degree in the states, and in ε where `counts_eps`, that the `other` form
-    /// of the same map has not: as many factors were divided out. Each has symbols of its own.
+    /// Whether all degrees of this form in the states are those of the `other` form of the map, so
+    /// that as many factors were divided out. With `counts_eps` ε counts as a state. Each form has
+    /// symbols of its own.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,

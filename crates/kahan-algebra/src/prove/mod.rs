@@ -37,7 +37,8 @@ pub enum Verdict {
     Proved(Proof),
     /// It is false, and this point shows it.
     Refuted(Refutation),
-    /// It says nothing: an integral that depends on no state, a zero density, a zero bracket.
+    /// The claim says nothing: an integral or a drift that depends on no state, a zero density, a
+    /// zero bracket.
     Vacuous,
     /// It divides by zero identically.
     Undefined,

@@ -23,10 +23,11 @@ use crate::reading::{Source, StepLength, seconds, whole};
 ///
 /// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities, brackets and
 /// drifts (functions whose next value follows from their value) stand last, as lines of the
-/// language of `kahan!`, each of them proved; what stands behind `when` is fixed. An integral whose formula would fill pages is given by a Hirota-Kimura basis:
-/// monomials with one linear relation along every orbit, whose coefficients are integrals. Where
-/// integrals may be missing, the search goes on to higher degrees until the time is up, and a
-/// sentence says what ended it. Claims that the field brings along are not looked at.
+/// language of `kahan!`, each of them proved; what stands behind `when` is fixed. An integral whose
+/// formula would fill pages is given by a Hirota-Kimura basis: monomials with one linear relation
+/// along every orbit, whose coefficients are integrals. Where integrals may be missing, the search
+/// goes on to higher degrees until the time is up, and a sentence says what ended it. Claims that
+/// the field brings along are not looked at.
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, growth_proved, entropy,
 /// linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more. `hilbert`
@@ -140,7 +141,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Modified Hamiltonians in their compact forms, and what their signs stand for.
+/// Modified Hamiltonians in their compact forms, and the meaning of their symbols.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,

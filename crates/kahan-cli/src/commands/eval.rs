@@ -84,7 +84,7 @@ fn readable(objects: &Value) -> String {
     for (key, value) in objects.as_object().into_iter().flatten() {
         match (key.as_str(), value) {
             ("variables", _) => {}
-            ("parameters" | "integrals" | "brackets", Value::Object(named)) => {
+            ("parameters" | "integrals" | "brackets" | "drifts", Value::Object(named)) => {
                 let kind = key.trim_end_matches('s');
                 lines.extend(
                     named.iter().flat_map(|(name, value)| lines_of(&format!("{kind} {name}"), value)),

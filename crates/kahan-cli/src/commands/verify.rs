@@ -89,7 +89,7 @@ impl Verify {
 const ALL: &str = "Show every claim with its statement, its source and its time";
 
 /// What there is to say of a block without claims.
-const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
+const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;`, `drift NAME = … by …;` or `bracket NAME { … }`";
 
 /// How claims fared whose coefficients and signs were changed.
 fn mutated(answer: &Mutations) -> String {

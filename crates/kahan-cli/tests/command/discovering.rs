@@ -47,7 +47,7 @@ fn every_key_is_there_and_says_what_was_found() {
     assert_eq!(found["survivors"]["formulas"], json!([]));
     assert_eq!(found["out_of_time"], false);
     assert!(found["seconds"].is_number() && !texts(&found["sentences"]).is_empty());
-    let lines = ["integrals", "densities", "brackets"].map(|key| texts(&found[key])).concat();
+    let lines = ["integrals", "densities", "brackets", "drifts"].map(|key| texts(&found[key])).concat();
     assert_eq!(reading(WEIERSTRASS, &lines).system().expect("a system").claims.len(), 3);
     assert_eq!(found["bases"], json!([]));
 }
@@ -67,7 +67,7 @@ fn what_is_found_is_told_in_its_parts() {
         };
         let (kind, name, expression) = (of("kind"), of("name"), of("expression"));
         assert_eq!(kind, kinds, "{arguments:?}");
-        let lines = ["integrals", "densities", "brackets"].map(|key| texts(&object[key])).concat();
+        let lines = ["integrals", "densities", "brackets", "drifts"].map(|key| texts(&object[key])).concat();
         for (place, line) in lines.iter().enumerate() {
             let (head, expression) = (format!("{} {}", kind[place], name[place]), &expression[place]);
             let is_whole = line.starts_with(&format!("{head} = {expression}"))
@@ -169,7 +169,8 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
 #[test]
 fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let found = object(&["discover", "euler"]);
-    let all: usize = ["integrals", "densities", "brackets"].iter().map(|key| texts(&found[*key]).len()).sum();
+    let all: usize =
+        ["integrals", "densities", "brackets", "drifts"].iter().map(|key| texts(&found[*key]).len()).sum();
     let block = answer(&["discover", "euler", "--macro"]);
     let inside =
         block.trim().strip_prefix("kahan! {").and_then(|rest| rest.strip_suffix('}')).expect("a block");

@@ -28,6 +28,7 @@ fn every_object_of_e1_has_the_value_of_the_oracle() {
             // Q/c with c = 1/x^2 = 49/9
             "Q": [["0", "27/343", "-198/637"], ["-27/343", "0", "9321201/72781709"], ["198/637", "-9321201/72781709", "0"]],
         },
+        "drifts": {},
     });
     for (key, value) in expected.as_object().expect("an object") {
         assert_eq!(&values[key], value, "{key}");
@@ -114,6 +115,22 @@ fn a_field_of_ones_own_takes_its_free_names_as_parameters() {
     assert_eq!(values["field"], json!(["1", "-2"]));
     assert_eq!(values["density"], Value::Null);
     assert_eq!((&values["integrals"], &values["brackets"]), (&json!({}), &json!({})));
+}
+
+#[test]
+fn a_drift_has_its_value_and_the_next_one() {
+    let field = "xdot = x^2; drift F = 1/x by F - 2*eps;";
+    let values = object(&["eval", "--field", field, "--eps", "1/10", "--at", "1/3", "--json"]);
+    assert_eq!(values["drifts"], json!({ "F": ["3", "14/5"] }));
+    assert_eq!(values["x_next"], json!(["5/14"]));
+}
+
+#[test]
+fn coefficients_of_eps_are_those_of_the_step_and_the_field_is_at_0() {
+    let field = "xdot = y + eps^2*x^2; ydot = -x;";
+    let values = object(&["eval", "--field", field, "--eps", "1/2", "--at", "2,1", "--json"]);
+    assert_eq!(values["field"], json!(["1", "-2"]));
+    assert_eq!(values["A"], json!([["1/2", "-1/2"], ["1/2", "1"]]));
 }
 
 #[test]

@@ -124,12 +124,12 @@ mod on_a_terminal {
 
     use super::WIDE;
 
-    /// What a terminal of so many columns shows of standard output.
+    /// The standard output as a terminal of this many columns shows it.
     fn shown(columns: u16, arguments: &[&str]) -> String {
         on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
     }
 
-    /// What a terminal shows of the streams that `connect` gives it.
+    /// The text that a terminal shows of the streams that `connect` gives it.
     fn on_terminal(
         columns: u16,
         arguments: &[&str],
@@ -145,7 +145,7 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // It holds the screen open otherwise.
+        // The command's own copy of the screen would keep it open.
         drop(command);
         let mut read = Vec::new();
         // The last reader of the screen is gone when the command is: Linux then says so by an

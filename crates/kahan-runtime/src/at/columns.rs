@@ -102,8 +102,8 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Where the field divides by zero at a trajectory's parameters and ε there is no map; its code,
-    /// which has no such divisor any more, does not notice.
+    /// Forgets trajectories at whose parameters and ε the field divides by zero. No map exists
+    /// there, but machine code, in which the divisor has cancelled, still computes numbers.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {

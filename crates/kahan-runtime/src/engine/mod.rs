@@ -174,7 +174,7 @@ impl Engine {
         engine
     }
 
-    /// An object of the field with the coefficients that the map has at ε.
+    /// Returns the object that has the coefficients at ε in place of those at ε = 0.
     pub(crate) fn at_eps(&self, object: Object) -> Object {
         match object {
             _ if !self.derived.system.field.depends_on_eps() => object,

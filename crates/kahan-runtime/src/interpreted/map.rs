@@ -43,12 +43,12 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(jacobian)
     }
 
-    /// An object that is a vector.
+    /// Evaluates an object whose value is a vector.
     fn vector_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         self.run(self.engine.known_line(object), x.as_slice(), eps, |results| vector(results.iter()))
     }
 
-    /// An object that is a matrix.
+    /// Evaluates an object whose value is a matrix.
     fn slopes_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let own = self.variables().len();
         self.run(self.engine.known_line(object), x.as_slice(), eps, |entries| {
@@ -56,7 +56,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
-    /// An object of two points that is a vector.
+    /// Evaluates an object of two points whose value is a vector.
     fn vector_of_two(&self, object: Object, points: [&SVector<T, N>; 2], eps: &T) -> SVector<T, N> {
         let own = self.variables().len();
         let mut entries: SmallVec<[T; 16]> = SmallVec::new();

@@ -35,6 +35,10 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Unplanned<T, N> {
         Elimination::new(self.clone(), eps.clone())
     }
 
+    fn has_coefficients_of_eps(&self) -> bool {
+        self.0.has_coefficients_of_eps()
+    }
+
     fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         self.0.field_at(x, eps)
     }

@@ -63,8 +63,8 @@ pub struct Discovered {
 }
 
 impl Discover {
-    /// Looks for integrals, densities, brackets and structure. Parameters that are not given are
-    /// generic; the claims of the field are not looked at. The watch hears of what is proved.
+    /// Looks for integrals, densities, brackets, drifts and structure. Parameters without values
+    /// are generic. Claims of the field are ignored. The watch hears of each proved finding.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
@@ -166,7 +166,7 @@ impl Discovered {
         claims
     }
 
-    /// The claims but for these integrals.
+    /// The claims as text, without the integrals at the indices `but`.
     fn claims_but(&self, but: &[usize]) -> Vec<&str> {
         let report = &self.report;
         let integrals = (0..report.integrals.len()).filter(|index| !but.contains(index));
@@ -212,7 +212,7 @@ impl Discovered {
             expression: expression(&claim.body),
             name: claim.name.text,
         });
-        // Integrals are named H1, H2, …: the H of K1 is named apart from them.
+        // Integrals have the names H1, H2, …, so the H of K1 is H_K1.
         let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| Part {
             kind: "hamiltonian",
             name: found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}")),
@@ -266,7 +266,7 @@ struct Object<'a> {
     bases: Vec<Relation>,
     divergence: &'a str,
     is_even: bool,
-    /// The first of them.
+    /// The first of `hamiltonians`.
     hamiltonian: Option<Hamiltonian<'a>>,
     hamiltonians: Vec<Hamiltonian<'a>>,
     survivors: Option<Survivors<'a>>,
@@ -292,7 +292,7 @@ struct Hamiltonian<'a> {
     modified_is_proved: bool,
     /// Whether (I - eps^2 f'^2) K is an invariant bracket, proved.
     bracket_is_proved: bool,
-    /// Whether no integral is given that says as much, or only one that is longer by far.
+    /// Whether `modified` says more than the integrals, or says it in a much shorter formula.
     is_compact: bool,
     /// At any point x and its image x~.
     modified: String,

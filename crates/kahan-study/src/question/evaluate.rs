@@ -75,6 +75,9 @@ pub struct Evaluated {
     /// The brackets of those claims, row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
+    /// The drifts of those claims: a function, and its next value by the recurrence.
+    #[serde(serialize_with = "by_name")]
+    pub drifts: Names<Option<Vec<Number>>>,
     /// Why there is no next point.
     #[serde(skip)]
     pub no_step: Option<NoStep>,
@@ -139,6 +142,7 @@ impl Evaluate {
                 .collect(),
             density: values.density.flatten().as_ref().map(number),
             brackets: values.brackets.into_iter().map(|(name, value)| (name, value.map(rows))).collect(),
+            drifts: values.drifts.into_iter().map(|(name, value)| (name, value.map(vector))).collect(),
             no_step: (!has_next).then(|| if is_singular { study.pole() } else { NoStep::Range }),
         })
     }

@@ -84,7 +84,7 @@ pub struct Sheet {
     /// f(x) with the coefficients that the map has at ε, where these depend on ε.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// f(x), at ε = 0 as all that the field has without its map.
+    /// f(x) at ε = 0; f′ and Q are those of this field, too.
     pub field: Vec<String>,
     /// f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -122,7 +122,7 @@ pub struct Sheet {
 pub struct ClaimShown {
     /// Its name.
     pub name: String,
-    /// `integral`, `density` or `bracket`.
+    /// `integral`, `density`, `bracket` or `drift`.
     pub kind: &'static str,
     /// The claim in the language of `kahan!`, ready to paste.
     pub statement: String,

@@ -50,7 +50,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     Ok(())
 }
 
-/// Reads `= expr by expr`. A `by` where an operand stands is a name.
+/// Reads `= expr by expr`. Where an operand is due, `by` is a name.
 fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     equals(cursor)?;
     let end = mem::replace(&mut cursor.end, End::By);

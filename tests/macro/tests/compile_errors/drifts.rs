@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A density depends on the states.
+// A density is no function of F.
 kahan! {
     pub struct ByADensity;
     xdot = y;
@@ -11,28 +11,28 @@ kahan! {
     drift F = x^2 + y^2 by rho*F;
 }
 
-// A state is more than F.
+// A state is no function of F.
 kahan! {
     pub struct ByAState;
     xdot = x^2;
     drift F = 1/x by F - 2*eps*x;
 }
 
-// A name that nobody knows.
+// An unknown name.
 kahan! {
     pub struct ByAnUnknownName;
     xdot = x^2;
     drift F = 1/x by F - 2*epsilon;
 }
 
-// Zero, in figures.
+// A division by the number 0.
 kahan! {
     pub struct ByADivisorThatIsZero;
     xdot = x^2;
     drift F = 1/x by (F - 2*eps)/0;
 }
 
-// Without a value at any point.
+// A divisor that expands to 0.
 kahan! {
     pub struct ByADivisorThatVanishes;
     xdot = x^2;
@@ -46,21 +46,21 @@ kahan! {
     drift F = 1/x by F + 2*eps;
 }
 
-// True, and says nothing.
+// A function of no state.
 kahan! {
     pub struct Constant;
     xdot = x^2;
     drift F = eps by F;
 }
 
-// A drift stands for its function behind `by` alone.
+// The name of a drift stands for its function only behind `by`.
 kahan! {
     pub struct InItsOwnFunction;
     xdot = x^2;
     drift F = 1/F by F - 2*eps;
 }
 
-// A name means one thing.
+// A state and a drift of one name.
 kahan! {
     pub struct NamedLikeAState;
     xdot = x^2;
@@ -74,21 +74,21 @@ kahan! {
     drift F = 1/x by;
 }
 
-// `by` stands in a drift.
+// `by` belongs to drifts.
 kahan! {
     pub struct IntegralWithBy;
     xdot = x^2;
     integral F = 1/x by F - 2*eps;
 }
 
-// How F goes on is missing.
+// The next value of F is missing.
 kahan! {
     pub struct WithoutBy;
     xdot = x^2;
     drift F = 1/x;
 }
 
-// A claim is called by its name.
+// The name of the claim is missing.
 kahan! {
     pub struct WithoutAName;
     xdot = x^2;

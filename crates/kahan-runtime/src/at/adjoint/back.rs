@@ -17,7 +17,7 @@ const LARGEST_GROWTH: f64 = 1024.0;
 pub(super) struct Back<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
-    /// `None` where coefficients depend on ε: then derivatives are those of the step.
+    /// `None` where coefficients depend on ε: dual numbers then differentiate the whole step.
     terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
     /// The entries of f′ at the points before and behind a stage.

@@ -21,7 +21,7 @@
 //! The states are computed forward again from about √steps checkpoints. A stage of a composition is
 //! a step with γε; γ times its derivative by γε is added to ∂L/∂ε.
 //!
-//! Where coefficients depend on ε, λ and the derivatives are those of the step over dual numbers.
+//! Where coefficients depend on ε, dual numbers through the whole step give λ and the derivatives.
 //!
 //! - `terms` has the coefficients of the field as numbers, and their derivatives.
 //! - `back` takes the cotangent back over one step.
