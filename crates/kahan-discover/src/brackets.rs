@@ -166,21 +166,20 @@ fn coprime(
     tensor: &[RationalFunction],
     budget: &mut Budget,
 ) -> Option<Vec<RationalFunction>> {
-    let numerators = |tensor: &[RationalFunction]| {
-        let entries = tensor.iter().filter(|entry| !entry.is_zero());
-        entries.map(|entry| entry.numerator().clone()).collect::<Vec<_>>()
-    };
+    fn numerators(tensor: &[RationalFunction]) -> Vec<&Polynomial> {
+        tensor.iter().filter(|entry| !entry.is_zero()).map(RationalFunction::numerator).collect()
+    }
     let coefficients = |numerator: &Polynomial| {
         let groups = numerator.group(|variable| symbols.is_state(variable)).into_iter();
         groups.map(|(_, coefficient)| coefficient).collect::<Vec<_>>()
     };
-    let coefficients: Vec<Polynomial> = numerators(tensor).iter().flat_map(coefficients).collect();
+    let coefficients: Vec<Polynomial> = numerators(tensor).into_iter().flat_map(coefficients).collect();
     let free = RationalFunction::from(gcd_all_within(&coefficients, budget).ok()?).recip()?;
     let tensor: Option<Vec<_>> = tensor.iter().map(|entry| entry.mul_within(&free, budget).ok()).collect();
     let tensor = tensor?;
     let numerators = numerators(&tensor);
     let common = numerators.iter().map(|numerator| numerator.content()).reduce(|a, b| a.gcd(&b))?.abs();
-    let number = if begins_negative(&numerators[0]) { -common } else { common };
+    let number = if begins_negative(numerators[0]) { -common } else { common };
     let scale = RationalFunction::constant(number.recip()?);
     tensor.iter().map(|entry| entry.mul_within(&scale, budget).ok()).collect()
 }

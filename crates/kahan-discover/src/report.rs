@@ -337,7 +337,7 @@ impl fmt::Display for DiscoverError {
                 "det A vanishes identically at these values, so there is no map to look at: choose another eps or other parameters",
             ),
             DiscoverError::Collapse => f.write_str(
-                "det A(x, -eps) vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
+                "the determinant of the Jacobian of the map vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
             ),
             DiscoverError::TooManyVariables(found) => write!(
                 f,

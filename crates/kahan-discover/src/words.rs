@@ -314,10 +314,11 @@ fn density(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(_) => match report.brackets.len() - report.polynomial_brackets {
-            0 if report.bracket_ranks.first().is_some_and(|rank| rank + 1 >= report.variables.len()) => {
-                "An invariant density is proved.".to_owned()
-            }
-            0 if report.variables.len() >= 2 && report.integrals.len() + 2 >= report.variables.len() => {
+            0 if report.polynomial_brackets == 0
+                && !report.out_of_time
+                && report.variables.len() >= 2
+                && report.integrals.len() + 2 >= report.variables.len() =>
+            {
                 "An invariant density is proved; the Poisson brackets that it makes with integrals are too long to be written.".to_owned()
             }
             0 => "An invariant density is proved.".to_owned(),

@@ -82,10 +82,10 @@ fn what_grows_evenly_is_said_in_words() {
     );
     assert!(
         words("xdot = -1; ydot = -3*y - 3;")
-            .ends_with("along orbits F1/(-2*eps) - log(F2)/log((1 - 3*eps)/(1 + 3*eps)) is constant.")
+            .ends_with("along orbits F1/(-2*eps) - log|F2|/log|(1 - 3*eps)/(1 + 3*eps)| is constant.")
     );
     assert!(words("xdot = a*x; ydot = b*y;").ends_with(
-        "along orbits log(F1)/log((1 + eps*b)/(1 - eps*b)) - log(F2)/log((1 + eps*a)/(1 - eps*a)) is constant."
+        "along orbits log|F1|/log|(1 + eps*b)/(1 - eps*b)| - log|F2|/log|(1 + eps*a)/(1 - eps*a)| is constant."
     ));
 }
 

@@ -16,12 +16,12 @@ pub(super) fn drifts(report: &Report) -> Option<String> {
         .iter()
         .filter_map(|drift| match &drift.kind {
             DriftKind::Sum(step) => Some((drift.name.clone(), step.clone())),
-            DriftKind::Multiple(factor) => Some((format!("log({})", drift.name), format!("log({factor})"))),
+            DriftKind::Multiple(factor) => Some((format!("log|{}|", drift.name), format!("log|{factor}|"))),
             DriftKind::Image | DriftKind::Link => None,
         })
         .collect();
     let factor = |step: &String| {
-        let is_one = step.starts_with("log(") || is_product(step) && !step.contains('/');
+        let is_one = step.starts_with("log|") || is_product(step) && !step.contains('/');
         if is_one { step.clone() } else { format!("({step})") }
     };
     let ((first, step), others) = even.split_first()?;
@@ -36,16 +36,20 @@ pub(super) fn drifts(report: &Report) -> Option<String> {
     }
     let all: Vec<String> = even.iter().map(|(drift, step)| format!("{step} to {drift}")).collect();
     let divisor = |step: &String| {
-        let is_one = step.starts_with("log(") || step.chars().all(char::is_alphanumeric);
+        let is_one = step.starts_with("log|") || step.chars().all(char::is_alphanumeric);
         if is_one { step.clone() } else { format!("({step})") }
     };
     let constants: Vec<String> = others
         .iter()
-        .map(|(drift, own)| format!("{first}/{} - {drift}/{}", divisor(step), divisor(own)))
+        .map(|(drift, own)| match own == step {
+            true => format!("{first} - {drift}"),
+            false => format!("{first}/{} - {drift}/{}", divisor(step), divisor(own)),
+        })
         .collect();
     Some(format!(
-        "Every step adds {}: along orbits {} is constant.",
+        "Every step adds {}: along orbits {} {} constant.",
         all.join(" and "),
-        constants.join(" and ")
+        constants.join(" and "),
+        if constants.len() == 1 { "is" } else { "are" }
     ))
 }
