@@ -79,6 +79,18 @@ pub enum DriftKind {
     Link,
 }
 
+impl DriftKind {
+    /// Whether it adds a constant that is not 0, or multiplies by a factor that is no root of unity.
+    /// Among rational functions only 1 and −1 are roots of unity.
+    pub(crate) fn has_infinite_order(&self) -> bool {
+        match self {
+            DriftKind::Sum(step) => step != "0",
+            DriftKind::Multiple(factor) => factor != "1" && factor != "-1",
+            DriftKind::Image | DriftKind::Link => false,
+        }
+    }
+}
+
 /// Finds and proves drifts of a map that are functionally independent of each other and of the
 /// integrals. Calls `tell` for each drift.
 pub(crate) fn drifts(
@@ -138,10 +150,9 @@ pub(crate) fn drifts(
 /// of 𝔾ₐ × 𝔾ₘ. So the closure of a generic orbit of the map has dimension at least 2. If there is
 /// only one of both drifts, the dimension is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
-    let has_sum = drifts.iter().any(|drift| matches!(drift.kind, DriftKind::Sum(_)));
-    // The roots of unity among rational functions are 1, which makes an integral, and −1.
-    let has_multiple =
-        drifts.iter().any(|drift| matches!(&drift.kind, DriftKind::Multiple(factor) if factor != "-1"));
+    let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
+    let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
+    let has_multiple = kinds().any(|kind| matches!(kind, DriftKind::Multiple(_)));
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 

@@ -119,12 +119,9 @@ pub(crate) fn linear(
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<usize> {
-    let is_infinite = |drift: &Drift| match &drift.kind {
-        DriftKind::Sum(_) => true,
-        DriftKind::Multiple(factor) => factor != "-1",
-        DriftKind::Image => searched.eps().is_none() && searched.family().has_limit(),
-        DriftKind::Link => false,
-    };
+    let is_generic = searched.eps().is_none() && searched.family().has_limit();
+    let is_infinite =
+        |drift: &Drift| drift.kind.has_infinite_order() || drift.kind == DriftKind::Image && is_generic;
     if searched.dimension() != 2
         || growth.growth != Growth::Linear
         || !drifts.first().is_some_and(is_infinite)
