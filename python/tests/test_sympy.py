@@ -62,6 +62,7 @@ def test_equations_are_lifted():
     ([sympy.Eq(X.diff(t), X + x)], "x is both a function of the time and a symbol"),
     ([sympy.Eq(X.diff(t), Y)], r"y\(t\) is a function"),
     ([sympy.Eq(X.diff(t), sympy.sqrt(2) * X)], "no fraction"),
+    ({"None": 0.0}, "no derivative of a symbol"),
     ({x: X}, r"x\(t\) is a function"),
 ])
 def test_what_is_no_field_is_an_error(equations, message):

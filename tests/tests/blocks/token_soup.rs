@@ -38,7 +38,7 @@ fn read_text(text: &str) -> Checked {
 }
 
 /// Words of the language, and of its neighbours.
-const WORDS: [&str; 66] = [
+const WORDS: [&str; 68] = [
     "xdot",
     "ydot",
     "x",
