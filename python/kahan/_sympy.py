@@ -28,7 +28,7 @@ def field_text(equations: Any, expands: bool = True) -> str:
     printer = Printer({"sympy_integers": False})
     lines = []
     for variable, order, rate in _rates(equations):
-        if not isinstance(variable, sympy.Symbol) or not isinstance(rate, sympy.Expr):
+        if not isinstance(variable, sympy.Basic) or not isinstance(rate, sympy.Basic):
             raise ValueError(f"{variable}: {rate} gives no derivative of a symbol; write {{x: expression of dx/dt}}")
         rate = sympy.expand(rate) if expands else rate
         for part in sympy.preorder_traversal(sympy.Tuple(variable, rate)):
