@@ -8,13 +8,14 @@ use std::slice::from_ref;
 
 use kahan_algebra::arithmetic::{Arithmetic, Function, Functions};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::prove::{Verdict, prove_all};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Formulas, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_algebra::{lexer, read, read_unproved};
+use kahan_algebra::{lexer, read, read_unproved, seed};
 
 use crate::writing::{is_product, quotient, state_factors};
 
@@ -228,6 +229,14 @@ impl<'a> Claims<'a> {
     pub(crate) fn bracket(&self, index: usize, entries: &str) -> Option<String> {
         let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
         self.is_proved(&text).then_some(text)
+    }
+
+    /// Whether a claim holds that may name earlier claims. These are not proved again.
+    pub(crate) fn is_proved_behind(&self, earlier: &[&str], text: &str) -> bool {
+        let tokens = lexer::lex(&format!("{} {} {text}", self.equations, earlier.join(" "))).tokens;
+        let Ok(mut system) = read_unproved(&tokens).system() else { return false };
+        system.claims.drain(..earlier.len());
+        matches!(prove_all(&system, seed(&tokens))[..], [Verdict::Proved(_)])
     }
 
     /// Whether a claim holds.

@@ -18,6 +18,7 @@
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_factor::dense::{derivative, gcd, quotient_and_rest, trimmed};
 
 use crate::deadline::Deadline;
 use crate::family::evaluate;
@@ -195,40 +196,36 @@ fn special(
     let plane = Plane::random(*modulus, monomials, random);
     let sides = pair.each_ref().map(|side| plane.restricted(side));
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
-    let mut spectrum = spectrum(modulus, &first, &second, random)?;
+    let field = modulus.field();
+    let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
     // If F has no term sᵈ, then ∇F solves the equations. The root c of these F is divided out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
     }
-    spectrum = divided(modulus, spectrum, &highest).0;
+    let mut spectrum =
+        quotient_and_rest(field, &spectrum(modulus, &first, &second, random)?, &residues(&highest)).0;
     let mut found = Vec::new();
-    while let Some(root) = kahan_factor::root(
-        modulus.field(),
-        &spectrum.iter().map(|own| modulus.residue(*own)).collect::<Vec<_>>(),
-        || modulus.residue(modulus.sample(random)),
-    ) {
-        let root = modulus.integer(root);
+    while let Some(root) = kahan_factor::root(field, &spectrum, || modulus.residue(modulus.sample(random))) {
         let mut multiplicity = 0;
         loop {
-            let (quotient, rest) =
-                divided(modulus, spectrum.clone(), &[modulus.opposite(root), modulus.one()]);
-            if rest.iter().any(|own| *own != 0) {
+            let (quotient, rest) = quotient_and_rest(field, &spectrum, &[field.neg(root), 1]);
+            if !rest.is_empty() {
                 break;
             }
             spectrum = quotient;
             multiplicity += 1;
         }
+        let root = modulus.integer(root);
         let rows = first.iter().zip(&second).map(|(p, q)| combined(&[p.clone(), q.clone()], root)).collect();
         let solutions = first.len() - Echelon::of(modulus, rows, first[0].len()).rank();
         let member = combined(&pair, root);
         let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
-        let leading: Vec<u64> = {
-            let own = combined(&sides, root);
-            (0..=degree).map(|a| own[place(degree, a, degree - a)]).collect()
-        };
-        let repeated = gcd(modulus, derivative(modulus, &leading), leading);
-        let at_infinity = repeated.map_or(degree, |repeated| repeated.len() - 1);
+        let own = combined(&sides, root);
+        let leading: Vec<u64> = (0..=degree).map(|a| own[place(degree, a, degree - a)]).collect();
+        let leading = trimmed(residues(&leading));
+        let repeated = gcd(field, &derivative(field, &leading), &leading);
+        let at_infinity = repeated.len().checked_sub(1).unwrap_or(degree);
         found.push((Kind { multiplicity, solutions, at_infinity, support }, member));
     }
     Some(found)
@@ -298,8 +295,8 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// The polynomial whose roots are the c for which the equations p + cq have solutions, lowest
-/// coefficient first. Each row of `p` and `q` holds the coefficients of one unknown.
+/// The polynomial whose roots are the c for which the equations p + cq have solutions, as residues,
+/// lowest coefficient first. Each row of `p` and `q` holds the coefficients of one unknown.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();
@@ -321,10 +318,10 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
             determinant(modulus, rows.collect())
         });
         let values: Vec<u64> = values.collect();
-        determinants.push(interpolated(modulus, &points, &values)?);
+        let coefficients = interpolated(modulus, &points, &values)?;
+        determinants.push(trimmed(coefficients.iter().map(|&value| modulus.residue(value)).collect()));
     }
-    let [first, second] = determinants.try_into().ok()?;
-    gcd(modulus, first, second)
+    Some(gcd(modulus.field(), &determinants[0], &determinants[1]))
 }
 
 /// The coefficients of F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H of
@@ -352,12 +349,6 @@ fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
         }
     }
     columns
-}
-
-/// The derivative of a polynomial; coefficients are listed from the lowest.
-fn derivative(modulus: &Modulus, polynomial: &[u64]) -> Vec<u64> {
-    let terms = polynomial.iter().enumerate().skip(1);
-    terms.map(|(exponent, own)| modulus.times(modulus.integer(exponent as u64), *own)).collect()
 }
 
 /// The determinant of a square matrix, by Gaussian elimination.
@@ -402,36 +393,6 @@ fn interpolated(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<Vec
         }
     }
     Some(sum)
-}
-
-/// The quotient and the remainder. The last coefficient of the divisor is not 0.
-fn divided(modulus: &Modulus, mut above: Vec<u64>, below: &[u64]) -> (Vec<u64>, Vec<u64>) {
-    let inverse = modulus.inverse(below[below.len() - 1]).expect("the divisor has its degree");
-    let mut quotient = vec![0; (above.len() + 1).saturating_sub(below.len())];
-    for shift in (0..quotient.len()).rev() {
-        let factor = modulus.times(above[shift + below.len() - 1], inverse);
-        quotient[shift] = factor;
-        for (index, own) in below.iter().enumerate() {
-            above[shift + index] = modulus.minus(above[shift + index], modulus.times(factor, *own));
-        }
-    }
-    (quotient, above)
-}
-
-/// The monic greatest common divisor; `None` if both polynomials are 0.
-fn gcd(modulus: &Modulus, mut left: Vec<u64>, mut right: Vec<u64>) -> Option<Vec<u64>> {
-    let trim = |side: &mut Vec<u64>| {
-        side.truncate(side.iter().rposition(|own| *own != 0).map_or(0, |last| last + 1));
-    };
-    trim(&mut left);
-    trim(&mut right);
-    while !right.is_empty() {
-        let mut rest = divided(modulus, left, &right).1;
-        trim(&mut rest);
-        (left, right) = (right, rest);
-    }
-    let inverse = modulus.inverse(*left.last()?)?;
-    Some(left.iter().map(|own| modulus.times(*own, inverse)).collect())
 }
 
 #[cfg(test)]

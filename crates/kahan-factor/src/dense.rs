@@ -4,14 +4,15 @@
 use kahan_algebra::prime_field::PrimeField;
 
 /// Coefficients by exponent.
-pub(super) type Dense = Vec<u64>;
+pub type Dense = Vec<u64>;
 
 /// Sums of products of residues below 2^62 are reduced when they come here, so that they never
 /// overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Without the zeros at the end.
-pub(super) fn trimmed(mut a: Dense) -> Dense {
+#[must_use]
+pub fn trimmed(mut a: Dense) -> Dense {
     while a.last() == Some(&0) {
         a.pop();
     }
@@ -78,7 +79,8 @@ pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
 ///
 /// # Panics
 /// If b is 0.
-pub(super) fn quotient_and_rest(field: PrimeField, a: &[u64], b: &[u64]) -> (Dense, Dense) {
+#[must_use]
+pub fn quotient_and_rest(field: PrimeField, a: &[u64], b: &[u64]) -> (Dense, Dense) {
     let lead = *b.last().expect("a divisor is not zero");
     let inverse = field.inverse(lead).expect("a leading coefficient is not zero");
     let mut rest = a.to_vec();
@@ -102,7 +104,8 @@ pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
 }
 
 /// The monic greatest common divisor.
-pub(super) fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+#[must_use]
+pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
     while !b.is_empty() {
         (a, b) = (b.clone(), rest(field, &a, &b));
@@ -137,7 +140,8 @@ pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[
 }
 
 /// The derivative.
-pub(super) fn derivative(field: PrimeField, a: &[u64]) -> Dense {
+#[must_use]
+pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     let terms = a.iter().enumerate().skip(1);
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }

@@ -24,7 +24,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod combined;
-mod dense;
+pub mod dense;
 mod lifted;
 mod modular;
 mod multivariate;

@@ -13,6 +13,8 @@ mod normal;
 mod spaces;
 mod triangular;
 
+use std::slice::from_ref;
+
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -70,23 +72,33 @@ pub struct Drift {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
     /// F + c; holds c.
-    Sum(String),
+    Sum(Constant),
     /// c·F; holds c.
-    Multiple(String),
+    Multiple(Constant),
     /// (aF + b)/(cF + d), a Möbius image of F.
     Image,
-    /// A function of F, of integrals, and of earlier drifts.
-    Link,
+    /// A function of F, of integrals, and of earlier drifts; holds the names in it.
+    Link(Vec<String>),
+}
+
+/// A function of the parameters and ε.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Constant {
+    /// The function.
+    pub value: RationalFunction,
+    /// The function in the language of `kahan!`.
+    pub text: String,
 }
 
 impl DriftKind {
-    /// Whether it adds a constant that is not 0, or multiplies by a factor that is no root of unity.
-    /// Among rational functions only 1 and −1 are roots of unity.
+    /// Whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c no root of unity. The roots of unity among
+    /// rational functions are 1 and −1.
     pub(crate) fn has_infinite_order(&self) -> bool {
+        let one = RationalFunction::one();
         match self {
-            DriftKind::Sum(step) => step != "0",
-            DriftKind::Multiple(factor) => factor != "1" && factor != "-1",
-            DriftKind::Image | DriftKind::Link => false,
+            DriftKind::Sum(step) => !step.value.is_zero(),
+            DriftKind::Multiple(factor) => factor.value != one && factor.value != -&one,
+            DriftKind::Image | DriftKind::Link(_) => false,
         }
     }
 }
@@ -168,7 +180,10 @@ pub(crate) fn independent(
 ) -> Vec<Drift> {
     let mut known = Independent::of(searched, integrals, random);
     let is_news = |drift: &Drift| {
-        let is_named = |old: &&Formula| old.name().is_some_and(|name| drift.text.contains(name));
+        let is_named = |old: &&Formula| match &drift.kind {
+            DriftKind::Link(names) => names.iter().any(|name| old.name() == Some(name)),
+            _ => false,
+        };
         let mut named = before.iter().filter(is_named);
         let is_news = known.admits(&drift.numerator, &drift.denominator)
             && named.all(|old| integrals.iter().any(|new| new.text == old.text));
@@ -291,12 +306,7 @@ impl Search<'_> {
     /// Adds the drift above/below if its claim is short enough and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
-        let value = quotient(
-            self.searched.family().symbols(),
-            std::slice::from_ref(above),
-            std::slice::from_ref(below),
-            &[],
-        );
+        let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
         let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };
         if self.add(name, &value, &text, kind, [above, below]) {
             self.triangle.take(drift, [above, below], image);
@@ -311,7 +321,8 @@ impl Search<'_> {
             let [above, below] = &self.triangle.in_states(&link);
             let is_news = self.known.admits(above, below);
             let (value, next) = (&link.value_text, &link.next_text);
-            if !is_news || !self.add(name.clone(), value, next, DriftKind::Link, [above, below]) {
+            let kind = DriftKind::Link(self.triangle.names(&link));
+            if !is_news || !self.add(name.clone(), value, next, kind, [above, below]) {
                 return None;
             }
             self.triangle.keep(&name, link);
@@ -319,8 +330,8 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds a drift and returns `true` if its claim is short enough and proved. The integrals and
-    /// the earlier drifts stand before the claim of a link, which may name them.
+    /// Adds a drift and returns `true` if its claim is short enough and proved. The claim of a link
+    /// is read behind the integrals and the earlier drifts, which it may name.
     fn add(
         &mut self,
         name: String,
@@ -330,14 +341,13 @@ impl Search<'_> {
         [above, below]: [&Polynomial; 2],
     ) -> bool {
         let text = format!("drift {name} = {value} by {next}{};", self.claims.condition);
-        let earlier = self.found.iter().map(|drift| drift.text.as_str());
-        let claims: Vec<&str> =
-            self.integrals.iter().map(|formula| formula.text.as_str()).chain(earlier).collect();
-        let is_added = text.len() <= MOST_CHARACTERS
-            && self.claims.is_proved(&match kind {
-                DriftKind::Link => format!("{} {text}", claims.join(" ")),
-                _ => text.clone(),
-            });
+        let is_proved = || {
+            let DriftKind::Link(_) = kind else { return self.claims.is_proved(&text) };
+            let integrals = self.integrals.iter().map(|formula| formula.text.as_str());
+            let earlier = integrals.chain(self.found.iter().map(|drift| drift.text.as_str()));
+            self.claims.is_proved_behind(&earlier.collect::<Vec<_>>(), &text)
+        };
+        let is_added = text.len() <= MOST_CHARACTERS && is_proved();
         if is_added {
             self.known.keep(above, below);
             (self.tell)(ClaimKind::Drift, &text);
@@ -368,7 +378,7 @@ mod tests {
         let drift = Drift {
             name: "F1".to_owned(),
             text: "drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);".to_owned(),
-            kind: DriftKind::Link,
+            kind: DriftKind::Link(vec!["H1".to_owned()]),
             numerator: y,
             denominator: one,
         };

@@ -14,8 +14,8 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::claims::Formula;
 use crate::writing::{is_product, quotient};
 
-use super::DriftKind;
 use super::normal::Next;
+use super::{Constant, DriftKind};
 
 /// The budget for composing functions.
 const MOST_TERMS: usize = 2_000;
@@ -79,8 +79,8 @@ impl Triangle {
         let next = next.mapped(|constant| self.moved(constant));
         let image = next.of(&drift)?;
         let (kind, text) = match &next {
-            Next::Sum(step) => (DriftKind::Sum(self.text(step)), self.sum(name.to_owned(), step)),
-            Next::Multiple(factor) => (DriftKind::Multiple(self.text(factor)), self.text(&image)),
+            Next::Sum(step) => (DriftKind::Sum(self.constant(step)), self.sum(name.to_owned(), step)),
+            Next::Multiple(factor) => (DriftKind::Multiple(self.constant(factor)), self.text(&image)),
             Next::Image(_) => (DriftKind::Image, self.text(&image)),
         };
         Some((drift, image, kind, text))
@@ -106,6 +106,10 @@ impl Triangle {
         let over = |part: Polynomial| RationalFunction::new(part, below.clone()).filter(|_| is_affine);
         let multiple = self.text(&over(&linear * &Polynomial::variable(drift))?);
         Some(self.sum(multiple, &over(free)?))
+    }
+
+    fn constant(&self, value: &RationalFunction) -> Constant {
+        Constant { value: value.clone(), text: self.text(value) }
     }
 
     fn text(&self, function: &RationalFunction) -> String {
@@ -200,6 +204,16 @@ impl Triangle {
     /// The numerator and denominator of a link as a function of the field's states.
     pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
+    }
+
+    /// The names of drifts and integrals in the next value of a link.
+    pub(super) fn names(&self, link: &Link) -> Vec<String> {
+        let own = self.own.dimension();
+        let is_used = |index: &usize| {
+            let variable = self.symbols.state(*index);
+            [link.next.numerator(), link.next.denominator()].iter().any(|side| side.contains(variable))
+        };
+        (own..self.symbols.dimension()).filter(is_used).map(|i| self.symbols.states[i].clone()).collect()
     }
 
     /// Adds a link that was proved under this name.
