@@ -301,27 +301,66 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Random combinations of the equations, as many as unknowns.
-        let mixers: Vec<Vec<u64>> =
-            (0..columns).map(|_| (0..p[0].len()).map(|_| modulus.sample(random)).collect()).collect();
-        let mixed = |side: &[Vec<u64>]| -> Vec<Vec<u64>> {
-            mixers
-                .iter()
-                .map(|mixer| side.iter().map(|column| modulus.dot(mixer, column)).collect())
-                .collect()
-        };
-        let (p, q) = (mixed(p), mixed(q));
-        let points: Vec<u64> = (0..=columns as u64).map(|value| modulus.integer(value)).collect();
-        let values = points.iter().map(|&c| {
-            let entry = |(p, q): (&u64, &u64)| modulus.plus(*p, modulus.times(c, *q));
-            let rows = p.iter().zip(&q).map(|(p, q)| p.iter().zip(q).map(entry).collect());
-            determinant(modulus, rows.collect())
+        // Random combinations of the equations, as many as unknowns: rows (Q | P).
+        let mixed = (0..columns).map(|_| {
+            let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
+            q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
         });
-        let values: Vec<u64> = values.collect();
-        let coefficients = interpolated(modulus, &points, &values)?;
-        determinants.push(trimmed(coefficients.iter().map(|&value| modulus.residue(value)).collect()));
+        let echelon = Echelon::of(modulus, mixed.collect(), 2 * columns);
+        if echelon.rank_of_first(columns) < columns {
+            return None;
+        }
+        // det(P + cQ) is det(c + Q⁻¹P) up to a factor.
+        let negated = |row: &Vec<u64>| row[columns..].iter().map(|&entry| modulus.opposite(entry)).collect();
+        let coefficients = characteristic(modulus, echelon.rows.iter().map(negated).collect());
+        determinants.push(coefficients.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>());
     }
     Some(gcd(modulus.field(), &determinants[0], &determinants[1]))
+}
+
+/// The characteristic polynomial det(λ − M), lowest coefficient first, from Hessenberg's form of M
+/// (Cohen, A Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9).
+fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
+    let size = rows.len();
+    for column in 1..size.max(1) {
+        let Some(pivot) = (column..size).find(|&row| rows[row][column - 1] != 0) else { continue };
+        rows.swap(pivot, column);
+        rows.iter_mut().for_each(|row| row.swap(pivot, column));
+        let inverse = modulus.inverse(rows[column][column - 1]).expect("a pivot is not zero");
+        let (upper, lower) = rows.split_at_mut(column + 1);
+        let own = &upper[column];
+        let mut factors = Vec::with_capacity(lower.len());
+        for row in lower {
+            let factor = modulus.times(row[column - 1], inverse);
+            for (entry, above) in row.iter_mut().zip(own) {
+                *entry = modulus.minus(*entry, modulus.times(factor, *above));
+            }
+            factors.push(factor);
+        }
+        // The inverse operation on columns makes the matrix similar to M.
+        for row in &mut rows {
+            row[column] = modulus.plus(row[column], modulus.dot(&factors, &row[column + 1..]));
+        }
+    }
+    // The characteristic polynomials of the leading submatrices.
+    let mut leading = vec![vec![modulus.one()]];
+    for last in 0..size {
+        let before = &leading[last];
+        let mut next = vec![0; last + 2];
+        next[1..].copy_from_slice(before);
+        let mut product = modulus.one();
+        for first in (0..=last).rev() {
+            let factor = modulus.times(product, rows[first][last]);
+            for (entry, own) in next.iter_mut().zip(&leading[first]) {
+                *entry = modulus.minus(*entry, modulus.times(factor, *own));
+            }
+            if first > 0 {
+                product = modulus.times(product, rows[first][first - 1]);
+            }
+        }
+        leading.push(next);
+    }
+    leading.pop().expect("there is one for each size")
 }
 
 /// The coefficients of F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H of
@@ -349,50 +388,6 @@ fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
         }
     }
     columns
-}
-
-/// The determinant of a square matrix, by Gaussian elimination.
-fn determinant(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> u64 {
-    let mut product = modulus.one();
-    for column in 0..rows.len() {
-        let Some(pivot) = (column..rows.len()).find(|&row| rows[row][column] != 0) else { return 0 };
-        if pivot != column {
-            rows.swap(pivot, column);
-            product = modulus.opposite(product);
-        }
-        let (upper, lower) = rows.split_at_mut(column + 1);
-        let own = &upper[column];
-        product = modulus.times(product, own[column]);
-        let inverse = modulus.inverse(own[column]).expect("a pivot is not zero");
-        for row in lower {
-            let factor = modulus.opposite(modulus.times(row[column], inverse));
-            for (entry, above) in row[column..].iter_mut().zip(&own[column..]) {
-                *entry = modulus.plus(*entry, modulus.times(factor, *above));
-            }
-        }
-    }
-    product
-}
-
-/// The coefficients of the polynomial with these values, lowest first, by divided differences.
-fn interpolated(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<Vec<u64>> {
-    let mut differences = values.to_vec();
-    for level in 1..points.len() {
-        for index in (level..points.len()).rev() {
-            let inverse = modulus.inverse(modulus.minus(points[index], points[index - level]))?;
-            let rise = modulus.minus(differences[index], differences[index - 1]);
-            differences[index] = modulus.times(rise, inverse);
-        }
-    }
-    let mut sum: Vec<u64> = Vec::new();
-    for (&point, &own) in points.iter().zip(&differences).rev() {
-        // sum · (c − point) + own
-        sum.insert(0, own);
-        for index in 1..sum.len() {
-            sum[index - 1] = modulus.minus(sum[index - 1], modulus.times(point, sum[index]));
-        }
-    }
-    Some(sum)
 }
 
 #[cfg(test)]
@@ -436,6 +431,24 @@ mod tests {
         let mixed = [format!("{free} + eps*({other})"), format!("eps*({free}) - ({other})"), free.to_owned()];
         let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
         assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
+    }
+
+    /// Of the companion matrix of λ⁴ − 2λ³ − 3λ² + 5, of a matrix with two blocks, and of a full one.
+    #[test]
+    fn characteristic_polynomials_are_right() {
+        let modulus = Modulus::mersenne_61();
+        let number = |value: &i64| {
+            let size = modulus.integer(value.unsigned_abs());
+            if *value < 0 { modulus.opposite(size) } else { size }
+        };
+        for (rows, expected) in [
+            ([[0, 0, 0, -5], [1, 0, 0, 0], [0, 1, 0, 3], [0, 0, 1, 2]], [5, 0, -3, -2, 1]),
+            ([[2, 0, 0, 1], [0, 3, 4, 0], [0, -4, 3, 0], [0, 0, 0, -1]], [-50, -13, 29, -7, 1]),
+            ([[1, 2, -1, 3], [4, 0, 5, 1], [-2, 3, 1, 2], [6, 1, -3, 2]], [170, 86, -33, -4, 1]),
+        ] {
+            let rows = rows.iter().map(|row| row.iter().map(number).collect()).collect();
+            assert_eq!(characteristic(&modulus, rows), expected.iter().map(number).collect::<Vec<_>>());
+        }
     }
 
     #[test]
