@@ -1,9 +1,11 @@
 //! A published case: a field, facts on its map, and their source.
 
+use std::collections::BTreeMap;
+
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
-use serde_json::{Map, Value};
+use serde::Deserialize;
 
 /// A field, and published facts on its map.
 #[derive(Debug)]
@@ -20,98 +22,57 @@ pub(crate) struct Case {
 }
 
 /// Facts on the map that a publication states.
-#[derive(Debug)]
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Known {
     /// The number of independent integrals, exactly.
     pub(crate) independent_integrals: Option<usize>,
     /// The growth class of degrees, as one word.
     pub(crate) growth: Option<String>,
     /// The least number of densities.
+    #[serde(default)]
     pub(crate) densities: usize,
     /// The least number of drifts.
+    #[serde(default)]
     pub(crate) drifts: usize,
     /// Ranks of invariant Poisson brackets.
+    #[serde(default)]
     pub(crate) bracket_ranks: Vec<usize>,
     /// The most seconds for the whole discovery.
     pub(crate) seconds: Option<f64>,
 }
 
+/// A line of a file of cases.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    name: String,
+    #[serde(rename = "source")]
+    _source: String,
+    field: String,
+    #[serde(default)]
+    params: BTreeMap<String, i64>,
+    known: Known,
+    limit: Option<String>,
+    #[serde(default)]
+    shortest: Vec<String>,
+    #[serde(rename = "comment")]
+    _comment: Option<String>,
+}
+
 impl Case {
     /// Reads a line of a file of cases, and proves its claims.
     pub(crate) fn read(line: &str) -> Result<Self, String> {
-        let value: Value = serde_json::from_str(line).map_err(|error| error.to_string())?;
-        let entries = Entries::of(&value, "the case")?;
-        entries.are_among(&["name", "source", "field", "params", "known", "limit", "shortest", "comment"])?;
-        let name = entries.text("name")?.ok_or("a case needs a `name`")?;
-        entries.text("source")?.ok_or_else(|| format!("{name}: a case needs a `source`"))?;
-        let field = entries.text("field")?.ok_or_else(|| format!("{name}: a case needs a `field`"))?;
-        let known = value.get("known").ok_or_else(|| format!("{name}: a case needs `known`"))?;
-        let params = value.get("params").map(|params| Entries::of(params, "`params`")).transpose()?;
-        let parameters = params.iter().flat_map(|params| params.0).map(|(parameter, value)| {
-            let number =
-                value.as_i64().ok_or_else(|| format!("{name}: `{parameter}` needs a whole number"))?;
-            Ok((parameter.clone(), Rational::from(number)))
-        });
-        let shortest = entries.list("shortest", |value| value.as_str().map(str::to_owned))?;
+        let Line { name, field, params, known, limit, shortest, .. } =
+            serde_json::from_str(line).map_err(|error| error.to_string())?;
         Ok(Case {
             system: proved(&field, &shortest).map_err(|why| format!("{name}: {why}"))?,
-            parameters: parameters.collect::<Result<_, String>>()?,
-            known: Known::read(known).map_err(|why| format!("{name}: {why}"))?,
-            limit: entries.text("limit")?,
-            shortest,
+            parameters: params.into_iter().map(|(parameter, value)| (parameter, value.into())).collect(),
             name,
+            known,
+            limit,
+            shortest,
         })
-    }
-}
-
-impl Known {
-    fn read(value: &Value) -> Result<Self, String> {
-        let entries = Entries::of(value, "`known`")?;
-        let keys = ["independent_integrals", "growth", "densities", "drifts", "bracket_ranks", "seconds"];
-        entries.are_among(&keys)?;
-        Ok(Known {
-            independent_integrals: entries.whole("independent_integrals")?,
-            growth: entries.text("growth")?,
-            densities: entries.whole("densities")?.unwrap_or(0),
-            drifts: entries.whole("drifts")?.unwrap_or(0),
-            bracket_ranks: entries.list("bracket_ranks", |value| value.as_u64()?.try_into().ok())?,
-            seconds: entries.whole("seconds")?.map(|seconds| seconds as f64),
-        })
-    }
-}
-
-/// The entries of a JSON object.
-struct Entries<'a>(&'a Map<String, Value>);
-
-impl<'a> Entries<'a> {
-    fn of(value: &'a Value, what: &str) -> Result<Self, String> {
-        value.as_object().map(Entries).ok_or_else(|| format!("{what} must be a JSON object"))
-    }
-
-    fn are_among(&self, keys: &[&str]) -> Result<(), String> {
-        match self.0.keys().find(|key| !keys.contains(&key.as_str())) {
-            Some(key) => Err(format!("`{key}` is none of {}", keys.join(", "))),
-            None => Ok(()),
-        }
-    }
-
-    fn text(&self, key: &str) -> Result<Option<String>, String> {
-        let text = |value: &Value| value.as_str().map(str::to_owned).ok_or(format!("`{key}` must be a text"));
-        self.0.get(key).map(text).transpose()
-    }
-
-    fn whole(&self, key: &str) -> Result<Option<usize>, String> {
-        let whole = |value: &Value| {
-            let number = value.as_u64().and_then(|number| number.try_into().ok());
-            number.ok_or(format!("`{key}` must be a whole number"))
-        };
-        self.0.get(key).map(whole).transpose()
-    }
-
-    fn list<T>(&self, key: &str, item: impl Fn(&Value) -> Option<T>) -> Result<Vec<T>, String> {
-        let Some(value) = self.0.get(key) else { return Ok(Vec::new()) };
-        let items = value.as_array().and_then(|values| values.iter().map(item).collect());
-        items.ok_or(format!("`{key}` must be a list"))
     }
 }
 
@@ -134,4 +95,40 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
         }
     }
     read(field)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::Case;
+
+    #[test]
+    fn every_case_is_read_and_its_claims_are_proved() {
+        let mut names = BTreeSet::new();
+        for line in include_str!("cases.jsonl").lines() {
+            let case = Case::read(line).unwrap_or_else(|why| panic!("{why}"));
+            assert!(names.insert(case.name.clone()), "{} stands there twice", case.name);
+        }
+        assert!(names.len() >= 85, "{} cases", names.len());
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_case_is_said() {
+        let case = |end: &str| {
+            format!(r#"{{"name": "c", "source": "s", "field": "xdot = y; ydot = -x;", "known": {{}}{end}}}"#)
+        };
+        assert!(Case::read(&case("")).is_ok());
+        for (end, why) in [
+            (r#", "shortest": ["integral H = x^2 - y^2;"]"#, "integral H = x^2 - y^2; is not proved"),
+            (r#", "shortest": "x""#, "expected a sequence"),
+            (r#", "params": {"a": 0.5}"#, "expected i64"),
+            (r#", "today": 1"#, "unknown field `today`"),
+        ] {
+            let said = Case::read(&case(end)).expect_err("the case is wrong");
+            assert!(said.contains(why), "{said}");
+        }
+        let said = Case::read(r#"{"name": "c", "field": "xdot = y;", "known": {}}"#);
+        assert!(said.expect_err("a source is missing").contains("missing field `source`"));
+    }
 }
