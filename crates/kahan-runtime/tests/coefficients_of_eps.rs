@@ -10,6 +10,9 @@ use kahan_core::{Composition, Dual, ExtendScalars, KahanMap, Pivot, PreparedStep
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{By, Field, MapAt, Rational};
 
+mod support;
+use support::{q, read, samples};
+
 kahan! {
     /// 1/x̃ = 1/x − 2ε − 2aε³.
     pub struct Advance { a }
@@ -61,34 +64,9 @@ const CHAIN: &str = "struct P { a } x1dot = x2*x3*(1 + a*eps^2) - x1; x2dot = x3
     x3dot = x4*x2 - a*x3; x4dot = x5*x3 - eps^2*a; x5dot = x6*x4/(1 + eps^2); x6dot = x7*x5 - x6; \
     x7dot = x8*x6 + eps^2*x7; x8dot = x9*x7 - x8; x9dot = x1*x8 + 1;";
 
-fn q(text: &str) -> BigRational {
-    Rational::parse(text).expect("a number").to_big()
-}
-
-fn read<const N: usize>(text: &str, parameters: &[BigRational]) -> Interpreted<BigRational, N> {
-    let field = Field::parse(text).expect("a field");
-    let map = field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter");
-    map.as_kahan_map().expect("as many variables")
-}
-
 fn at(text: &str, parameters: &[f64], eps: f64) -> MapAt<f64> {
     let field = Field::parse(text).expect("a field");
     field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter").at(eps)
-}
-
-/// Points and steps from a fixed sequence: sevenths, and ε below 1.
-fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
-    let mut state = 20_261_128_u64;
-    let mut next = |modulus: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        i64::try_from((state >> 33) % modulus).expect("small")
-    };
-    (0..count)
-        .map(|_| {
-            let point = SVector::from_fn(|_, _| round(&Rational::new(next(41) - 20, 7)));
-            (point, round(&Rational::new(2 * next(20) + 1, 11 * 23)))
-        })
-        .collect()
 }
 
 /// x̃ = x/(1 − 2ε(1 + aε²)x), by hand.

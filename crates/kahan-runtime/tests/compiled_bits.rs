@@ -2,7 +2,6 @@
 //! same numbers over ℚ.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, ExtendScalars, KahanMap, Pivot, PreparedStep, Scalar, WideStep};
 use kahan_runtime::Field;
@@ -10,32 +9,8 @@ use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_systems::registry::find;
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
-/// A field read over ℚ, at values of its parameters in their order.
-fn read<const N: usize>(text: &str, parameters: &[BigRational]) -> Interpreted<BigRational, N> {
-    let field = Field::parse(text).expect("a field");
-    let map = field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter");
-    map.as_kahan_map().expect("as many variables")
-}
-
-fn q(text: &str) -> BigRational {
-    Rational::parse(text).expect("a number").to_big()
-}
-
-/// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths
-/// from a fixed sequence.
-fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
-    let mut state = 20_260_801_u64;
-    let mut next = |modulus: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        i64::try_from((state >> 33) % modulus).expect("small")
-    };
-    (0..count)
-        .map(|_| {
-            let point = SVector::from_fn(|_, _| round(&Rational::new(next(41) - 20, 7)));
-            (point, round(&Rational::new(2 * next(20) + 1, 11 * 23)))
-        })
-        .collect()
-}
+mod support;
+use support::{q, read, samples};
 
 /// Whether two floats are the same, NaN being itself, or two exact numbers are equal.
 fn same<T: Scalar>(a: &T, b: &T) -> bool {
