@@ -56,8 +56,8 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the integrals that need not be looked for, if the search has come to their degree, or to
-    /// one that costs more than is to be gained.
+    /// Offers the integrals that were known before the search, once the search reaches their degree
+    /// or becomes expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -69,7 +69,7 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the integrals that need not be looked for of degrees that the search has behind it.
+    /// Offers the integrals of `further` whose degree is below this one.
     pub(crate) fn offer_further(&mut self, degree: u32) {
         let symbols = self.searched.family().symbols();
         for (above, below) in self.further {

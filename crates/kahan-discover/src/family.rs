@@ -64,8 +64,8 @@ impl Family {
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
     }
 
-    /// Whether the field has a value at ε = 0. Values of parameters can make a divisor vanish there:
-    /// 1/(a + ε²) has no value at ε = 0 for a = 0.
+    /// Whether the field has a value at ε = 0. A divisor can vanish there at some values of the
+    /// parameters: 1/(a + ε²) has no value at ε = 0 for a = 0.
     pub(crate) fn has_limit(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())

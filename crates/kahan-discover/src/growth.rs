@@ -29,7 +29,7 @@ pub struct GrowthVerdict {
     pub growth: Growth,
     /// What was seen, as a sentence.
     pub evidence: String,
-    /// A proof that the growth is exponential. If there is none, the class is an observation.
+    /// The proof that the growth is exponential; `None` if the class of growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 

@@ -433,7 +433,7 @@ mod tests {
         assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
     }
 
-    /// Of the companion matrix of λ⁴ − 2λ³ − 3λ² + 5, of a matrix with two blocks, and of a full one.
+    /// The companion matrix of λ⁴ − 2λ³ − 3λ² + 5, a matrix with two blocks, and a full matrix.
     #[test]
     fn characteristic_polynomials_are_right() {
         let modulus = Modulus::mersenne_61();

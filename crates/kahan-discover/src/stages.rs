@@ -321,16 +321,14 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        // Where bases or compact forms say all, formulas are worth looking for only where they are
-        // short.
+        // If bases or compact forms give all integrals, only short formulas are searched for.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
         let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
         let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
-        // What a basis says in a line need not fill a page; what none says stays, however long, and
-        // so does the modified Hamiltonian, which has a compact form.
+        // A long formula is left out if bases or compact forms give all integrals.
         let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
         let tell = |formula: &Formula| (self.tell)(formula.kind, &formula.text);
         let tell_if_short = |formula: &Formula| {
@@ -374,7 +372,8 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Whether the modified Hamiltonians say what a formula says, and more than those before.
+        // Whether a formula depends on the formulas so far and the modified Hamiltonians, but not
+        // on the formulas so far alone.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -406,8 +405,8 @@ impl Search<'_> {
         let places = known.places(self.modified, &integrals, symbols);
 
         (self.begins)("invariant Poisson brackets");
-        // In the plane the density says all, and in space it does with an integral: only what is
-        // shorter is looked for.
+        // In two and three variables the density and the integrals give all brackets. A search in
+        // three variables up to degree 2 may find shorter ones.
         let is_said = searched.dimension() < 4 && integrals.len() + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         let tensors = match before {
@@ -425,7 +424,7 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, &all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // Where a bracket of full rank has one, the formula is long.
+        // A bracket of full rank implies a density. If none was found from it, the formula is long.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.densities.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { &until.densities };

@@ -80,6 +80,10 @@ fn what_grows_evenly_is_said_in_words() {
         words("xdot = x^2;"),
         "Every step adds -2*eps to F1, so F1 + n*2*eps is constant, n the number of steps."
     );
+    assert_eq!(
+        words("struct S { n } xdot = n;"),
+        "Every step adds 2*eps*n to F1, so F1 - k*2*eps*n is constant, k the number of steps."
+    );
     assert!(
         words("xdot = -1; ydot = -3*y - 3;")
             .ends_with("along orbits F1/(-2*eps) - log|F2|/log|(1 - 3*eps)/(1 + 3*eps)| is constant.")

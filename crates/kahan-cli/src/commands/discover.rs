@@ -21,13 +21,13 @@ use crate::reading::{Source, StepLength, seconds, whole};
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, drifts, structure, growth.
 ///
-/// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities, brackets and
-/// drifts (functions whose next value follows from their value) stand last, as lines of the
-/// language of `kahan!`, each of them proved; what stands behind `when` is fixed. An integral whose
-/// formula would fill pages is given by a Hirota-Kimura basis: monomials with one linear relation
-/// along every orbit, whose coefficients are integrals. Where integrals may be missing, the search
-/// goes on to higher degrees until the time is up, and a sentence says what ended it. Claims that
-/// the field brings along are not looked at.
+/// --eps and --param fix values; all other symbols are generic. Integrals, densities, brackets and
+/// drifts (functions whose next value follows from their value) are printed last, as lines of the
+/// language of `kahan!`. Each of them is proved; `when` repeats the values that are fixed. An
+/// integral whose formula would fill pages is given by a Hirota-Kimura basis: monomials with one
+/// linear relation along every orbit, whose coefficients are integrals. Where integrals may be
+/// missing, the search goes on to higher degrees until the time is up, and a sentence says what
+/// ended it. Claims that the field brings along are not looked at.
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, growth_proved, entropy,
 /// linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more. `hilbert`

@@ -108,7 +108,8 @@ impl Watch for Prompt {
         ControlFlow::Continue(())
     }
 
-    /// Prints the finding above the spinner, with the seconds that it took; of a long one, its name.
+    /// Prints the finding above the spinner, with the seconds since the start. A long finding is
+    /// printed by its name and length.
     fn found(&self, finding: &Finding) {
         let Finding { kind, name, text } = finding;
         let shown = match text.len() {

@@ -136,8 +136,8 @@ impl Basis {
         quotients.collect()
     }
 
-    /// The integral that a relation between two terms gives, one divided by the other; looked for
-    /// where there are few monomials.
+    /// The quotient of the terms of a relation between two terms, which is an integral; `None` if
+    /// the relation has more terms than two or more than eight monomials.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -223,7 +223,7 @@ impl Basis {
     }
 }
 
-/// Relations between more monomials are not looked at as relations between two terms.
+/// The most monomials of a relation that is tried as a relation between two terms.
 const MOST_IN_TWO_TERMS: usize = 8;
 
 /// Coefficients are joined whose quotient is a whole number up to this size.

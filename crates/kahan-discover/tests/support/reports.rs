@@ -11,8 +11,8 @@ pub(crate) fn options() -> Options {
     Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
 }
 
-/// The report up to the given degree, or the default degree if there is none: higher degrees take
-/// too long for tests.
+/// Searches up to the degree in `options`. Without a degree there, the search ends at the default
+/// degree, because higher degrees take too long for tests.
 pub(crate) fn report(text: &str, options: &Options) -> Report {
     let usual = default_degree(system(text).field.dimension());
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
