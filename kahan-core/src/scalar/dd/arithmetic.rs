@@ -88,7 +88,6 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
 }
 
 /// √x, off by at most 25/8 u²·√x (SQRTDWtoDW).
-#[cfg(feature = "std")]
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
     if x.high > SMALL && x.high < LARGE { moderate::square_root(x) } else { extremes::square_root(x) }

@@ -20,6 +20,15 @@ pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
+/// √a, rounded once.
+#[inline(always)]
+pub(super) fn root(a: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return a.sqrt();
+    #[cfg(not(feature = "std"))]
+    return libm::sqrt(a);
+}
+
 pub(super) use product::{multiply_add, remainder, two_product};
 
 /// Where the target fuses.

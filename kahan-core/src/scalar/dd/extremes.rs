@@ -7,7 +7,7 @@
 
 use crate::scalar::bounded::power_of_two;
 
-use super::error_free::{two_product, two_sum};
+use super::error_free::{root, two_product, two_sum};
 use super::moderate::with_lower;
 use super::{Dd, moderate};
 
@@ -39,7 +39,6 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     scaled(moderate::quotient(x, y), exponents.0 - exponents.1)
 }
 
-#[cfg(feature = "std")]
 #[cold]
 #[inline(never)]
 pub(super) fn square_root(x: Dd) -> Dd {
@@ -48,7 +47,7 @@ pub(super) fn square_root(x: Dd) -> Dd {
         scaled(moderate::square_root(scaled(x, -2 * half)), half)
     } else {
         // Zeros keep their sign.
-        Dd::leading(x.high.sqrt())
+        Dd::leading(root(x.high))
     }
 }
 
@@ -64,7 +63,7 @@ fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
 }
 
 /// The exponent e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite x other than 0.
-fn exponent(x: f64) -> i32 {
+pub(super) fn exponent(x: f64) -> i32 {
     let bits = x.abs().to_bits();
     match (bits >> 52) as i32 {
         // Subnormal: bits·2⁻¹⁰⁷⁴.
@@ -77,7 +76,7 @@ fn exponent(x: f64) -> i32 {
 ///
 /// A low part is so small beside its high part that it may underflow for every k; that is one
 /// rounding, too.
-fn scaled(x: Dd, k: i32) -> Dd {
+pub(super) fn scaled(x: Dd, k: i32) -> Dd {
     // Beyond ±2200 everything is infinite or 0.
     let k = k.clamp(-2200, 2200);
     let third = k / 3;

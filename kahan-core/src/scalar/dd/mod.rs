@@ -1,14 +1,16 @@
 //! Double-double numbers: the unevaluated sum of two `f64`, worth about 32 decimal digits.
 //!
-//! In: floats, constants, text. Out: the four operations and the square root with errors of a few
-//! u², u = 2⁻⁵³, each bound stated where the operation is; overflow is infinite, never a finite
-//! lie. `arithmetic` holds the operations, on top of `error_free`; `extremes` what they do beyond
-//! their range; `decimal` and `display` are exact too, through `fixed`. The exponent range is that
+//! In: floats, constants, text. Out: the four operations, the square root and elementary functions
+//! with errors of a few u², u = 2⁻⁵³, each bound stated where the operation is; overflow is
+//! infinite, never a finite lie. `arithmetic` holds the operations, on top of `error_free`;
+//! `extremes` what they do beyond their range; `elementary` the functions; `decimal` and `display`
+//! are exact, through `fixed`. The exponent range is that
 //! of `f64`: more digits, no larger numbers.
 
 mod arithmetic;
 mod decimal;
 mod display;
+mod elementary;
 mod error_free;
 mod extremes;
 mod fixed;
@@ -30,6 +32,8 @@ mod traits;
 /// | `*` | 5u² | DWTimesDW2, or 1 without fused multiply-adds: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
 /// | `/`, `recip` | 14u² | one correction of the quotient; the terms stand beside the code |
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
+/// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument; the terms stand beside the code |
+/// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | likewise |
 /// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 16u² of the product and 5u² of the result | not normalised between the two |
 ///
 /// Products and quotients below 2⁻⁹⁶⁹ in size lose low bits, as the error of a float is then no
@@ -120,10 +124,41 @@ impl Dd {
     }
 
     /// √self, off by at most 4u² relatively; not a number below zero, and −0 at −0.
-    #[cfg(feature = "std")]
     #[inline]
     pub fn sqrt(self) -> Self {
         arithmetic::square_root(self)
+    }
+
+    /// e to the power of self, off by at most 12u² relatively.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+
+    /// The natural logarithm of self, off by at most 32u² relatively; −∞ at zero, and not a number
+    /// below.
+    #[must_use]
+    pub fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+
+    /// sin self and cos self, each off by at most 16u² relatively and by 2⁻¹⁵⁵·|self| besides; not a
+    /// number beyond 2⁴⁰ in size.
+    #[must_use]
+    pub fn sin_cos(self) -> (Self, Self) {
+        elementary::sin_cos(self)
+    }
+
+    /// sin self, as [`sin_cos`](Self::sin_cos).
+    #[must_use]
+    pub fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// cos self, as [`sin_cos`](Self::sin_cos).
+    #[must_use]
+    pub fn cos(self) -> Self {
+        self.sin_cos().1
     }
 }
 

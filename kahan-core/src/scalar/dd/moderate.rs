@@ -2,7 +2,7 @@
 //! they are called.
 
 use super::Dd;
-use super::error_free::{fast_two_sum, multiply_add, remainder, two_sum};
+use super::error_free::{fast_two_sum, multiply_add, remainder, root, two_sum};
 
 /// The exact sum `leading` and two smaller numbers.
 #[inline(always)]
@@ -32,10 +32,9 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
 }
 
 /// √x
-#[cfg(feature = "std")]
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
-    let leading = x.high.sqrt();
+    let leading = root(x.high);
     let remainder = remainder(x.high, leading, leading) + x.low;
     let (high, low) = fast_two_sum(leading, remainder / (leading + leading));
     Dd { high, low }

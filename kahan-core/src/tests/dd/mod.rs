@@ -5,6 +5,8 @@ mod bounds;
 #[cfg(feature = "exact")]
 mod dyadic;
 #[cfg(feature = "exact")]
+mod elementary;
+#[cfg(feature = "exact")]
 mod operands;
 mod specials;
 mod text;
