@@ -14,6 +14,7 @@ pub use core::result::Result;
 
 pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
+pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
@@ -41,7 +42,7 @@ pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_s
 pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
-pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
+pub use crate::undeclared::{IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
     Constant, Elimination, EmbedScalar, ExtendScalars, Integrals, KahanMap, Named, Pivot, PreparedStep,
     QuadraticField, Quotients, Scalar, SingularStep, StepCost,

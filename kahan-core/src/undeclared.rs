@@ -41,15 +41,6 @@ pub trait DeclaresDensity<S: ?Sized, T> {}
 )]
 pub trait HasScalars<S: ?Sized, T> {}
 
-/// The integers of the language.
-pub trait Integer {}
-
-macro_rules! integers {
-    ($($integer:ty)*) => { $(impl Integer for $integer {})* };
-}
-
-integers!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
-
 fn unanswered() -> ! {
     unreachable!("no type has what this asks for")
 }

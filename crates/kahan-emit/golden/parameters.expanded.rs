@@ -317,5 +317,5 @@ const _: () = {
     #[doc(hidden)]
     impl<T> __kahan::WithoutDensity for Pendulum<T> {}
     #[doc(hidden)]
-    impl<T: __kahan::Integer> __kahan::IntegerParameters for Pendulum<T> {}
+    impl<T: __kahan::PrimInt> __kahan::IntegerParameters for Pendulum<T> {}
 };

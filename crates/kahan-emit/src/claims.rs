@@ -55,7 +55,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
         lacks(ClaimKind::Integral, quote!(WithoutIntegrals)),
         lacks(ClaimKind::Density, quote!(WithoutDensity)),
         context.this.has_parameters().then(|| {
-            quote! { #[doc(hidden)] impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
+            quote! { #[doc(hidden)] impl<#scalar: __kahan::PrimInt> __kahan::IntegerParameters for #this {} }
         }),
     ];
     emitted.implementations.extend(lacking.into_iter().flatten());
