@@ -134,13 +134,14 @@ pub use map::{
     Pivot, Scaled, ThroughF64, eps_from_dt,
 };
 #[cfg(feature = "std")]
-pub use map::{Projective, ProjectivePoint, ThroughPoles};
+pub use map::{Projective, ProjectivePoint, StepThroughF64, ThroughPoles};
 pub use observe::Tangent;
 pub use scalar::{Constant, Dd, Dual, EmbedScalar, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{
-    PointOf, PreparedStep, Quotients, SingularStep, StateVector, Step, StepCost, Stopped, WideStep, Workspace,
+    PointOf, PreparedStep, Quotients, Reason, SingularStep, StateVector, Step, StepCost, Stopped, WideStep,
+    Workspace,
 };
 
 pub use nalgebra;

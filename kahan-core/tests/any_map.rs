@@ -183,20 +183,20 @@ fn a_run_stops_at_a_pole_of_an_exact_scalar() {
     let [eps, start] = [(1, 8), (2, 1)].map(|(p, q): (i64, i64)| BigRational::new(p.into(), q.into()));
     let map = Burst.at(eps.clone());
     let mut x = [start.clone()];
-    let stopped = map.advance(&mut x, 9, &mut Workspace::new()).unwrap_err();
+    let stopped = map.run(&mut x, 9).unwrap_err();
     let points: Vec<_> = map.orbit([start].into()).collect();
     assert_eq!(stopped.steps as usize + 1, points.len());
     assert_eq!(x[0], points.last().unwrap()[0]);
     assert_eq!((stopped.why.determinant(), stopped.why.eps()), (0.0, 0.125));
     let mut at_the_pole = x.clone();
-    assert!(map.part(&eps, &mut at_the_pole, &mut Workspace::new()).is_err());
+    assert!(map.run_part(&eps, &mut at_the_pole).is_err());
     assert_eq!(at_the_pole, x);
 }
 
 #[test]
 #[should_panic(expected = "a state of 2 numbers for a map of 3")]
 fn a_state_of_another_length_panics() {
-    let _ = Step::advance(&E6.at(EPS), &mut [0.5, 1.0], 1, &mut Workspace::new());
+    let _ = E6.at(EPS).run(&mut [0.5, 1.0], 1);
 }
 
 /// A circle with the angle 2 arctan ε a step: x = 0 first after a quarter of it.

@@ -173,7 +173,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
     #[must_use]
     pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
         let mut next = x.to_vec();
-        let _ = self.at.advance(&mut next, 1, &mut Workspace::new());
+        let _ = self.at.run(&mut next, 1);
         let negative = self.negative(&next).map(LiftEnds::Negative);
         negative.or_else(|| self.projection.is_some().then_some(LiftEnds::NotReembedded))
     }

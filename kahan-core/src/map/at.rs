@@ -134,7 +134,7 @@ where
     }
 
     #[inline]
-    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [T], steps: u64, _workspace: &mut Workspace) -> Result<(), Stopped> {
         advance_by(x, steps, &self.eps, |state| self.prepared.next(state))
     }
 
@@ -143,7 +143,7 @@ where
     }
 
     #[inline(always)]
-    fn next(&self, x: &SVector<T, N>, _room: &mut Workspace) -> Option<SVector<T, N>> {
+    fn next(&self, x: &SVector<T, N>, _workspace: &mut Workspace) -> Option<SVector<T, N>> {
         self.prepared.next(x)
     }
 }

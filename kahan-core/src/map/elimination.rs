@@ -7,6 +7,7 @@
 use nalgebra::SVector;
 
 use crate::field::linear::increment_by_elimination;
+use crate::step::NoLanes;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar, WideStep};
 
 /// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at
@@ -83,29 +84,4 @@ where
     T: Scalar,
 {
     type Wide<L: Scalar> = NoLanes;
-
-    /// # Panics
-    /// Always: `HAS_LANES` is false.
-    fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> NoLanes {
-        NoLanes::refused()
-    }
-}
-
-/// The wide step of a step without lanes: there is none.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NoLanes {}
-
-impl NoLanes {
-    /// What is asked for where there are no lanes.
-    pub(super) fn refused() -> Self {
-        panic!(
-            "a step by elimination chooses its pivots by comparing, so it has no lanes: step each state alone"
-        )
-    }
-}
-
-impl<L: Scalar, const N: usize> PreparedStep<L, N> for NoLanes {
-    fn quotients(&self, _x: &SVector<L, N>) -> Option<Quotients<L, N>> {
-        match *self {}
-    }
 }

@@ -40,6 +40,8 @@ pub use pivot::Pivot;
 pub(crate) use stable::Promised;
 pub use stable::stable_step;
 pub(crate) use tangent::{carry, carry_to};
+#[cfg(feature = "std")]
+pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.

@@ -10,8 +10,8 @@ use std::vec::Vec;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::elimination::NoLanes;
 use crate::field::linear::vector;
+use crate::step::NoLanes;
 use crate::step::error::Reason;
 use crate::{
     ExtendScalars, KahanMap, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost,
@@ -54,37 +54,46 @@ pub struct ThroughF64<M>(
     pub M,
 );
 
+/// A step over `f64` on states in `f32`; made by [`ThroughF64::of_step`].
 #[cfg(feature = "std")]
-impl<S: Step<Scalar = f64>> ThroughF64<(S, f32)> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepThroughF64<S> {
+    step: S,
+    /// The step's ε, rounded.
+    eps: f32,
+}
+
+#[cfg(feature = "std")]
+impl ThroughF64<()> {
     /// Any step over `f64` on states in `f32`: a chain, a map that is read at run time, a
     /// `&dyn Step<Scalar = f64>`. Its own ε and parameters stay doubles, and
     /// [`eps`](Step::eps) is ε rounded.
     ///
     /// Cost: each call of [`advance`](Step::advance) and [`part`](Step::part) allocates a state in
     /// `f64`; the steps of one `advance` share it.
-    pub fn of_step(step: S) -> Self {
+    pub fn of_step<S: Step<Scalar = f64>>(step: S) -> StepThroughF64<S> {
         let eps = *step.eps() as f32;
-        Self((step, eps))
+        StepThroughF64 { step, eps }
     }
 }
 
 #[cfg(feature = "std")]
-impl<S: Step<Scalar = f64>> Step for ThroughF64<(S, f32)> {
+impl<S: Step<Scalar = f64>> Step for StepThroughF64<S> {
     type Scalar = f32;
     type State = Vec<f32>;
 
     fn dimension(&self) -> usize {
-        self.0.0.dimension()
+        self.step.dimension()
     }
 
     fn eps(&self) -> &f32 {
-        &self.0.1
+        &self.eps
     }
 
     fn advance(&self, x: &mut [f32], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
         for steps in 0..steps {
-            self.0.0.advance(&mut wide, 1, workspace).map_err(|stopped| Stopped { steps, ..stopped })?;
+            self.step.advance(&mut wide, 1, workspace).map_err(|stopped| Stopped { steps, ..stopped })?;
             for (x, wide) in x.iter_mut().zip(&mut wide) {
                 *x = *wide as f32;
                 *wide = f64::from(*x);
@@ -95,7 +104,7 @@ impl<S: Step<Scalar = f64>> Step for ThroughF64<(S, f32)> {
 
     fn part(&self, eps: &f32, x: &mut [f32], workspace: &mut Workspace) -> Result<(), Stopped> {
         let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
-        self.0.0.part(&f64::from(*eps), &mut wide, workspace)?;
+        self.step.part(&f64::from(*eps), &mut wide, workspace)?;
         x.iter_mut().zip(wide).for_each(|(x, wide)| *x = wide as f32);
         Ok(())
     }
@@ -155,12 +164,6 @@ where
     P: PreparedStep<f64, N>,
 {
     type Wide<L: Scalar> = NoLanes;
-
-    /// # Panics
-    /// Always: `HAS_LANES` is false.
-    fn widen<L: Scalar>(&self, _spread: impl Fn(&f32) -> L) -> NoLanes {
-        panic!("a step of f32 through f64 has no lanes: step each state alone")
-    }
 }
 
 impl<M, const N: usize> QuadraticField<f32, N> for ThroughF64<M>

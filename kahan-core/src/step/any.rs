@@ -44,7 +44,7 @@ use crate::{Scalar, SingularStep};
 ///
 /// ```
 /// use kahan_core::prelude::*;
-/// use kahan_core::{Composition, Workspace, Step};
+/// use kahan_core::{Composition, Step};
 ///
 /// kahan! {
 ///     /// Predator and prey.
@@ -55,9 +55,9 @@ use crate::{Scalar, SingularStep};
 ///
 /// /// The most that a state's first entry is on the way.
 /// fn crest(map: &dyn Step<Scalar = f64>, start: &[f64]) -> f64 {
-///     let (mut x, mut workspace) = (start.to_vec(), Workspace::new());
+///     let mut x = start.to_vec();
 ///     (0..1000).fold(x[0], |most, _| {
-///         map.advance(&mut x, 1, &mut workspace).expect("floats go on at poles");
+///         map.run(&mut x, 1).expect("floats go on at poles");
 ///         most.max(x[0])
 ///     })
 /// }
@@ -88,7 +88,28 @@ pub trait Step {
     /// ε, half the time step.
     fn eps(&self) -> &Self::Scalar;
 
-    /// Replaces `x` by the state so many steps later.
+    /// Replaces `x` by the state so many steps later: [`advance`](Self::advance) in a workspace of
+    /// its own.
+    ///
+    /// # Errors
+    /// # Panics
+    /// As [`advance`](Self::advance).
+    fn run(&self, x: &mut [Self::Scalar], steps: u64) -> Result<(), Stopped> {
+        self.advance(x, steps, &mut Workspace::new())
+    }
+
+    /// Replaces `x` by the state one step at another ε later: [`part`](Self::part) in a workspace
+    /// of its own.
+    ///
+    /// # Errors
+    /// # Panics
+    /// As [`advance`](Self::advance).
+    fn run_part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar]) -> Result<(), Stopped> {
+        self.part(eps, x, &mut Workspace::new())
+    }
+
+    /// Replaces `x` by the state so many steps later, computing in `workspace`: for loops, whose
+    /// calls share one. Others call [`run`](Self::run).
     ///
     /// Its steps do not allocate. A call may, once: a chain where it finds no memory of its own in
     /// the workspace, and what wraps a map whose states are vectors.

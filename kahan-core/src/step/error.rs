@@ -19,12 +19,13 @@ pub struct SingularStep {
     reason: Reason,
 }
 
-/// What is the case.
+/// The reason why there is no step; see [`SingularStep::reason`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Reason {
+#[non_exhaustive]
+pub enum Reason {
     /// The map has no value there, exactly.
     Pole,
-    /// An input is not finite.
+    /// The point, ε or a parameter is not a finite number.
     NotFinite,
     /// The field has no value at the parameters: it divides by zero.
     NoField,
@@ -36,11 +37,10 @@ pub(crate) enum Reason {
     Refined,
     /// Numbers overflowed before anything else was known.
     Overflow,
-    /// Along lines through the point the map has different limits.
-    #[cfg(feature = "std")]
+    /// Along lines through the point the iterates of the map have different limits; orbits through
+    /// poles alone meet it.
     Indeterminate,
-    /// Lines through the point show no limit.
-    #[cfg(feature = "std")]
+    /// Lines through the point show no limit; orbits through poles alone meet it.
     Unfollowed,
 }
 
@@ -66,6 +66,23 @@ impl SingularStep {
     /// An exact pole, where det A is 0.
     pub(crate) fn pole(eps: f64) -> Self {
         Self::new(0.0, eps)
+    }
+
+    /// Why there is no step.
+    ///
+    /// ```
+    /// use kahan_core::Reason;
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! { pub struct Riccati; xdot = x^2; }
+    ///
+    /// // x̃ = x/(1 − 2εx)
+    /// assert_eq!(Riccati.try_step(&vector![1.0], 0.5).unwrap_err().reason(), Reason::Pole);
+    /// let unknown = Riccati.try_step(&vector![f64::NAN], 0.5).unwrap_err();
+    /// assert_eq!(unknown.reason(), Reason::NotFinite);
+    /// ```
+    pub fn reason(&self) -> Reason {
+        self.reason
     }
 
     /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it was not
@@ -117,12 +134,10 @@ impl fmt::Display for SingularStep {
             Reason::Overflow => {
                 write!(f, "det A is not finite: the point, eps or a parameter is too large or not a number")?;
             }
-            #[cfg(feature = "std")]
             Reason::Indeterminate => write!(
                 f,
                 "the iterates of the map have no value at this point, not even at infinity: lines through it lead to different points"
             )?,
-            #[cfg(feature = "std")]
             Reason::Unfollowed => {
                 write!(
                     f,

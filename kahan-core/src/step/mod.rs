@@ -18,7 +18,7 @@ use crate::Scalar;
 pub use any::{PointOf, StateVector, Step, Stopped, Workspace};
 pub(crate) use any::{advance_by, check_length};
 pub use cost::StepCost;
-pub use error::SingularStep;
+pub use error::{Reason, SingularStep};
 pub use quotients::Quotients;
 pub use straight::{Kernel, Padded, StraightStep};
 pub use two_forms::{StepOfOneOrbit, StepOverEps};
@@ -70,11 +70,16 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
 
 /// A prepared step whose constants can be spread over the lanes of a vector register.
 pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
-    /// The same step over another scalar.
+    /// The same step over another scalar; [`NoLanes`] where `HAS_LANES` is false.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// Each constant spread over the lanes of `L`.
-    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> Self::Wide<L>;
+    ///
+    /// # Panics
+    /// Where `HAS_LANES` is false.
+    fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> Self::Wide<L> {
+        panic!("a step that chooses has no lanes: step each state alone")
+    }
 
     /// The steps of W lanes as one: each constant of it is what `pack` makes of those of the lanes.
     ///
@@ -82,5 +87,15 @@ pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
     /// Where `HAS_LANES` is false.
     fn gather<L: Scalar, const W: usize>(_each: [&Self; W], _pack: impl Fn([&T; W]) -> L) -> Self::Wide<L> {
         panic!("a step that chooses has no lanes: step each state alone")
+    }
+}
+
+/// The wide step of a step without lanes: there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoLanes {}
+
+impl<L: Scalar, const N: usize> PreparedStep<L, N> for NoLanes {
+    fn quotients(&self, _x: &SVector<L, N>) -> Option<Quotients<L, N>> {
+        match *self {}
     }
 }

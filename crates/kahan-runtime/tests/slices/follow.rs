@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 
 use kahan_core::observe::{Escape, Visit};
-use kahan_core::{Composition, FloatScalar, Step, Workspace};
+use kahan_core::{Composition, FloatScalar, Step};
 use kahan_runtime::{ChainAt, End, Field, FieldText, Follow, Followed, Lattice, MachineFloat, MapAt};
 
 use super::support::{assert_same, catalog, number};
@@ -18,7 +18,7 @@ fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u6
     let mut points = vec![start.to_vec()];
     for _ in 0..steps {
         let mut x = points[points.len() - 1].clone();
-        map.advance(&mut x, 1, &mut Workspace::new()).expect("floats go on");
+        map.run(&mut x, 1).expect("floats go on");
         if !x.iter().all(|x| kahan_core::Scalar::approximate(x).is_finite()) {
             break;
         }

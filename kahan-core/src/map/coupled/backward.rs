@@ -14,7 +14,7 @@ use num_traits::{One, Zero};
 
 use crate::SingularStep;
 use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
-use crate::map::stable::{Promised, Widened};
+use crate::map::stable::Promised;
 use crate::scalar::bounded::{Bounded, Working, backward_error};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long, level_row};
@@ -34,23 +34,9 @@ struct Rest<T, const N: usize> {
     bound: f64,
 }
 
-/// The promised step of a scalar with a wider one.
+/// The promised step.
 #[inline(never)]
-pub(super) fn in_double_double<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
-    step: &CoupledStep<K, T, P, M, S>,
-    x: &SVector<T, N>,
-) -> Result<SVector<T, N>, SingularStep>
-where
-    K: CoupledField<N, P, M, S>,
-    T: Widened,
-{
-    let backward = BackwardStep { step, x: components(x) };
-    backward.promised(|next| backward.rest(next, T::embed, T::round))
-}
-
-/// The same of the widest scalar.
-#[inline(never)]
-pub(super) fn in_wide_only<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, P, M, S>,
     x: &SVector<T, N>,
 ) -> Result<SVector<T, N>, SingularStep>
@@ -59,7 +45,11 @@ where
     T: Promised,
 {
     let backward = BackwardStep { step, x: components(x) };
-    backward.promised(|next| backward.rest_in_wide(next))
+    if const { T::IS_WIDEST } {
+        backward.promised(|next| backward.rest_in_wide(next))
+    } else {
+        backward.promised(|next| backward.rest(next, T::embed, T::round))
+    }
 }
 
 /// A step that is to be promised.

@@ -15,13 +15,14 @@ use nalgebra::{ArrayStorage, SMatrix, SVector};
 use crate::field::couplings::Couplings;
 use crate::field::linear::{components, solve_in_place, vector};
 use crate::scalar::tuning::{is, same};
+use crate::step::NoLanes;
 use crate::step::error::pole;
 use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost, WideStep};
 
 use super::checked::try_step;
-use super::elimination::NoLanes;
+use super::stable::Promised;
 
-use backward::{in_double_double, in_wide_only};
+use backward::promised;
 pub use formulas::Postfix;
 
 /// The formulas of a field in N variables with P parameters: M entries of f′, and S places in which
@@ -185,24 +186,26 @@ where
         T: Pivot,
     {
         if is::<T, f64>() {
-            self.promised_in(x, in_double_double::<K, f64, N, P, M, S>)
+            self.promised_in::<f64, N>(x)
         } else if is::<T, f32>() {
-            self.promised_in(x, in_double_double::<K, f32, N, P, M, S>)
+            self.promised_in::<f32, N>(x)
         } else if is::<T, Dd>() {
-            self.promised_in(x, in_wide_only::<K, Dd, N, P, M, S>)
+            self.promised_in::<Dd, N>(x)
         } else {
             try_step(map, self, x, &self.eps)
         }
     }
 
-    /// The step by a function over F, which T is.
-    fn promised_in<F: Copy + 'static, const N: usize>(
+    /// The promised step over F, which T is.
+    fn promised_in<F: Promised, const N: usize>(
         &self,
         x: &SVector<T, N>,
-        promised: impl Fn(&CoupledStep<K, F, P, M, S>, &SVector<F, N>) -> Result<SVector<F, N>, SingularStep>,
-    ) -> Result<SVector<T, N>, SingularStep> {
+    ) -> Result<SVector<T, N>, SingularStep>
+    where
+        K: CoupledField<N, P, M, S>,
+    {
         let step = CoupledStep::new(*same::<[T; P], [F; P]>(&self.parameters), *same(&self.eps));
-        let next = promised(&step, same(x))?;
+        let next = promised::<K, F, N, P, M, S>(&step, same(x))?;
         Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
     }
 
@@ -260,10 +263,4 @@ where
     T: Scalar,
 {
     type Wide<L: Scalar> = NoLanes;
-
-    /// # Panics
-    /// Always: `HAS_LANES` is false.
-    fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> NoLanes {
-        NoLanes::refused()
-    }
 }

@@ -103,14 +103,6 @@ impl<S: Step> Orbit<S> {
     pub(crate) fn stop(&mut self) {
         self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
     }
-
-    /// So many steps on, or as many as there are; whether no pole was met.
-    #[inline]
-    fn advance(&mut self, steps: u64) -> bool {
-        let advanced = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace);
-        self.stopped = advanced.err().map(|stopped| stopped.why);
-        self.stopped.is_none()
-    }
 }
 
 impl<S: Step> Iterator for Orbit<S> {
@@ -134,10 +126,14 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        // Two runs rather than a sum, which could overflow.
-        let arrived = (!self.begun || self.advance(1)) && (n == 0 || self.advance(n as u64));
+        // No run of more steps than a counter holds ends.
+        let steps = (n as u64).saturating_add(self.begun.into());
         self.begun = true;
-        arrived.then(|| self.state.to_point())
+        if let Err(stopped) = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace) {
+            self.stopped = Some(stopped.why);
+            return None;
+        }
+        Some(self.state.to_point())
     }
 }
 

@@ -41,25 +41,15 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        let attempt = Self::by_step(&map.extend_scalars(given), &state, Bounded::<V, P>::given(embed(eps)))?;
-        attempt.largest_input.allows(sum.get()).then_some(attempt)
-    }
-
-    /// By the step of a map over bounded values.
-    #[inline(always)]
-    pub(super) fn by_step<P, M>(map: &M, x: &SVector<Bounded<V, P>, N>, eps: Bounded<V, P>) -> Option<Self>
-    where
-        P: Pair<V>,
-        M: KahanMap<Bounded<V, P>, N>,
-    {
         // Not by `finish`: its closure would be too large for compilers to inline.
-        let quotients = map.prepare(&eps).quotients(x)?;
-        Some(Self::by_increments(x, quotients))
+        let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::given(embed(eps)));
+        let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
+        attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 
     /// By these increments.
     #[inline(always)]
-    fn by_increments<P: Pair<V>>(
+    pub(super) fn by_increments<P: Pair<V>>(
         x: &SVector<Bounded<V, P>, N>,
         quotients: Quotients<Bounded<V, P>, N>,
     ) -> Self {

@@ -1,4 +1,4 @@
-//! From rung to rung: which values the step is computed in, and what is said where none suffices.
+//! The rungs: which values each computes the step in, and the report where none suffices.
 //!
 //! A rung has left the stack when the next one is called: over wide numbers, and without
 //! optimisation over any, a step of many operations needs hundreds of kilobytes.
@@ -15,14 +15,13 @@ use crate::field::linear::increment_by_elimination;
 use crate::field::linear::vector;
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
-use crate::scalar::tuning::{divides_by_eps, may_divide_by};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long, Size, level_row};
 use crate::step::error::Reason;
 use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
-use super::scalars::{Promised, Widened};
+use super::scalars::Promised;
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and
 /// ‖exact‖∞.
@@ -34,42 +33,13 @@ pub(super) const PROMISE: f64 = 63.0;
 const SHORT: u32 = 36;
 
 /// The first rung of a scalar that works for itself.
-///
-/// A step that is divided by ε has another form for an ε that does not allow it. How often each
-/// form rounds is known while compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(crate) fn in_own_precision<M, T, const N: usize>(
+pub(super) fn in_own_precision<M, T, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
 ) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
-    // The limits are those of bounded values, which are narrower than those of floats: with two
-    // different limits compilers would keep the code of both forms in every step.
-    if divides_by_eps::<T>() && !may_divide_by(&Bounded::<T>::given(*eps)) {
-        return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
-    }
-    in_one_form(map, x, eps)
-}
-
-/// The same where ε is too small or too large.
-#[cold]
-#[inline(never)]
-fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
-    in_one_form(map, &x, &eps)
-}
-
-#[cfg_attr(not(debug_assertions), inline(always))]
-#[cfg_attr(debug_assertions, inline(never))]
-fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Promised,
     M: ExtendScalars<T, N>,
@@ -87,76 +57,44 @@ where
     }
 }
 
+/// The first rung of a step that is divided by ε, at an ε that does not allow it: its other form.
+///
+/// How often each form rounds is known while compiling, as long as no code serves both.
+#[cold]
+#[inline(never)]
+pub(super) fn in_general_form<M, T, const N: usize>(
+    map: &M,
+    x: SVector<T, N>,
+    eps: T,
+) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: ExtendScalars<T, N>,
+{
+    in_own_precision(map, &x, &eps)
+}
+
 /// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(crate) fn in_next_wider<M, T, const N: usize>(
+pub(super) fn in_next_wider<M, T, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
 ) -> Option<SVector<T, N>>
 where
-    T: Widened,
+    T: Promised,
     M: ExtendScalars<T, N>,
 {
     Attempt::of::<T, <T::Wider as Promised>::Packed, M>(map, x, eps, T::embed)
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// A rung that is called: it writes x̃ to its last argument, or says why there is none.
-pub(crate) type Rung<M, T, const N: usize> =
-    fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
-
-/// What a first rung has settled, or what a higher one says, which is called.
-///
-/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
-/// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
-/// registers: ordinary steps do not wait for memory on account of a call that they do not make.
-#[inline(always)]
-pub(crate) fn or_higher<M, T: Copy, const N: usize>(
-    first: Option<SVector<T, N>>,
-    rung: Rung<M, T, N>,
-    map: &M,
-    x: &SVector<T, N>,
-    eps: &T,
-) -> Result<SVector<T, N>, SingularStep> {
-    if let Some(next) = first {
-        return Ok(next);
-    }
-    let mut next: SVector<T, N> = vector(from_fn(|i| x[i]));
-    match rung(map, next, *eps, &mut next) {
-        None => Ok(vector(from_fn(|i| next[i]))),
-        Some(error) => Err(error),
-    }
-}
-
-/// What comes after the first rung, for all but the widest scalar; x̃ goes to `next`.
-#[cold]
-#[inline(never)]
-pub(crate) fn beyond<M, T, const N: usize>(
-    map: &M,
-    x: SVector<T, N>,
-    eps: T,
-    next: &mut SVector<T, N>,
-) -> Option<SingularStep>
-where
-    T: Widened,
-    M: ExtendScalars<T, N>,
-{
-    match second(map, &x, &eps) {
-        Some(settled) => {
-            *next = settled;
-            None
-        }
-        None => in_wide(map, x, eps, next),
-    }
-}
-
 /// The second rung, off the stack when it returns.
 #[inline(never)]
-fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+pub(super) fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
-    T: Widened,
+    T: Promised,
     M: ExtendScalars<T, N>,
 {
     in_next_wider(map, x, eps)
@@ -165,12 +103,12 @@ where
 /// Rungs 3 to 5, and the report where all fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-pub(crate) fn in_wide<T, M, const N: usize>(
+pub(super) fn in_wide<T, M, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
     next: &mut SVector<T, N>,
-) -> Option<SingularStep>
+) -> Result<(), SingularStep>
 where
     T: Promised,
     M: ExtendScalars<T, N>,
@@ -186,7 +124,7 @@ where
         eps: given(&eps),
     };
     let report = |reason, determinant, bound| {
-        Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
+        Err(SingularStep::because(reason, determinant, bound, eps.approximate()))
     };
     if !is_finite.get() {
         return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
@@ -197,7 +135,7 @@ where
         is_known |= attempt.is_within(PROMISE * T::UNIT);
         if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
             *next = settled;
-            return None;
+            return Ok(());
         }
     }
     let [denominator, determinant] = last.denominators();
@@ -207,14 +145,16 @@ where
         Reason::NoField
     } else if is_exactly_zero(&denominator) {
         Reason::Pole
+    } else if let Err(reason) = by_elimination(map, &x, &eps, next) {
+        reason
     } else {
-        by_elimination(map, &x, &eps, next)?
+        return Ok(());
     };
     report(reason, rounded(&determinant), bound)
 }
 
-/// Rung 5: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many
-/// digits; x̃ goes to `next`, or it says why there is none.
+/// Rung 5: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many digits; x̃
+/// goes to `next`.
 ///
 /// No formula that was expanded or reduced is in its way, whose terms may be larger than all
 /// digits; and it needs of the map no more than A and f.
@@ -225,14 +165,13 @@ fn by_elimination<T, M, const N: usize>(
     x: &SVector<T, N>,
     eps: &T,
     next: &mut SVector<T, N>,
-) -> Option<Reason>
+) -> Result<(), Reason>
 where
     T: Promised,
     M: ExtendScalars<T, N>,
 {
-    let open = Some(Reason::Digits(Long::MOST_DIGITS));
-    let tried = Capacity::ALL.into_iter().map(|capacity| eliminated(map, x, eps, next, capacity));
-    tried.flatten().next().map_or(open, Result::err)
+    let mut tried = Capacity::ALL.into_iter().map(|capacity| eliminated(map, x, eps, next, capacity));
+    tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(Long::MOST_DIGITS)))
 }
 
 /// The same with this capacity; `None` where it leaves the step open.
@@ -279,8 +218,8 @@ fn by_elimination<T, M, const N: usize>(
     _x: &SVector<T, N>,
     _eps: &T,
     _next: &mut SVector<T, N>,
-) -> Option<Reason> {
-    Some(Reason::Digits(Wide::MOST_DIGITS))
+) -> Result<(), Reason> {
+    Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
 /// What rungs 3 and 4 compute with. Each of its functions is called: it is the same for every
@@ -295,7 +234,8 @@ impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
     /// The increment form.
     #[inline(never)]
     fn increments(&self) -> Option<Attempt<Wide, N>> {
-        Attempt::by_step(&self.map, &self.state, self.eps)
+        let quotients = self.map.prepare(&self.eps).quotients(&self.state)?;
+        Some(Attempt::by_increments(&self.state, quotients))
     }
 
     /// The form N/D.

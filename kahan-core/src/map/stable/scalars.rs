@@ -1,55 +1,43 @@
-//! Which scalars rungs work in, and which steps are promised in.
-
-use nalgebra::SVector;
+//! The scalars that steps are promised in: each with the wider one of its second rung.
+//!
+//! In: a number of a scalar. Out: that number in wider ones, and the nearest number back.
 
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
-use crate::{Dd, ExtendScalars, Pivot, SingularStep};
-
-use super::rungs::{beyond, in_next_wider, in_own_precision, in_wide, or_higher};
+use crate::{Dd, Pivot};
 
 /// A scalar that steps can be promised in, and begin in.
 pub(crate) trait Promised: Working + Pivot {
     /// A value and its magnitude, side by side in a register if there is such a one.
     type Packed: Pair<Self>;
 
-    /// The same number.
-    fn widen(&self) -> Wide;
-    /// The nearest one.
-    fn narrow(value: Wide) -> Self;
-
-    /// The step with its promise: by the first rung, or where that proves too little by the next.
-    #[inline(always)]
-    fn promised<M, const N: usize>(
-        map: &M,
-        x: &SVector<Self, N>,
-        eps: &Self,
-    ) -> Result<SVector<Self, N>, SingularStep>
-    where
-        M: ExtendScalars<Self, N>,
-    {
-        or_higher(in_own_precision(map, x, eps), in_wide, map, x, eps)
-    }
-}
-
-/// The variables up to which `f32` works for itself. Steps in more variables multiply so many
-/// factors that products of ordinary numbers leave its range, and nearly every step would be
-/// computed in `f64` after all.
-const MOST_OF_SINGLE: usize = 4;
-
-/// One whose second rung is the next wider scalar.
-pub(crate) trait Widened: Promised {
-    /// That scalar.
+    /// The scalar of the second rung; the widest scalar has none, and stands for itself.
     type Wider: Promised;
+    /// Whether there is no wider scalar.
+    const IS_WIDEST: bool;
 
-    /// The same number.
+    /// The most variables in which the first rung is this scalar itself.
+    const MOST_VARIABLES: usize = usize::MAX;
+
+    /// This number in the wider scalar.
     fn embed(&self) -> Self::Wider;
-    /// The nearest one.
+    /// The number nearest to one of the wider scalar.
     fn round(value: Self::Wider) -> Self;
+
+    /// This number in digits that lie anywhere.
+    fn widen(&self) -> Wide;
+    /// The number nearest to one of such digits.
+    fn narrow(value: Wide) -> Self;
 }
 
-impl Widened for f32 {
+impl Promised for f32 {
+    type Packed = PackedSingle;
     type Wider = f64;
+    const IS_WIDEST: bool = false;
+
+    /// Steps in more variables multiply so many factors that products of ordinary numbers leave the
+    /// range of `f32`, and nearly every step would be computed in `f64` after all.
+    const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
     fn embed(&self) -> f64 {
@@ -59,40 +47,6 @@ impl Widened for f32 {
     #[inline(always)]
     fn round(value: f64) -> Self {
         value as f32
-    }
-}
-
-impl Widened for f64 {
-    type Wider = Dd;
-
-    #[inline(always)]
-    fn embed(&self) -> Dd {
-        (*self).into()
-    }
-
-    #[inline(always)]
-    fn round(value: Dd) -> Self {
-        value.into()
-    }
-}
-
-impl Promised for f32 {
-    type Packed = PackedSingle;
-
-    #[inline(always)]
-    fn promised<M, const N: usize>(
-        map: &M,
-        x: &SVector<Self, N>,
-        eps: &Self,
-    ) -> Result<SVector<Self, N>, SingularStep>
-    where
-        M: ExtendScalars<Self, N>,
-    {
-        if const { N > MOST_OF_SINGLE } {
-            or_higher(in_next_wider(map, x, eps), in_wide, map, x, eps)
-        } else {
-            or_higher(in_own_precision(map, x, eps), beyond, map, x, eps)
-        }
     }
 
     fn widen(&self) -> Wide {
@@ -106,17 +60,17 @@ impl Promised for f32 {
 
 impl Promised for f64 {
     type Packed = PackedDouble;
+    type Wider = Dd;
+    const IS_WIDEST: bool = false;
 
     #[inline(always)]
-    fn promised<M, const N: usize>(
-        map: &M,
-        x: &SVector<Self, N>,
-        eps: &Self,
-    ) -> Result<SVector<Self, N>, SingularStep>
-    where
-        M: ExtendScalars<Self, N>,
-    {
-        or_higher(in_own_precision(map, x, eps), beyond, map, x, eps)
+    fn embed(&self) -> Dd {
+        (*self).into()
+    }
+
+    #[inline(always)]
+    fn round(value: Dd) -> Self {
+        value.into()
     }
 
     fn widen(&self) -> Wide {
@@ -130,6 +84,16 @@ impl Promised for f64 {
 
 impl Promised for Dd {
     type Packed = Both<Dd>;
+    type Wider = Self;
+    const IS_WIDEST: bool = true;
+
+    fn embed(&self) -> Self {
+        *self
+    }
+
+    fn round(value: Self) -> Self {
+        value
+    }
 
     fn widen(&self) -> Wide {
         Wide::from_double_double(self.high(), self.low())
