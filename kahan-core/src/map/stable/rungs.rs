@@ -3,6 +3,7 @@
 //! A rung has left the stack when the next one is called: over wide numbers, and without
 //! optimisation over any, a step of many operations needs hundreds of kilobytes.
 
+#[cfg(feature = "std")]
 use core::array::from_fn;
 use core::cell::Cell;
 use core::iter::once_with;

@@ -58,7 +58,7 @@ impl<const BITS: i32> Promised for Worst<BITS> {
     const IS_WIDEST: bool = true;
 
     fn embed(&self) -> Self {
-        self.clone()
+        *self
     }
 
     fn round(value: Self) -> Self {
