@@ -20,11 +20,14 @@ pub use std::vec::{self, Vec};
 /// The step of a dense field that is read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod dense {
-    pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, points, velocities, velocity};
+    pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
 /// Several numbers as one scalar: `kahan-runtime` interprets columns over it.
 #[cfg(feature = "std")]
-pub use crate::ensemble::{lanes::Register, twice::Twice};
+pub use crate::ensemble::{
+    lanes::{InLanes, Lanes, OverLanes},
+    twice::Twice,
+};
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
@@ -32,7 +35,6 @@ pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod chain {
-    pub use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
     pub use crate::lattice::{Densities, GatheredLines, HasEnergy, Lines, Menu, SiteLine, Sizes};
 }
 #[cfg(feature = "std")]

@@ -7,7 +7,8 @@
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_core::__private::chain::{GatheredLines, InLanes, Lanes, OverLanes, SiteLine};
+use kahan_core::__private::chain::{GatheredLines, SiteLine};
+use kahan_core::__private::{InLanes, Lanes, OverLanes};
 use kahan_core::{Level, Scalar};
 
 use crate::literal::Literal;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use kahan_core::__private::Boundary;
-use kahan_core::__private::chain::{Densities, GatheredLines, HasEnergy, Lanes, Lines, Menu, Sizes};
+use kahan_core::__private::chain::{Densities, GatheredLines, HasEnergy, Lines, Menu, Sizes};
+use kahan_core::__private::{Boundary, Lanes};
 use kahan_core::{Level, Scalar};
 
 use super::Code;
