@@ -35,10 +35,10 @@ pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod chain {
-    pub use crate::lattice::{Densities, GatheredLines, HasEnergy, Lines, Menu, SiteLine, Sizes};
+    pub use crate::lattice::{Gathered, Menu, SiteLine};
 }
 #[cfg(feature = "std")]
-pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
+pub use crate::lattice::{Boundary, Energy, Family, LatticeMap, LatticeScalar, Sizes, Stencil, Sums};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;
