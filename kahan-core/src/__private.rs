@@ -21,11 +21,14 @@ pub use std::vec::{self, Vec};
 /// The step of a dense field that is read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod dense {
-    pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, points, velocities, velocity};
+    pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
 /// Several numbers as one scalar: `kahan-runtime` interprets columns over it.
 #[cfg(feature = "std")]
-pub use crate::ensemble::{lanes::Register, twice::Twice};
+pub use crate::ensemble::{
+    lanes::{InLanes, Lanes, OverLanes},
+    twice::Twice,
+};
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
@@ -33,11 +36,10 @@ pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod chain {
-    pub use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
-    pub use crate::lattice::{Densities, GatheredLines, HasEnergy, Lines, Menu, SiteLine, Sizes};
+    pub use crate::lattice::{Gathered, Menu, SiteLine};
 }
 #[cfg(feature = "std")]
-pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
+pub use crate::lattice::{Boundary, Energy, Family, LatticeMap, LatticeScalar, Sizes, Stencil, Sums};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;

@@ -17,7 +17,7 @@ use std::vec::Vec;
 
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::LARGEST_FACTOR;
-use crate::{Constant, Level, Scalar};
+use crate::{Constant, Level};
 
 pub use points::{points, velocities};
 
@@ -25,25 +25,6 @@ pub use points::{points, velocities};
 const PIVOTS: usize = 8;
 /// The columns that are computed together.
 const COLUMNS: usize = 4;
-
-/// A float that the loops run over.
-pub trait Float: InLanes + Scalar + Copy {
-    /// The rows that stand together: as many as a register of 256 bits holds.
-    const ROWS: usize = Self::MOST / 2;
-
-    /// An entry that is smaller by this factor than the largest ones of its row and of its column
-    /// adds nothing to the solution. The square of the factor is still a normal number.
-    const NEGLIGIBLE: Self;
-}
-
-impl Float for f32 {
-    const NEGLIGIBLE: Self = 1.0 / (1_u64 << 60) as f32;
-}
-
-impl Float for f64 {
-    /// 2⁻⁵⁰⁰
-    const NEGLIGIBLE: Self = f64::from_bits((1023 - 500) << 52);
-}
 
 /// How many coefficients a component of a field has: the constant, those of the variables, and
 /// those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
@@ -58,7 +39,7 @@ const fn place(variables: usize, j: usize, k: usize) -> usize {
 }
 
 /// The rows of a column, those that fill up registers included.
-const fn height<T: Float>(variables: usize) -> usize {
+const fn height<T: InLanes>(variables: usize) -> usize {
     variables.next_multiple_of(T::ROWS)
 }
 
@@ -72,7 +53,7 @@ fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
 
 /// Appends the coefficients of a field in the order in which [`velocity`] reads them. Those of a
 /// component are `coefficients(variables)` numbers of `field`, one component after the other.
-pub fn pack<T: Float>(variables: usize, field: &[T], packed: &mut Vec<T>) {
+pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     let mut places: Vec<usize> = (0..=variables).collect();
     for block in blocks(0..variables) {
         for j in block.clone() {
@@ -109,7 +90,7 @@ impl<T> Default for Workspace<T> {
     }
 }
 
-impl<T: Float> Workspace<T> {
+impl<T: InLanes> Workspace<T> {
     /// The last column: f(x), or the solution.
     #[must_use]
     pub fn last(&self, variables: usize) -> &[T] {
@@ -127,16 +108,16 @@ impl<T: Float> Workspace<T> {
 /// [last](Workspace::last) column. Returns `false` where a pivot is 0 or too small, as
 /// [`Couplings::factor`](crate::__private::Couplings::factor) does.
 #[must_use]
-pub fn velocity<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
+pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
     run(Work { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
 }
 
 /// Computes A(x,ε), and f(x) behind it.
-pub fn assemble<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
+pub fn assemble<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
     run(Work { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
 }
 
-fn run<T: Float>(work: Work<'_, T>, level: Level) -> bool {
+fn run<T: InLanes>(work: Work<'_, T>, level: Level) -> bool {
     let (n, height) = (work.x.len(), height::<T>(work.x.len()));
     work.workspace.columns.resize(height * (n + 1), T::zero());
     work.workspace.factors.resize(height * PIVOTS, T::zero());
@@ -151,7 +132,7 @@ struct Work<'a, T> {
     workspace: &'a mut Workspace<T>,
 }
 
-impl<T: Float> OverLanes<T> for Work<'_, T> {
+impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     type Output = bool;
     const IS_SMALL: bool = false;
 
@@ -173,7 +154,7 @@ struct Loops<T, L, const POINTS: bool> {
     lanes: PhantomData<(T, L)>,
 }
 
-impl<T: Float, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
+impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
     /// The numbers that an entry is.
     const ENTRY: usize = if POINTS { L::WIDTH } else { 1 };
     /// The rows that a register is part of.
@@ -298,7 +279,7 @@ impl<T: Float, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
     }
 }
 
-impl<T: Float, L: Lanes<T>> Loops<T, L, false> {
+impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
     /// Replaces the last column by the solution; `false` where a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {

@@ -12,8 +12,7 @@ mod tests;
 use core::ops::Range;
 use std::vec::Vec;
 
-use crate::dense::Float;
-use crate::ensemble::lanes::{Lanes, OverLanes, Register, minus_product};
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
@@ -265,13 +264,13 @@ impl Supernodes {
     /// Replaces A by its factors, as [`Couplings::factor`] does. `false` where a pivot is 0, or too
     /// small; the values then are of no use.
     ///
-    /// With `flushes` an entry counts as 0 that is smaller than [`Float::NEGLIGIBLE`] times the
+    /// With `flushes` an entry counts as 0 that is smaller than [`InLanes::NEGLIGIBLE`] times the
     /// largest entry of A in its row, and in its column, beside the diagonal. Factors decay like a
     /// power of ε with the distance between variables, and processors are slow with numbers below
     /// the normal ones. A unit of a variable multiplies a row and divides a column: solutions keep
     /// their bits, in f64, in all units whose quotients are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
-    pub fn factor<T: Float>(
+    pub fn factor<T: InLanes>(
         &self,
         couplings: &Couplings<'_>,
         flushes: bool,
@@ -310,7 +309,7 @@ struct Work<'a, T> {
     workspace: &'a mut PanelWorkspace<T>,
 }
 
-impl<T: Float> OverLanes<T> for Work<'_, T> {
+impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     type Output = bool;
     const IS_SMALL: bool = false;
 
@@ -333,13 +332,13 @@ impl<T: Float> OverLanes<T> for Work<'_, T> {
 /// The magnitude below which an entry may count as 0 beside the largest one; 0 where that is not
 /// finite.
 #[inline(always)]
-fn negligible<T: Float>(largest: T) -> T {
+fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;
     if (limit * T::zero()).is_zero() { limit } else { T::zero() }
 }
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
-impl<T: Float> Work<'_, T> {
+impl<T: InLanes> Work<'_, T> {
     /// Each function is called at one place for each number of rows, as its body is compiled there.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
@@ -553,7 +552,7 @@ impl<T: Float> Work<'_, T> {
 
     /// Subtracts them in C registers of columns.
     #[inline(always)]
-    fn subtract_from<V: Register<T>, const R: usize, const C: usize>(
+    fn subtract_from<V: Lanes<T>, const R: usize, const C: usize>(
         &mut self,
         places: [usize; R],
         count: usize,

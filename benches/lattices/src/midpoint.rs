@@ -6,7 +6,7 @@
 
 use std::time::{Duration, Instant};
 
-use kahan_core::__private::{Boundary, Family, Stencil};
+use kahan_core::__private::{Boundary, Family, Sizes, Stencil};
 use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
@@ -18,11 +18,22 @@ struct Newton {
     right: Vec<f64>,
 }
 
-impl Family<f64> for Newton {
-    type Shape = Stencil<1, 2, 1, 6, 2, 2, 5, 5>;
+impl LatticeMap<f64> for Newton {
     const ARRAYS: &'static [&'static str] = &["u"];
+    const REACH: usize = 2;
     const SITE_PARAMETERS: &'static [&'static str] = &["right"];
-    const BOUNDARY: Boundary = Boundary::Periodic;
+}
+
+impl Family<f64> for Newton {
+    type Kernels = Stencil<1, 2, 1, 6, 2, 2, 5, 5>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        Boundary::Periodic
+    }
 
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&f64) -> L) -> Option<Vec<L>> {
         self.kdv.constants(eps, convert)
@@ -33,8 +44,8 @@ impl Family<f64> for Newton {
     }
 
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
-        <Kdv<f64> as Family<f64>>::rows(constants, x, &[], f, a);
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
+        self.kdv.rows(constants, x, &[], &mut [], f, a);
         f[0] = c[2].clone();
     }
 }

@@ -26,11 +26,18 @@ pub struct Kdv<T> {
 #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
 const _: () = {
     use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
-    impl<T: __kahan::LatticeScalar> __kahan::Family<T> for Kdv<T> {
-        type Shape = __kahan::Stencil<1, 2, 0, 7, 2, 2, 5, 5>;
+    impl<T: __kahan::LatticeScalar> __kahan::LatticeMap<T> for Kdv<T> {
         const ARRAYS: &'static [&'static __kahan::str] = &["u"];
-        const SITE_PARAMETERS: &'static [&'static __kahan::str] = &[];
-        const BOUNDARY: __kahan::Boundary = __kahan::Boundary::Periodic;
+        const REACH: __kahan::usize = 2;
+    }
+    impl<T: __kahan::LatticeScalar> __kahan::Family<T> for Kdv<T> {
+        type Kernels = __kahan::Stencil<1, 2, 0, 7, 2, 2, 5, 5>;
+        fn sizes(&self) -> __kahan::Sizes {
+            Self::Kernels::SIZES
+        }
+        fn boundary(&self) -> __kahan::Boundary {
+            __kahan::Boundary::Periodic
+        }
         fn constants<L: __kahan::Scalar>(
             &self,
             eps: L,
@@ -56,16 +63,13 @@ const _: () = {
                 ]),
             )
         }
-        fn site_parameter(&self, index: usize) -> &[T] {
-            match index {
-                _ => &[],
-            }
-        }
         #[inline(always)]
         fn rows<L: __kahan::Scalar>(
+            &self,
             constants: &[L],
             x: &[L],
             c: &[L],
+            _: &mut [L],
             f: &mut [L],
             a: &mut [L],
         ) {
@@ -113,9 +117,11 @@ const _: () = {
         const INTEGRALS: &'static [&'static __kahan::str] = &["mass"];
         #[inline(always)]
         fn densities<L: __kahan::Scalar>(
+            &self,
             constants: &[L],
             x: &[L],
             c: &[L],
+            _: &mut [L],
             s: &mut [L],
         ) {
             let __s_u = &x[2];

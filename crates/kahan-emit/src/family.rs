@@ -4,7 +4,8 @@
 //! pub struct Volterra;
 //! const _: () = {
 //!     use kahan_core::__private as __kahan;
-//!     impl<T: Scalar> Family<T> for Volterra { type Shape = Stencil<…>; fn rows … }
+//!     impl<T: Scalar> LatticeMap<T> for Volterra { const ARRAYS … }
+//!     impl<T: Scalar> Family<T> for Volterra { type Kernels = Stencil<…>; fn rows … }
 //!     impl<T: Scalar> Sums<T> for Volterra { … }          // what is claimed
 //! };
 //! ```
@@ -85,6 +86,7 @@ impl Context<'_> {
         let (this, scalar) = (self.this.path(), &self.this.scalar);
         let (family, lines) = (self.family, &self.lines);
         let (arrays, site_parameters) = (&family.arrays, &family.site_parameters);
+        let reach = Literal::usize_unsuffixed(family.reach);
         let boundary = match family.boundary {
             Boundary::Periodic => quote!(Periodic),
             Boundary::Open => quote!(Open),
@@ -108,16 +110,26 @@ impl Context<'_> {
         let rows = self.emit_line("rows", &lines.rows, &[("f", (0..b).collect()), ("a", entries.collect())]);
         let sums = self.emit_sums();
         let text = quote!(&'static [&'static __kahan::str]);
+        let names = (!site_parameters.is_empty())
+            .then(|| quote! { const SITE_PARAMETERS: #text = &[#(#site_parameters),*]; });
         quote! {
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
             #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
             const _: () = {
                 use #core::__private::{self as __kahan, arguments::*, Clone as _};
-                impl<#scalar: __kahan::LatticeScalar> __kahan::Family<#scalar> for #this {
-                    type Shape = __kahan::Stencil<#(#shape),*>;
+                impl<#scalar: __kahan::LatticeScalar> __kahan::LatticeMap<#scalar> for #this {
                     const ARRAYS: #text = &[#(#arrays),*];
-                    const SITE_PARAMETERS: #text = &[#(#site_parameters),*];
-                    const BOUNDARY: __kahan::Boundary = __kahan::Boundary::#boundary;
+                    const REACH: __kahan::usize = #reach;
+                    #names
+                }
+                impl<#scalar: __kahan::LatticeScalar> __kahan::Family<#scalar> for #this {
+                    type Kernels = __kahan::Stencil<#(#shape),*>;
+                    fn sizes(&self) -> __kahan::Sizes {
+                        Self::Kernels::SIZES
+                    }
+                    fn boundary(&self) -> __kahan::Boundary {
+                        __kahan::Boundary::#boundary
+                    }
                     #constants
                     #site_parameter
                     #rows
@@ -146,23 +158,26 @@ impl Context<'_> {
         }
     }
 
-    fn emit_site_parameter(&self) -> TokenStream {
+    fn emit_site_parameter(&self) -> Option<TokenStream> {
+        if self.family.site_parameters.is_empty() {
+            return None;
+        }
         let scalar = &self.this.scalar;
         let arms = self.family.site_parameters.iter().enumerate().map(|(k, name)| {
             let (k, field) = (Literal::usize_unsuffixed(k), identifier(name, Span::call_site()));
             quote! { #k => &self.#field, }
         });
-        quote! {
+        Some(quote! {
             fn site_parameter(&self, index: usize) -> &[#scalar] {
                 match index {
                     #(#arms)*
                     _ => &[],
                 }
             }
-        }
+        })
     }
 
-    /// Expands to `fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], …) { … }`:
+    /// Expands to `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`:
     /// the results of a plan, written to these places of these slices.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
@@ -176,9 +191,11 @@ impl Context<'_> {
         quote! {
             #[inline(always)]
             fn #name<#scalar: __kahan::Scalar>(
+                &self,
                 constants: &[#scalar],
                 x: &[#scalar],
                 c: &[#scalar],
+                _: &mut [#scalar],
                 #(#slices: &mut [#scalar]),*
             ) {
                 #inputs

@@ -28,7 +28,7 @@ const BLOCKS: [(&str, &[&str]); 7] = [
     // Of more than eight variables: it eliminates along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     // A family: the lines of one site.
-    ("family", &["constants", "site_parameter", "field", "rows", "densities"]),
+    ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
     // A lift: first values of its new variables, from the states.
     ("lifted", &["embed", "project", "field", "E"]),
 ];

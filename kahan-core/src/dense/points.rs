@@ -6,20 +6,20 @@
 use core::marker::PhantomData;
 
 use crate::Level;
-use crate::ensemble::lanes::{Lanes, OverLanes};
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 
-use super::{COLUMNS, Float, Loops, Workspace, minus_product};
+use super::{COLUMNS, Loops, Workspace, minus_product};
 
 /// How many points [`velocities`] takes: the numbers of a register of 512 bits.
 #[must_use]
-pub const fn points<T: Float>() -> usize {
+pub const fn points<T: InLanes>() -> usize {
     T::MOST
 }
 
 /// Replaces each of some [points] by A(x,ε)⁻¹f(x); entry i of point p is number i·[`points`] + p.
 /// The pivots of point p are too small where the magnitude of `growth[p]` is larger than
 /// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR) then; a pivot that is 0 leads to numbers that are not finite.
-pub fn velocities<T: Float>(
+pub fn velocities<T: InLanes>(
     packed: &[T],
     x: &mut [T],
     eps: T,
@@ -40,7 +40,7 @@ struct PointsWork<'a, T> {
     workspace: &'a mut Workspace<T>,
 }
 
-impl<T: Float> OverLanes<T> for PointsWork<'_, T> {
+impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
     type Output = ();
     const IS_SMALL: bool = false;
 
@@ -64,7 +64,7 @@ impl<T: Float> OverLanes<T> for PointsWork<'_, T> {
     }
 }
 
-impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
+impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
     /// Replaces the last column by the solution. Returns the largest growth: of each pivot the
     /// smaller one of its largest factor and of the largest quotient of an entry behind it.
     /// `sizes` is room for two numbers a variable.

@@ -1,14 +1,15 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{Float, LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, velocities, velocity};
+use super::{LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, velocities, velocity};
 use crate::Level;
+use crate::ensemble::lanes::InLanes;
 
 /// Lanes of two and of four numbers have the same bits, whatever is left over at the end of
 /// registers, blocks of columns, and groups of pivots.
 #[test]
 fn lanes_of_any_number_have_the_same_bits() {
-    fn agree<T: Float + From<f32>>(bits: impl Fn(T) -> u64) {
+    fn agree<T: InLanes + From<f32>>(bits: impl Fn(T) -> u64) {
         let mut state = 1_u32;
         let mut number = || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

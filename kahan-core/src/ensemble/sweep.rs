@@ -7,46 +7,12 @@
 
 use core::array::from_fn;
 
+use crate::PreparedStep;
 use crate::composition::InOrder;
 use crate::field::linear::vector;
-use crate::{PreparedStep, Scalar};
 
 use super::columns::{GROUP, Group};
-
-/// Consecutive numbers side by side in one register, as a scalar.
-pub trait Register<T>: Scalar + Copy {
-    /// How many; a divisor of [`GROUP`].
-    const WIDTH: usize;
-
-    /// The entries from `place` on.
-    fn load(entries: &[T], place: usize) -> Self;
-
-    /// Writes the entries from `place` on.
-    fn store(self, entries: &mut [T], place: usize);
-
-    /// The number in every lane.
-    fn spread(value: &T) -> Self;
-}
-
-/// A scalar is a register of one.
-impl<T: Scalar + Copy> Register<T> for T {
-    const WIDTH: usize = 1;
-
-    #[inline(always)]
-    fn load(entries: &[T], place: usize) -> Self {
-        entries[place]
-    }
-
-    #[inline(always)]
-    fn store(self, entries: &mut [T], place: usize) {
-        entries[place] = self;
-    }
-
-    #[inline(always)]
-    fn spread(value: &T) -> Self {
-        *value
-    }
-}
+use super::lanes::Lanes;
 
 /// Advances every column by `steps`, each of them all `stages` in order; `None` at a pole of a
 /// scalar that has no reciprocal of zero, with some trajectories advanced and others not.
@@ -59,7 +25,7 @@ pub(crate) fn sweep<R, T, P, const N: usize>(
     steps: u64,
 ) -> Option<()>
 where
-    R: Register<T>,
+    R: Lanes<T>,
     P: PreparedStep<R, N>,
 {
     let groups = columns.first().map_or(0, |column| column.len());

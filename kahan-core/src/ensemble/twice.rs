@@ -11,7 +11,6 @@ use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
 use super::lanes::{Lanes, Square};
-use super::sweep::Register;
 
 /// The lanes of the first register, then those of the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,8 +105,10 @@ impl<L: Scalar + Copy> Scalar for Twice<L> {
 
 macro_rules! lanes_of {
     ($float:ty) => {
-        impl<L: Register<$float>> Register<$float> for Twice<L> {
+        impl<L: Lanes<$float>> Lanes<$float> for Twice<L> {
             const WIDTH: usize = 2 * L::WIDTH;
+
+            type Mask = (L::Mask, L::Mask);
 
             #[inline(always)]
             fn load(entries: &[$float], place: usize) -> Self {
@@ -124,10 +125,6 @@ macro_rules! lanes_of {
             fn spread(value: &$float) -> Self {
                 Self(L::spread(value), L::spread(value))
             }
-        }
-
-        impl<L: Lanes<$float>> Lanes<$float> for Twice<L> {
-            type Mask = (L::Mask, L::Mask);
 
             #[inline(always)]
             fn exceeds(self, other: Self) -> Self::Mask {

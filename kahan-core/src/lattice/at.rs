@@ -15,7 +15,7 @@ use super::parts::{Kernels, Parted, Partition};
 use super::promise::{Promise, REFINEMENTS};
 use super::scalar::{Eliminated, Solved};
 use super::sites::Site;
-use super::{Boundary, LatticeError, LatticeScalar, Lines, Sizes};
+use super::{Boundary, Family, LatticeError, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
@@ -64,25 +64,43 @@ impl<T: LatticeScalar> Memory<T> {
         }
     }
 
-    /// One step at the ε of these constants, in place, or nothing at a pole of an exact scalar.
-    fn step<M: Lines<T>>(&mut self, map: &M, constants: &[T], eps: &T, state: &mut [T]) -> Option<()> {
+    /// So many steps at the ε of these constants, in place. An exact scalar stops at a pole, with
+    /// the state before.
+    fn advance<M: Family<T>>(
+        &mut self,
+        map: &M,
+        constants: &[T],
+        eps: &T,
+        state: &mut [T],
+        steps: u64,
+    ) -> Result<(), Stopped> {
         let twice = eps.clone() + eps.clone();
-        if let Some(parts) = &mut self.parts
-            && parts.step(map, constants, &twice, &mut self.site, state)
-        {
-            return Some(());
+        for steps in 0..steps {
+            if let Some(parts) = &mut self.parts
+                && parts.step(map, constants, &twice, &mut self.site, state)
+            {
+                continue;
+            }
+            self.whole_eliminations += 1;
+            let Some(gained) = self.solve(map, constants, state, None) else {
+                return Err(Stopped { steps, why: SingularStep::pole(eps.approximate()) });
+            };
+            for (x, w) in state.iter_mut().zip(gained) {
+                *x = w.clone().multiply_add(twice.clone(), x.clone());
+            }
         }
-        self.whole_eliminations += 1;
-        let gained = self.solve(map, constants, state, None)?;
-        for (x, w) in state.iter_mut().zip(gained) {
-            *x = w.clone().multiply_add(twice.clone(), x.clone());
-        }
-        Some(())
+        Ok(())
     }
 
     /// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the
     /// whole chain.
-    fn solve<M: Lines<T>>(&mut self, map: &M, constants: &[T], x: &[T], right: Option<&[T]>) -> Option<&[T]> {
+    fn solve<M: Family<T>>(
+        &mut self,
+        map: &M,
+        constants: &[T],
+        x: &[T],
+        right: Option<&[T]>,
+    ) -> Option<&[T]> {
         let Self { site, folded, .. } = self;
         let block = map.sizes().block;
         let sites = x.len() / block;
@@ -97,7 +115,7 @@ impl<T: LatticeScalar> Memory<T> {
     }
 }
 
-impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The chain of these lines, whose parameters have as many values as there are sites.
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
@@ -167,10 +185,7 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// If the state is not of this chain's length; at a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
-        self.check(state);
-        if self.memory.step(&self.map, &self.forward, &self.eps, state).is_none() {
-            pole(&self.eps)
-        }
+        self.advance(state, 1);
     }
 
     /// One step of the inverse map, in place: the step with −ε.
@@ -180,8 +195,9 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
     #[track_caller]
     pub fn step_back(&mut self, state: &mut [T]) {
         self.check(state);
-        if self.memory.step(&self.map, &self.backward, &-self.eps.clone(), state).is_none() {
-            pole(&self.eps)
+        let Self { map, eps, backward, memory, .. } = self;
+        if memory.advance(map, backward, &-eps.clone(), state, 1).is_err() {
+            pole(eps)
         }
     }
 
@@ -215,9 +231,7 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
         if !state.iter().all(T::is_finite_number) {
             return failed(Reason::NotFinite, f64::INFINITY);
         }
-        if self.memory.step(&self.map, &self.forward, &self.eps, state).is_none() {
-            return Err(SingularStep::pole(eps));
-        }
+        self.memory.advance(&self.map, &self.forward, &self.eps, state, 1).map_err(|stopped| stopped.why)?;
         if T::UNIT == 0.0 {
             return Ok(());
         }
@@ -272,10 +286,8 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub fn advance(&mut self, state: &mut [T], steps: u64) {
         self.check(state);
         let Self { map, eps, forward, memory, .. } = self;
-        for _ in 0..steps {
-            if memory.step(map, forward, eps, state).is_none() {
-                pole(eps)
-            }
+        if memory.advance(map, forward, eps, state, steps).is_err() {
+            pole(eps)
         }
     }
 
@@ -360,7 +372,7 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
 }
 
 /// In memory of the workspace's, so that any number of threads can share a map.
-impl<M: Lines<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
+impl<M: Family<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;
 
@@ -375,26 +387,20 @@ impl<M: Lines<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     #[track_caller]
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         self.check(x);
-        let memory = self.memory_in(workspace);
-        for steps in 0..steps {
-            if memory.step(&self.map, &self.forward, &self.eps, x).is_none() {
-                return Err(Stopped { steps, why: SingularStep::pole(self.eps.approximate()) });
-            }
-        }
-        Ok(())
+        self.memory_in(workspace).advance(&self.map, &self.forward, &self.eps, x, steps)
     }
 
     #[track_caller]
     fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
         self.check(x);
-        let constants = self.map.constants(eps.clone(), T::clone);
-        let stepped =
-            constants.and_then(|constants| self.memory_in(workspace).step(&self.map, &constants, eps, x));
-        stepped.ok_or(Stopped { steps: 0, why: SingularStep::pole(eps.approximate()) })
+        match self.map.constants(eps.clone(), T::clone) {
+            Some(constants) => self.memory_in(workspace).advance(&self.map, &constants, eps, x, 1),
+            None => Err(Stopped { steps: 0, why: SingularStep::pole(eps.approximate()) }),
+        }
     }
 }
 
-impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
     fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
         let form = self.memory.form;
         workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new(form))

@@ -1,6 +1,6 @@
 //! A family as a map of chains.
 
-use super::{Family, LatticeAt, LatticeError, LatticeScalar, Shape};
+use super::{Family, LatticeAt, LatticeError, LatticeScalar};
 use crate::eps_from_dt;
 
 /// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
@@ -11,9 +11,12 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// The names of the arrays, in their order within a site.
     const ARRAYS: &'static [&'static str];
     /// The number of arrays: the numbers that a site takes in a state.
-    const BLOCK: usize;
+    const BLOCK: usize = Self::ARRAYS.len();
     /// The largest offset of a neighbour in the equations, at least 1.
     const REACH: usize;
+    /// The names of the parameters that each site has, in their order.
+    #[doc(hidden)]
+    const SITE_PARAMETERS: &'static [&'static str] = &[];
 
     /// The map at this ε, half the time step, for a chain of this many sites, with all memory that
     /// its steps need.
@@ -25,7 +28,16 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// No sites, parameters of another number of sites, or at which the equations divide by zero.
     /// Where only products of constants and parameters are beyond the range of T there is a map,
     /// whose plain steps are not finite, and whose steps with a promise are as good as ever.
-    fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
+    fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
+        for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
+            let given = self.site_parameter(index).len();
+            // No sites are refused below, whatever is given.
+            if sites != 0 && given != sites {
+                return Err(LatticeError::SiteParameter { name, given, sites });
+            }
+        }
+        LatticeAt::new(self.clone(), eps, sites)
+    }
 
     /// The map of the time step Δt = 2ε; see [`at`](Self::at).
     ///
@@ -33,22 +45,5 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// See [`at`](Self::at).
     fn at_dt(&self, dt: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         self.at(eps_from_dt(dt), sites)
-    }
-}
-
-impl<T: LatticeScalar, M: Family<T>> LatticeMap<T> for M {
-    const ARRAYS: &'static [&'static str] = <M as Family<T>>::ARRAYS;
-    const BLOCK: usize = M::Shape::BLOCK;
-    const REACH: usize = M::Shape::REACH;
-
-    fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
-        for (index, name) in M::SITE_PARAMETERS.iter().enumerate() {
-            let given = Family::site_parameter(self, index).len();
-            // No sites are refused below, whatever is given.
-            if sites != 0 && given != sites {
-                return Err(LatticeError::SiteParameter { name, given, sites });
-            }
-        }
-        LatticeAt::new(self.clone(), eps, sites)
     }
 }

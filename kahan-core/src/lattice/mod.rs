@@ -4,6 +4,11 @@
 //! Out: steps of the whole chain that cost what its couplings cost. A(x,ε) is a band, with corners
 //! where the chain is periodic; the linear system is solved, never inverted, and nothing is
 //! allocated a step. What a state means, and what is conserved, is not known here.
+//!
+//! A step goes from [`LatticeAt::advance`] to `Memory::advance`, which asks the parts of a long
+//! chain (`InParts::step`). Each of their two passes is divided among threads (`divide`); `Kernels`
+//! names the kernel of the family's sizes, `InLanes` its registers, and `parts/first.rs` and
+//! `parts/second.rs` are the kernels. A short chain is one elimination (`folded.rs`).
 
 mod at;
 
@@ -11,7 +16,6 @@ mod error;
 mod family;
 mod far;
 mod folded;
-mod lines;
 mod map;
 mod parts;
 mod promise;
@@ -23,9 +27,8 @@ mod tests;
 
 pub use at::LatticeAt;
 pub use error::LatticeError;
-pub use family::{Boundary, Family, Shape, Stencil};
-pub use lines::{Lines, Sizes};
+pub use family::{Boundary, Family, Sizes, Stencil};
 pub use map::LatticeMap;
-pub use parts::{GatheredLines, Menu, SiteLine};
+pub use parts::{Gathered, Menu, SiteLine};
 pub use scalar::LatticeScalar;
-pub use sums::{Densities, Energy, HasEnergy, Sums};
+pub use sums::{Energy, Sums};

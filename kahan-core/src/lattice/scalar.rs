@@ -12,7 +12,7 @@ use crate::scalar::bounded::{Bounded, Known, Number};
 use crate::scalar::{Capacity, Long, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
-use super::Lines;
+use super::Family;
 use super::far::eliminated;
 use super::parts::{InParts, NoParts, Parted};
 
@@ -44,7 +44,7 @@ pub(super) trait Solved: Sized {
 
     /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
     /// exact, and of very long chains.
-    fn eliminated<M: Lines<Self>>(
+    fn eliminated<M: Family<Self>>(
         _map: &M,
         _eps: &Self,
         _x: &[Self],
@@ -115,7 +115,7 @@ macro_rules! implement_for_float {
 
             const UNIT: f64 = <Self as Number>::UNIT;
 
-            fn eliminated<M: Lines<Self>>(
+            fn eliminated<M: Family<Self>>(
                 map: &M,
                 eps: &Self,
                 x: &[Self],

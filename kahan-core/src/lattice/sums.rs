@@ -11,58 +11,35 @@ use crate::scalar::Along;
 use crate::{Constant, Scalar};
 
 use super::sites::Site;
-use super::{Family, LatticeAt, LatticeScalar, Lines};
+use super::{Family, LatticeAt, LatticeScalar};
 
 /// Sums over all sites that a family claims, each with a density at a site.
 pub trait Sums<T: LatticeScalar>: Family<T> {
-    /// The names of the linear integrals.
+    /// The names of the linear integrals; none of a family read at run time, whose reader has them.
     const INTEGRALS: &'static [&'static str];
 
-    /// The densities at a site, from the arguments of [`Family::rows`]: those of the integrals,
-    /// then that of the Hamiltonian.
-    fn densities<L: Scalar>(constants: &[L], x: &[L], c: &[L], s: &mut [L]);
-}
-
-/// The sums of a chain as they are asked for: those that a family's type claims, or a family that
-/// was read at run time.
-pub trait Densities<T: LatticeScalar>: Lines<T> {
     /// The number of linear integrals.
-    fn integrals(&self) -> usize;
-
-    /// The densities at a site, from the arguments of [`Lines::rows`]: those of the integrals, then
-    /// that of the Hamiltonian, if there is one.
-    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L], s: &mut [L]);
-}
-
-impl<M: Sums<T>, T: LatticeScalar> Densities<T> for M {
     fn integrals(&self) -> usize {
-        M::INTEGRALS.len()
+        Self::INTEGRALS.len()
     }
 
-    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], s: &mut [L]) {
-        <M as Sums<T>>::densities(constants, x, c, s);
-    }
+    /// The densities at a site, from the arguments of [`Family::rows`]: those of the integrals,
+    /// then that of the Hamiltonian, if there is one.
+    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L], s: &mut [L]);
 }
 
 /// A family ẋ = K∇H with a constant antisymmetric K.
 pub trait Energy<T: LatticeScalar>: Sums<T> {
-    /// The name of H.
+    /// The name of H; empty of a family read at run time.
     const HAMILTONIAN: &'static str;
 }
-
-/// A chain that has a Hamiltonian.
-pub trait HasEnergy<T: LatticeScalar>: Densities<T> {}
-
-impl<M: Energy<T>, T: LatticeScalar> HasEnergy<T> for M {}
 
 impl<M: Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The names of the linear integrals, in their order.
     pub fn integral_names(&self) -> &'static [&'static str] {
         M::INTEGRALS
     }
-}
 
-impl<M: Densities<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The linear integrals of the map, which the macro has proved for every number of sites.
     ///
     /// # Panics
@@ -94,7 +71,7 @@ impl<M: Densities<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
-impl<M: HasEnergy<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// H(x), which the flow keeps and the map does not.
     ///
     /// # Panics

@@ -56,7 +56,7 @@ fn random(seed: &mut u64) -> u64 {
     *seed >> 32
 }
 
-fn factors_are_those_of_rows<T: Float>(from: impl Fn(f64) -> T) {
+fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
     let (mut seed, mut refused) = (5, 0);
     for n in 1..90 {
         for (divisor, block) in [(2, 1), (n, 1), (n, 6), (n / 3 + 1, 40)] {

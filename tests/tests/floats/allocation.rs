@@ -3,7 +3,7 @@
 //! The allocator of this program counts what a thread allocates while it is measured.
 
 use allocation_counter::measure;
-use kahan_core::__private::{Boundary, Family, Stencil};
+use kahan_core::__private::{Boundary, Family, Sizes, Stencil};
 use kahan_core::observe::{
     Crossing, Direction, Drift, Escape, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Period, Residence,
     Rotation, Sali, Section, Spectrum,
@@ -132,22 +132,28 @@ fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
 #[derive(Clone, Debug)]
 struct Ring;
 
-impl<T: LatticeScalar> Family<T> for Ring {
-    type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+impl<T: LatticeScalar> LatticeMap<T> for Ring {
     const ARRAYS: &'static [&'static str] = &["x"];
-    const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = Boundary::Periodic;
+    const REACH: usize = 1;
+}
+
+impl<T: LatticeScalar> Family<T> for Ring {
+    type Kernels = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        Boundary::Periodic
+    }
 
     fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
         Some(vec![eps])
     }
 
-    fn site_parameter(&self, _index: usize) -> &[T] {
-        &[]
-    }
-
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], _c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
         let (eps, difference) = (constants[0].clone(), x[2].clone() - x[0].clone());
         f[0] = x[1].clone() * difference.clone();
         a[0] = eps.clone() * x[1].clone();

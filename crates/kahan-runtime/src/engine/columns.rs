@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use kahan_core::__private::Register;
+use kahan_core::__private::Lanes;
 use kahan_core::Composition;
 
 use crate::machine::StepKind;
@@ -38,7 +38,7 @@ const LANES: usize = 8;
 
 /// One number of each trajectory of a register.
 #[inline(always)]
-fn gathered<T: MachineFloat, V: Register<T>>(number: impl Fn(usize) -> T) -> V {
+fn gathered<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
     let mut numbers = [T::zero(); LANES];
     for (place, own) in numbers[..V::WIDTH].iter_mut().enumerate() {
         *own = number(place);
@@ -48,7 +48,7 @@ fn gathered<T: MachineFloat, V: Register<T>>(number: impl Fn(usize) -> T) -> V {
 
 /// The number of each trajectory of a register, in its place.
 #[inline(always)]
-fn scattered<T: MachineFloat, V: Register<T>>(register: V) -> [T; LANES] {
+fn scattered<T: MachineFloat, V: Lanes<T>>(register: V) -> [T; LANES] {
     let mut numbers = [T::zero(); LANES];
     register.store(&mut numbers, 0);
     numbers
@@ -100,7 +100,7 @@ pub(super) fn advance<T, V>(
     steps: u64,
 ) where
     T: MachineFloat,
-    V: Register<T>,
+    V: Lanes<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
     let (stages, size) = (distinct(&composition).len(), step.registers());

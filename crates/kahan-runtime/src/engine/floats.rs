@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use kahan_core::__private::{Register, Twice, dense};
+use kahan_core::__private::{InLanes, Lanes, Twice};
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 
 use crate::machine::Coded;
@@ -64,11 +64,11 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
 type EightLanes<T> = Twice<Twice<Twice<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
-pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + dense::Float {
+pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + InLanes {
     /// The numbers of several states side by side: an instruction of a line is decoded once for
     /// all of them.
     #[doc(hidden)]
-    type Abreast: Register<Self>;
+    type Abreast: Lanes<Self>;
 
     /// The scratch for several states side by side.
     #[doc(hidden)]

@@ -16,7 +16,8 @@ use std::sync::Arc;
 use kahan_algebra::family::Family;
 use kahan_algebra::syntax::Boundary;
 use kahan_core::__private as core;
-use kahan_core::__private::chain::{Menu, Sizes};
+use kahan_core::__private::Sizes;
+use kahan_core::__private::chain::Menu;
 use kahan_core::eps_from_dt;
 
 use crate::line::Line;

@@ -7,8 +7,9 @@
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_core::__private::chain::{GatheredLines, InLanes, Lanes, OverLanes, SiteLine};
-use kahan_core::{Level, Scalar};
+use kahan_core::__private::chain::{Gathered, SiteLine};
+use kahan_core::__private::{InLanes, Lanes, OverLanes};
+use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
@@ -36,7 +37,7 @@ struct Instruction {
     to: usize,
     /// As many as the kind takes; the last stands for those behind it.
     operands: [Operand; 3],
-    /// Where they stand among the numbers of [`Abreast`].
+    /// Where they stand among the numbers of gathered sites.
     places: [Place; 3],
 }
 
@@ -178,7 +179,7 @@ impl Program {
         self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
     }
 
-    /// The room that [`Abreast`] takes, in registers of the widest lanes.
+    /// The room that gathered sites take, in registers of the widest lanes.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
@@ -210,6 +211,51 @@ impl Program {
             };
         }
     }
+
+    /// The line of the next of some gathered sites; computes those of the sites behind it, too.
+    #[inline(always)]
+    pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
+        &self,
+        sites: &mut Gathered<'_, f64, L, C>,
+    ) -> SiteLine<L, B, SITES> {
+        if sites.site >= sites.computed.end {
+            self.compute(sites, L::WIDTH);
+        }
+        let results = &sites.registers[..(B + B * SITES * B) * ROOM];
+        let mut place = (sites.site - sites.computed.start) * L::WIDTH;
+        assert!(place <= ROOM - L::WIDTH, "sites are asked for in order");
+        sites.site += 1;
+        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
+        for b in 0..B {
+            line.f[b] = L::load(results, place);
+            place += ROOM;
+        }
+        for b in 0..B {
+            for k in 0..SITES {
+                for e in 0..B {
+                    line.a[b][k][e] = L::load(results, place);
+                    place += ROOM;
+                }
+            }
+        }
+        line
+    }
+
+    /// Computes the lines of as many sites as there is room for, from the next one on.
+    fn compute<L, const C: usize>(&self, gathered: &mut Gathered<'_, f64, L, C>, width: usize) {
+        let Gathered { constants, x, c, level, site, .. } = *gathered;
+        let numbers = &mut *gathered.registers;
+        if gathered.computed.is_empty() {
+            for (k, constant) in constants.iter().enumerate() {
+                numbers[self.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
+            }
+            // A result that no instruction writes is zero for every state.
+            numbers[..self.results * ROOM].fill(0.0);
+        }
+        let sites = ROOM / width;
+        gathered.computed = site..site + sites;
+        f64::run(Run { program: self, x, c, numbers, width, site, sites }, level);
+    }
 }
 
 impl Numbering<'_> {
@@ -225,46 +271,6 @@ impl Numbering<'_> {
             }
             Symbol::Epsilon | Symbol::SecondState(_) => unreachable!("no line of a site reads these"),
         }
-    }
-}
-
-/// A line for gathered sites, some of them at a time.
-pub(super) struct Abreast<'a> {
-    program: &'a Program,
-    x: &'a [f64],
-    c: &'a [f64],
-    /// Registers, what sites see, constants, at the places of the program.
-    numbers: &'a mut [f64],
-    level: Level,
-    /// Numbers of a register of its lanes.
-    width: usize,
-    /// The sites whose results stand in the registers.
-    first: usize,
-    end: usize,
-}
-
-impl<'a> Abreast<'a> {
-    pub(super) fn new(
-        program: &'a Program,
-        constants: &[f64],
-        [x, c]: [&'a [f64]; 2],
-        numbers: &'a mut [f64],
-        (level, width): (Level, usize),
-    ) -> Self {
-        for (k, constant) in constants.iter().enumerate() {
-            numbers[program.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
-        }
-        // A result that no instruction writes is zero for every state.
-        numbers[..program.results * ROOM].fill(0.0);
-        Abreast { program, x, c, numbers, level, width, first: 0, end: 0 }
-    }
-
-    /// Computes the lines from a site on.
-    fn compute(&mut self, site: usize) {
-        let sites = ROOM / self.width;
-        (self.first, self.end) = (site, site + sites);
-        let Abreast { program, x, c, width, level, .. } = *self;
-        f64::run(Run { program, x, c, numbers: self.numbers, width, site, sites }, level);
     }
 }
 
@@ -334,31 +340,5 @@ impl OverLanes<f64> for Run<'_> {
                 Kind::SubtractProduct => each!(|a: 0, b: 1, c: 2| a.subtract_product(b, c)),
             }
         }
-    }
-}
-
-impl<L: Lanes<f64>, const B: usize, const SITES: usize> GatheredLines<L, B, SITES> for Abreast<'_> {
-    #[inline(always)]
-    fn at(&mut self, site: usize) -> SiteLine<L, B, SITES> {
-        if site >= self.end {
-            self.compute(site);
-        }
-        let results = &self.numbers[..(B + B * SITES * B) * ROOM];
-        let mut place = (site - self.first) * L::WIDTH;
-        assert!(place <= ROOM - L::WIDTH, "sites are asked for in order");
-        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
-        for b in 0..B {
-            line.f[b] = L::load(results, place);
-            place += ROOM;
-        }
-        for b in 0..B {
-            for k in 0..SITES {
-                for e in 0..B {
-                    line.a[b][k][e] = L::load(results, place);
-                    place += ROOM;
-                }
-            }
-        }
-        line
     }
 }

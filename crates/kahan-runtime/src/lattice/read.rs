@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use kahan_core::__private::Boundary;
-use kahan_core::__private::chain::{Densities, GatheredLines, HasEnergy, Lanes, Lines, Menu, Sizes};
-use kahan_core::{Level, Scalar};
+use kahan_core::__private::chain::{Gathered, Menu, SiteLine};
+use kahan_core::__private::{Boundary, Energy, Family, Lanes, Sizes, Sums};
+use kahan_core::Scalar;
 
 use super::Code;
-use super::program::Abreast;
 
 /// The equations of a chain that was read at run time.
 #[derive(Clone, Debug)]
@@ -19,7 +18,7 @@ pub(super) struct Read {
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-impl Lines<f64> for Read {
+impl Family<f64> for Read {
     type Kernels = Menu;
 
     fn sizes(&self) -> Sizes {
@@ -61,19 +60,17 @@ impl Lines<f64> for Read {
     }
 
     #[inline(always)]
-    fn gathered<'a, L: Lanes<f64>, const B: usize, const SITES: usize>(
-        &'a self,
-        constants: &'a [f64],
-        x: &'a [f64],
-        c: &'a [f64],
-        registers: &'a mut [f64],
-        level: Level,
-    ) -> impl GatheredLines<L, B, SITES> {
-        Abreast::new(&self.code.rows, constants, [x, c], registers, (level, L::WIDTH))
+    fn line<L: Lanes<f64>, const B: usize, const P: usize, const C: usize, const SITES: usize>(
+        &self,
+        sites: &mut Gathered<'_, f64, L, C>,
+    ) -> SiteLine<L, B, SITES> {
+        self.code.rows.line(sites)
     }
 }
 
-impl Densities<f64> for Read {
+impl Sums<f64> for Read {
+    const INTEGRALS: &'static [&'static str] = &[];
+
     fn integrals(&self) -> usize {
         self.code.family.integrals.len()
     }
@@ -85,4 +82,6 @@ impl Densities<f64> for Read {
 }
 
 /// Its energy is asked for where the family has a Hamiltonian.
-impl HasEnergy<f64> for Read {}
+impl Energy<f64> for Read {
+    const HAMILTONIAN: &'static str = "";
+}

@@ -10,11 +10,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::ensemble::sweep::Register;
+use crate::ensemble::lanes::{Lanes, Square};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-use super::lanes::{lanes, machine};
+use super::lanes::{Choosing, lanes, machine};
 
 lanes!(F64x8Estimated(__m512d), quotient estimated_f64);
 

@@ -14,12 +14,14 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::ensemble::sweep::Register;
+use crate::ensemble::lanes::{Lanes, Square};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 mod choosing;
 mod transposing;
+
+pub(super) use choosing::Choosing;
 
 /// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {
@@ -73,8 +75,10 @@ macro_rules! lanes {
             }
         }
 
-        impl Register<$float> for $name {
+        impl Lanes<$float> for $name {
             const WIDTH: usize = $lanes;
+
+            type Mask = <$register as Choosing>::Mask;
 
             #[inline(always)]
             fn load(entries: &[$float], place: usize) -> Self {
@@ -94,6 +98,26 @@ macro_rules! lanes {
             #[inline(always)]
             fn spread(value: &$float) -> Self {
                 Self::splat(*value)
+            }
+
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> Self::Mask {
+                <$register as Choosing>::exceeds(self.0, other.0)
+            }
+
+            #[inline(always)]
+            fn any(mask: Self::Mask) -> bool {
+                <$register as Choosing>::any(mask)
+            }
+
+            #[inline(always)]
+            fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
+                Self(<$register as Choosing>::choose(mask, yes.0, no.0))
+            }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                <$register as Choosing>::transposed(rows)
             }
         }
 

@@ -17,16 +17,16 @@ use crate::composition::Staged;
 use crate::{KahanMap, WideStep};
 
 use super::columns::Group;
-use super::lanes::{InLanes, Lanes, OverLanes};
+use super::lanes::{InLanes, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
-use super::sweep::{Register, sweep};
+use super::sweep::sweep;
 use super::twice::Twice;
 
 use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
 macro_rules! dispatch_for_float {
-    ($sweep:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
+    ($sweep:ident, $float:ty, $negligible:ident: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
         /// Advances columns of equal length, on the level asked for or, should the processor lack
         /// it, the baseline.
         pub(super) fn $sweep<S, const N: usize>(
@@ -54,11 +54,30 @@ macro_rules! dispatch_for_float {
                 _ => widen_and_sweep::<$sse2, _, S, N>(map, columns, steps),
             }
         }
+
+        impl InLanes for $float {
+            const NEGLIGIBLE: Self = $negligible;
+
+            fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
+                match level {
+                    Level::Avx512 if level.is_available() => {
+                        // SAFETY: the processor has AVX-512F; it was asked in the line above.
+                        unsafe { work_on_avx512::<$avx512, _, W>(work) }
+                    }
+                    Level::Avx2 if level.is_available() => {
+                        // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
+                        unsafe { work_on_avx2::<$avx2, _, W>(work) }
+                    }
+                    _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
+                    _ => work.run::<$sse2>(),
+                }
+            }
+        }
     };
 }
 
-dispatch_for_float!(sweep_f32, f32: F32x4, F32x8, F32x16, F32x16Estimated);
-dispatch_for_float!(sweep_f64, f64: F64x2, F64x4, F64x8, F64x8Estimated);
+dispatch_for_float!(sweep_f32, f32, NEGLIGIBLE_F32: F32x4, F32x8, F32x16, F32x16Estimated);
+dispatch_for_float!(sweep_f64, f64, NEGLIGIBLE_F64: F64x2, F64x4, F64x8, F64x8Estimated);
 
 /// Writes a function, compiled as its attributes say, that sees the stages of a map over registers
 /// R and carries the columns some steps on.
@@ -72,7 +91,7 @@ macro_rules! over_registers {
         ) -> Option<()>
         where
             T: crate::Scalar,
-            R: Register<T>,
+            R: Lanes<T>,
             S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
         {
             $body
@@ -95,30 +114,6 @@ over_registers! {
         sweep::<R, T, _, N>(&map.stages(|at| at.prepared.widen(R::spread)), columns, steps)
     }
 }
-
-macro_rules! run_over_lanes_of {
-    ($float:ty: $sse2:ty, $avx2:ty, $avx512:ty) => {
-        impl InLanes for $float {
-            fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
-                match level {
-                    Level::Avx512 if level.is_available() => {
-                        // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                        unsafe { work_on_avx512::<$avx512, _, W>(work) }
-                    }
-                    Level::Avx2 if level.is_available() => {
-                        // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
-                        unsafe { work_on_avx2::<$avx2, _, W>(work) }
-                    }
-                    _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
-                    _ => work.run::<$sse2>(),
-                }
-            }
-        }
-    };
-}
-
-run_over_lanes_of!(f32: F32x4, F32x8, F32x16);
-run_over_lanes_of!(f64: F64x2, F64x4, F64x8);
 
 #[target_feature(enable = "avx2,fma")]
 fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output

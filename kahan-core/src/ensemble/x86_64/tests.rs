@@ -8,7 +8,7 @@ use std::fmt::Debug;
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};
-use crate::ensemble::sweep::Register;
+use crate::ensemble::lanes::Lanes;
 use crate::{Constant, Scalar};
 
 use super::estimated::{F32x16Estimated, F64x8Estimated};
@@ -17,7 +17,7 @@ use super::lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 /// The operations of a scalar, the last three of them fused where multiply-adds are.
 const OPERATIONS: usize = 14;
 
-fn operations<L: Register<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
+fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
     let mut assigned = [a; 4];
     assigned[0] += b;
     assigned[1] -= b;
@@ -96,7 +96,7 @@ fn left_out(level: Level) -> bool {
 /// Three groups of operands through lanes and through floats.
 fn compare<L, T>(operands: &[Group<T>; 3], expected: impl Fn(T, T, T) -> [T; OPERATIONS])
 where
-    L: Register<T>,
+    L: Lanes<T>,
     T: Copy + PartialEq + Debug,
 {
     for place in (0..GROUP).step_by(L::WIDTH) {
@@ -140,7 +140,7 @@ every_lane_computes_as_one_float!(avx512, Level::Avx512, true, F32x16, F64x8);
 
 #[test]
 fn numbers_fill_all_lanes() {
-    fn check<L: Register<T>, T: Scalar + Copy>() {
+    fn check<L: Lanes<T>, T: Scalar + Copy>() {
         let third = Constant::ratio(1, 3);
         for (lanes, one) in
             [(L::constant(&third), T::constant(&third)), (L::zero(), T::zero()), (L::one(), T::one())]
@@ -209,7 +209,7 @@ fn what_has_no_finite_reciprocal_is_estimated_as_no_number() {
     }
 }
 
-fn reciprocals<L: Register<T>, T>(mut group: Group<T>) -> Group<T> {
+fn reciprocals<L: Lanes<T>, T>(mut group: Group<T>) -> Group<T> {
     for place in (0..GROUP).step_by(L::WIDTH) {
         let reciprocal = L::load(&group, place).reciprocal().expect("floats have reciprocals");
         reciprocal.store(&mut group, place);

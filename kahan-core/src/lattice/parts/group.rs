@@ -7,7 +7,7 @@
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
-use crate::lattice::{LatticeScalar, Lines};
+use crate::lattice::{Family, LatticeScalar};
 
 /// Parts of one length, one after another in the chain, as many as lanes.
 #[derive(Clone, Copy)]
@@ -25,8 +25,8 @@ impl Parts {
     /// before the left one to R after the right one.
     pub(super) fn gather<M, T>(self, map: &M, state: &[T], x: &mut [T], c: &mut [T], level: Level)
     where
-        T: LatticeScalar + InLanes + Copy,
-        M: Lines<T>,
+        T: LatticeScalar + InLanes,
+        M: Family<T>,
     {
         let (block, reach) = (map.sizes().block, map.sizes().reach);
         let sites = state.len() / block;
@@ -40,8 +40,8 @@ impl Parts {
     /// Gathers the parameters of these sites.
     pub(super) fn gather_parameters<M, T>(self, map: &M, sites: usize, c: &mut [T], level: Level)
     where
-        T: LatticeScalar + InLanes + Copy,
-        M: Lines<T>,
+        T: LatticeScalar + InLanes,
+        M: Family<T>,
     {
         let (reach, parameters) = (map.sizes().reach, map.sizes().parameters);
         for p in 0..parameters {
@@ -64,7 +64,7 @@ impl Parts {
         number: impl Fn(usize, usize) -> T,
     ) where
         T: LatticeScalar + Copy,
-        M: Lines<T>,
+        M: Family<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
         // Between the separators' outer neighbours nothing wraps around.
@@ -82,7 +82,7 @@ impl Parts {
 
     /// Gathers the first `sites` of each part, none of which wraps around, in a run of numbers in
     /// which the first part begins at `start`; one number goes to every `stride`-th register.
-    pub(super) fn gather_inner<T: InLanes + Copy>(
+    pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],
         block: usize,
@@ -97,7 +97,7 @@ impl Parts {
     }
 
     /// Scatters the sites of each part from `from` on.
-    pub(super) fn scatter_inner<T: InLanes + Copy>(
+    pub(super) fn scatter_inner<T: InLanes>(
         self,
         chain: &mut [T],
         block: usize,
@@ -135,7 +135,7 @@ const SIDE: usize = 4;
     clippy::manual_memcpy,
     reason = "loops of a length that is known are unrolled, and slices are copied by calls"
 )]
-impl<T: InLanes + Copy> OverLanes<T> for Transposed<'_, T> {
+impl<T: InLanes> OverLanes<T> for Transposed<'_, T> {
     type Output = ();
     const IS_SMALL: bool = false;
 

@@ -5,9 +5,11 @@
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
-use crate::lattice::{LatticeScalar, Lines, Sizes, Stencil};
+use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
 
-use super::passes::{First, Kernels, Second};
+use super::first::First;
+use super::kernels::{Kernels, Pass};
+use super::second::Second;
 
 /// The kernels whose sizes are those of a stencil of a short list.
 #[derive(Clone, Copy, Debug)]
@@ -33,29 +35,16 @@ macro_rules! menu {
                 [$(($block, $reach, $lower, $upper)),*].contains(&(block, reach, lower, upper))
             }
 
-            fn first<M, T>(pass: First<'_, M, T>, level: Level)
+            fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
             where
-                M: Lines<T>,
-                T: LatticeScalar + InLanes + Copy,
+                M: Family<T>,
+                T: LatticeScalar + InLanes,
             {
-                let Sizes { block, reach, lower, upper, .. } = pass.map.sizes();
+                let (Pass::First(First { map, .. }) | Pass::Second(Second { map, .. })) = &pass;
+                let Sizes { block, reach, lower, upper, .. } = map.sizes();
                 match (block, reach, lower, upper) {
                     $(($block, $reach, $lower, $upper) => {
-                        Stencil::<$block, $reach, 0, 0, $lower, $upper, $sites, $width>::first(pass, level);
-                    })*
-                    _ => unreachable!("parts are made where there is a kernel"),
-                }
-            }
-
-            fn second<M, T>(pass: Second<'_, M, T>, level: Level)
-            where
-                M: Lines<T>,
-                T: LatticeScalar + InLanes + Copy,
-            {
-                let Sizes { block, reach, lower, upper, .. } = pass.map.sizes();
-                match (block, reach, lower, upper) {
-                    $(($block, $reach, $lower, $upper) => {
-                        Stencil::<$block, $reach, 0, 0, $lower, $upper, $sites, $width>::second(pass, level);
+                        Stencil::<$block, $reach, 0, 0, $lower, $upper, $sites, $width>::run(pass, level);
                     })*
                     _ => unreachable!("parts are made where there is a kernel"),
                 }

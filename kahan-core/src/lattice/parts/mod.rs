@@ -7,13 +7,15 @@
 //! lost, and the state is left as it was.
 
 mod buffer;
+mod first;
 mod group;
 mod joints;
-mod kernel;
+mod kernels;
+mod lines;
 mod menu;
 mod partition;
-mod passes;
 mod scratch;
+mod second;
 mod window;
 
 use std::vec;
@@ -24,15 +26,16 @@ use crate::ensemble::lanes::InLanes;
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, LatticeScalar, Lines, Sizes};
+use super::{Boundary, Family, LatticeScalar, Sizes};
 
-pub(super) use kernel::Passes;
-pub use kernel::{GatheredLines, SiteLine};
+use first::First;
+pub(super) use kernels::Kernels;
+use kernels::{Pass, divide};
+pub use lines::{Gathered, SiteLine};
 pub use menu::Menu;
 pub(super) use partition::Partition;
-pub(super) use passes::Kernels;
-use passes::{First, Second, divide};
 use scratch::Scratch;
+use second::Second;
 
 /// The memory of steps in parts.
 pub(super) struct InParts<T> {
@@ -58,7 +61,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// One step, if the parts can vouch for it; otherwise the state stays as it is.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
-        M: Lines<T>,
+        M: Family<T>,
         T: LatticeScalar;
 }
 
@@ -74,14 +77,14 @@ impl<T> Parted<T> for NoParts {
 
     fn step<M>(&mut self, _: &M, _: &[T], _: &T, _: &mut Site<T>, _: &mut [T]) -> bool
     where
-        M: Lines<T>,
+        M: Family<T>,
         T: LatticeScalar,
     {
         match *self {}
     }
 }
 
-impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
+impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
     const LANES: Option<usize> = Some(T::MOST);
 
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
@@ -105,7 +108,7 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
 
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
-        M: Lines<T>,
+        M: Family<T>,
     {
         let Sizes { block, reach, .. } = map.sizes();
         let Self { partition, level, scratch, joints, kept, reduced } = self;
@@ -118,7 +121,8 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
         // The first pass fills the joints.
         let size = partition.lanes() * joints::size(reach * block);
         divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
-            M::Kernels::first(First { partition, map, constants, state, groups, scratch, joints }, level);
+            let first = First { partition, map, constants, state, groups, scratch, joints };
+            M::Kernels::run(Pass::First(first), level);
         });
         if joints::solve(partition, joints, reduced, map, constants, site, state).is_none() {
             return false;
@@ -133,9 +137,9 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
             interiors,
             &|group| partition.start(group) * block,
             &|scratch, groups, state| {
-                let pass =
+                let second =
                     Second { partition, map, constants, twice, kept, gained, sites, groups, scratch, state };
-                M::Kernels::second(pass, level);
+                M::Kernels::run(Pass::Second(second), level);
             },
         );
         for (place, first, count) in partition.kept_runs() {

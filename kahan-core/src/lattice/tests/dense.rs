@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::LatticeMap;
 use crate::ensemble::Level;
-use crate::lattice::{LatticeAt, Shape};
+use crate::lattice::LatticeAt;
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
@@ -94,8 +94,8 @@ fn at_random<M: LatticeMap<f64>>(rounds: u32, sites: Range<usize>, map: impl Fn(
         agrees(&map(sites, bits), sites, eps, seed as u64, &mut tally);
     }
     // Short chains are not cut into parts.
-    let cut = sites.end > 25 * <M::Shape as Shape>::REACH && tally.whole < u64::from(tally.compared);
-    let short = sites.end <= 25 * <M::Shape as Shape>::REACH && tally.whole == u64::from(tally.compared);
+    let cut = sites.end > 25 * M::REACH && tally.whole < u64::from(tally.compared);
+    let short = sites.end <= 25 * M::REACH && tally.whole == u64::from(tally.compared);
     assert!(cfg!(miri) || (tally.compared >= rounds / 2 && (cut || short)), "{tally:?}");
 }
 

@@ -3,8 +3,8 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::lattice::{Boundary, Family, Stencil};
-use crate::{Constant, LatticeScalar, Scalar};
+use crate::lattice::{Boundary, Family, Sizes, Stencil};
+use crate::{Constant, LatticeMap, LatticeScalar, Scalar};
 
 const fn boundary(is_open: bool) -> Boundary {
     if is_open { Boundary::Open } else { Boundary::Periodic }
@@ -14,22 +14,28 @@ const fn boundary(is_open: bool) -> Boundary {
 #[derive(Clone, Debug)]
 pub(super) struct Volterra<const OPEN: bool>;
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
-    type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Volterra<OPEN> {
     const ARRAYS: &'static [&'static str] = &["x"];
-    const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = boundary(OPEN);
+    const REACH: usize = 1;
+}
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
+    type Kernels = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        boundary(OPEN)
+    }
 
     fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
         Some(vec![eps])
     }
 
-    fn site_parameter(&self, _index: usize) -> &[T] {
-        &[]
-    }
-
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], _c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
         let eps = constants[0].clone();
         let difference = x[2].clone() - x[0].clone();
         let scaled = eps.clone() * x[1].clone();
@@ -44,22 +50,28 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
 #[derive(Clone, Debug)]
 pub(super) struct Toda<const OPEN: bool>;
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
-    type Shape = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
+impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
     const ARRAYS: &'static [&'static str] = &["a", "b"];
-    const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = boundary(OPEN);
+    const REACH: usize = 1;
+}
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
+    type Kernels = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        boundary(OPEN)
+    }
 
     fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
         Some(vec![eps.clone(), L::constant(&Constant::integer(4)) * eps])
     }
 
-    fn site_parameter(&self, _index: usize) -> &[T] {
-        &[]
-    }
-
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], _c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
         let (eps, four_eps) = (constants[0].clone(), constants[1].clone());
         let two = L::constant(&Constant::integer(2));
         f[0] = x[2].clone() * (x[5].clone() - x[3].clone());
@@ -84,11 +96,22 @@ pub(super) struct Kdv<T, const OPEN: bool> {
     pub(super) dispersion: Vec<T>,
 }
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
-    type Shape = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
+impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     const ARRAYS: &'static [&'static str] = &["u"];
+    const REACH: usize = 2;
     const SITE_PARAMETERS: &'static [&'static str] = &["dispersion"];
-    const BOUNDARY: Boundary = boundary(OPEN);
+}
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
+    type Kernels = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        boundary(OPEN)
+    }
 
     /// 3/h, 1/(2h³), and both times ε
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
@@ -103,7 +126,7 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     }
 
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
         let slope = x[3].clone() - x[1].clone();
         let two = L::constant(&Constant::integer(2));
         let third = (x[4].clone() - x[0].clone()).subtract_product(two, slope.clone());
@@ -131,22 +154,28 @@ const fn factors(b: usize, term: usize) -> (usize, usize) {
     ((seed * seed + 5 * seed) % 33, (3 * seed * seed + 17) % 33)
 }
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
-    type Shape = Stencil<3, 5, 0, 9, 17, 17, 11, 35>;
+impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Tangled<T, OPEN> {
     const ARRAYS: &'static [&'static str] = &["u", "v", "w"];
-    const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = boundary(OPEN);
+    const REACH: usize = 5;
+}
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
+    type Kernels = Stencil<3, 5, 0, 9, 17, 17, 11, 35>;
+
+    fn sizes(&self) -> Sizes {
+        Self::Kernels::SIZES
+    }
+
+    fn boundary(&self) -> Boundary {
+        boundary(OPEN)
+    }
 
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
         Some(core::iter::once(eps).chain(self.0.iter().map(convert)).collect())
     }
 
-    fn site_parameter(&self, _index: usize) -> &[T] {
-        &[]
-    }
-
     #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], _c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
         for (b, f) in f.iter_mut().enumerate() {
             *f = L::one();
             for term in 0..8 {

@@ -4,8 +4,8 @@
 use std::vec::Vec;
 
 use crate::ensemble::Level;
+use crate::lattice::LatticeAt;
 use crate::lattice::parts::Partition;
-use crate::lattice::{LatticeAt, Shape};
 use crate::{LatticeMap, LatticeScalar};
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
@@ -30,7 +30,7 @@ pub(super) fn in_short_parts<M: LatticeMap<f64>>(
     sites: usize,
     level: Level,
 ) -> LatticeAt<M, f64> {
-    let reach = <M::Shape as Shape>::REACH;
+    let reach = M::REACH;
     let partition = Partition::with_length(sites, reach, 8, 8 * reach, 1);
     LatticeAt::planned(map, eps, sites, partition).expect("sites").at_level(level).expect("asked for")
 }
@@ -53,7 +53,7 @@ fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item
             let mut next = x.clone();
             let mut at = in_short_parts(map(sites), eps, sites, level);
             at.step(&mut next);
-            let is_short = sites < 25 * <M::Shape as Shape>::REACH;
+            let is_short = sites < 25 * M::REACH;
             assert_eq!(at.whole_eliminations(), u64::from(is_short), "{sites} sites");
             for (a, b) in next.iter().zip(&expected) {
                 assert!((a - b).abs() <= 16.0 * f64::EPSILON, "{sites} sites on {level:?}: {a} and {b}");

@@ -2,19 +2,29 @@
 
 use core::arch::x86_64::*;
 
-use crate::ensemble::lanes::{Lanes, Square};
+use crate::ensemble::lanes::Square;
 
-use super::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8, machine, transposing};
+use super::{machine, transposing};
+
+/// A machine's register, as [`Lanes`](crate::ensemble::lanes::Lanes) compares and chooses.
+pub(in crate::ensemble::x86_64) trait Choosing: Copy {
+    type Float;
+    type Mask: Copy;
+    fn exceeds(a: Self, b: Self) -> Self::Mask;
+    fn any(mask: Self::Mask) -> bool;
+    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    fn transposed(rows: Square<Self::Float>) -> Square<Self::Float>;
+}
 
 /// A register's comparison of magnitudes, and its choice between two.
 macro_rules! choosing {
-    ($name:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
-        impl Lanes<$float> for $name {
+    ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
+        impl Choosing for $register {
+            type Float = $float;
             type Mask = $mask;
 
             #[inline(always)]
-            fn exceeds(self, other: Self) -> $mask {
-                let ($a, $b) = (self.0, other.0);
+            fn exceeds($a: Self, $b: Self) -> $mask {
                 machine!($exceeds)
             }
 
@@ -24,9 +34,8 @@ macro_rules! choosing {
             }
 
             #[inline(always)]
-            fn choose($chosen: $mask, yes: Self, no: Self) -> Self {
-                let ($yes, $no) = (yes.0, no.0);
-                Self(machine!($choose))
+            fn choose($chosen: $mask, $yes: Self, $no: Self) -> Self {
+                machine!($choose)
             }
 
             #[inline(always)]
@@ -38,7 +47,7 @@ macro_rules! choosing {
 }
 
 choosing! {
-    F64x2 of f64, __m128d:
+    __m128d of f64, __m128d:
     |a, b| {
         let sign = _mm_set1_pd(-0.0);
         _mm_cmpgt_pd(_mm_andnot_pd(sign, a), _mm_andnot_pd(sign, b))
@@ -49,7 +58,7 @@ choosing! {
 }
 
 choosing! {
-    F32x4 of f32, __m128:
+    __m128 of f32, __m128:
     |a, b| {
         let sign = _mm_set1_ps(-0.0);
         _mm_cmpgt_ps(_mm_andnot_ps(sign, a), _mm_andnot_ps(sign, b))
@@ -60,7 +69,7 @@ choosing! {
 }
 
 choosing! {
-    F64x4 of f64, __m256d:
+    __m256d of f64, __m256d:
     |a, b| {
         let sign = _mm256_set1_pd(-0.0);
         _mm256_cmp_pd::<_CMP_GT_OQ>(_mm256_andnot_pd(sign, a), _mm256_andnot_pd(sign, b))
@@ -71,7 +80,7 @@ choosing! {
 }
 
 choosing! {
-    F32x8 of f32, __m256:
+    __m256 of f32, __m256:
     |a, b| {
         let sign = _mm256_set1_ps(-0.0);
         _mm256_cmp_ps::<_CMP_GT_OQ>(_mm256_andnot_ps(sign, a), _mm256_andnot_ps(sign, b))
@@ -82,7 +91,7 @@ choosing! {
 }
 
 choosing! {
-    F64x8 of f64, __mmask8:
+    __m512d of f64, __mmask8:
     |a, b| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(_mm512_abs_pd(a), _mm512_abs_pd(b)),
     |mask| mask != 0,
     |mask, yes, no| _mm512_mask_blend_pd(mask, no, yes),
@@ -90,7 +99,7 @@ choosing! {
 }
 
 choosing! {
-    F32x16 of f32, __mmask16:
+    __m512 of f32, __mmask16:
     |a, b| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(_mm512_abs_ps(a), _mm512_abs_ps(b)),
     |mask| mask != 0,
     |mask, yes, no| _mm512_mask_blend_ps(mask, no, yes),

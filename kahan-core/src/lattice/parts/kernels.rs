@@ -1,0 +1,122 @@
+//! The kernels of a pass over all groups, chosen by the sizes of a family, and divided among threads.
+//!
+//! In: a pass. Out: what its kernel makes of it, on the lanes of a level. A group's numbers depend
+//! on no other group, so threads change no bit.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use crate::ensemble::Level;
+use crate::ensemble::lanes::InLanes;
+use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
+
+use super::first::First;
+use super::group::Parts;
+use super::partition::Partition;
+use super::scratch::Scratch;
+use super::second::Second;
+
+/// Divides groups, and the numbers that belong to them, among threads, each with a scratch of its
+/// own; `place` is where a group's numbers begin.
+pub(super) fn divide<T: Send>(
+    scratch: &mut [Scratch<T>],
+    groups: Range<usize>,
+    numbers: &mut [T],
+    place: &(impl Fn(usize) -> usize + Sync),
+    work: &(impl Fn(&mut Scratch<T>, Range<usize>, &mut [T]) + Sync),
+) {
+    match scratch {
+        [] => {}
+        [one] => work(one, groups, numbers),
+        several => {
+            let half = several.len() / 2;
+            let middle = groups.start + groups.len() * half / several.len();
+            let (these, those) = several.split_at_mut(half);
+            let (before, after) = numbers.split_at_mut(place(middle) - place(groups.start));
+            join(
+                || divide(these, groups.start..middle, before, place, work),
+                || divide(those, middle..groups.end, after, place, work),
+            );
+        }
+    }
+}
+
+#[cfg(feature = "parallel")]
+use rayon::join;
+
+/// Without threads there is one scratch, and nothing to divide.
+#[cfg(not(feature = "parallel"))]
+fn join(first: impl FnOnce(), second: impl FnOnce()) {
+    first();
+    second();
+}
+
+/// One of the two passes over some groups.
+pub(in crate::lattice) enum Pass<'a, M, T> {
+    First(First<'a, M, T>),
+    Second(Second<'a, M, T>),
+}
+
+/// Takes chains of some sizes through both passes: one kernel, or the one of a menu that fits.
+pub(in crate::lattice) trait Kernels {
+    /// Whether there is a kernel of these sizes.
+    fn have(sizes: Sizes) -> bool;
+
+    /// Makes a pass on the lanes of a level.
+    fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
+    where
+        M: Family<T>,
+        T: LatticeScalar + InLanes;
+}
+
+/// A pass by the kernel of a stencil.
+pub(super) struct By<S, W>(pub(super) W, PhantomData<S>);
+
+/// A stencil has a kernel of its own.
+impl<
+    const B: usize,
+    const R: usize,
+    const P: usize,
+    const C: usize,
+    const LOWER: usize,
+    const UPPER: usize,
+    const SITES: usize,
+    const WIDTH: usize,
+> Kernels for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
+{
+    fn have(_: Sizes) -> bool {
+        true
+    }
+
+    fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
+    where
+        M: Family<T>,
+        T: LatticeScalar + InLanes,
+    {
+        match pass {
+            Pass::First(first) => T::run(By::<Self, _>(first, PhantomData), level),
+            Pass::Second(second) => T::run(By::<Self, _>(second, PhantomData), level),
+        }
+    }
+}
+
+/// The parts of some groups that fit the lanes, batch after batch: each with the number of its
+/// first part.
+#[inline(always)]
+pub(super) fn batches(
+    partition: &Partition,
+    groups: Range<usize>,
+    width: usize,
+) -> impl Iterator<Item = (usize, Parts)> {
+    groups.flat_map(move |group| {
+        let (start, length, lanes) = (partition.start(group), partition.length(group), partition.lanes());
+        let parts = move |k| (group * lanes + k, Parts { start: start + k * length, length, width });
+        (0..lanes).step_by(width).map(parts)
+    })
+}
+
+/// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that
+/// AVX2 has.
+pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
+    2 * rows * numbers <= 16
+}

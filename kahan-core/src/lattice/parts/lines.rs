@@ -1,0 +1,128 @@
+//! The lines of sites that stand side by side in lanes, and the rows that kernels make of them.
+
+use core::array::from_fn;
+use core::ops::Range;
+
+use crate::Scalar;
+use crate::ensemble::Level;
+use crate::ensemble::lanes::Lanes;
+use crate::lattice::Stencil;
+
+use super::window::WindowRow;
+
+/// A line's results at one site: f, and for each array its entries, site by site.
+#[derive(Clone, Copy, Debug)]
+pub struct SiteLine<L, const B: usize, const SITES: usize> {
+    /// The field.
+    pub f: [L; B],
+    /// The rows of A.
+    pub a: [[[L; B]; SITES]; B],
+}
+
+/// Sites that were gathered side by side, one register an entry of `x` and of `c`; their lines are
+/// asked for one after another.
+#[derive(Debug)]
+pub struct Gathered<'a, T, L, const C: usize> {
+    /// The constants of the lines.
+    pub constants: &'a [T],
+    /// The first of the constants, each in all lanes.
+    pub(in crate::lattice) spread: [L; C],
+    /// States, site by site.
+    pub x: &'a [T],
+    /// Parameters, site by site.
+    pub c: &'a [T],
+    /// Room for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) of the
+    /// widest registers.
+    pub registers: &'a mut [T],
+    /// The level whose lanes the registers are.
+    pub level: Level,
+    /// The site whose line is asked for next, counted in the registers.
+    pub site: usize,
+    /// The sites whose lines a family that is read at run time has computed in the registers.
+    pub computed: Range<usize>,
+}
+
+impl<'a, T, L: Lanes<T>, const C: usize> Gathered<'a, T, L, C> {
+    #[inline(always)]
+    pub(super) fn new(
+        constants: &'a [T],
+        x: &'a [T],
+        c: &'a [T],
+        registers: &'a mut [T],
+        level: Level,
+        site: usize,
+    ) -> Self {
+        let spread = from_fn(|k| L::spread(&constants[k]));
+        Self { constants, spread, x, c, registers, level, site, computed: 0..0 }
+    }
+}
+
+impl<
+    const B: usize,
+    const R: usize,
+    const P: usize,
+    const C: usize,
+    const LOWER: usize,
+    const UPPER: usize,
+    const SITES: usize,
+    const WIDTH: usize,
+> Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
+{
+    /// A row whose site sees no separator to the left.
+    #[inline(always)]
+    pub(super) fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
+        let mut row = WindowRow::zero();
+        row.right = line.f[b];
+        let entries = line.a[b].as_flattened();
+        for k in 0..WIDTH {
+            // The first and last rows of a block see fewer entries to one side.
+            if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
+                row.band[k] = entries[R * B + b + k - LOWER];
+            }
+        }
+        row
+    }
+
+    /// A row of the first R sites, i of them before its own.
+    #[inline(always)]
+    pub(super) fn row_at_edge<L: Scalar + Copy>(
+        line: &SiteLine<L, B, SITES>,
+        b: usize,
+        i: usize,
+    ) -> WindowRow<L, B, R, WIDTH> {
+        let mut row = Self::row(line, b);
+        for k in 0..R - i {
+            for e in 0..B {
+                row.left[i + k][e] = line.a[b][k][e];
+                // Where it stands in the band it would be eliminated with the identity's rows.
+                let distance = (R - k) * B + b - e;
+                if distance <= LOWER {
+                    row.band[LOWER - distance] = L::zero();
+                }
+            }
+        }
+        row
+    }
+
+    /// A row of site r of the separator to the left, which no part before this one sees to the left.
+    #[inline(always)]
+    pub(super) fn row_of_left<L: Scalar + Copy>(
+        line: &SiteLine<L, B, SITES>,
+        b: usize,
+        r: usize,
+    ) -> WindowRow<L, B, R, WIDTH> {
+        let mut row = WindowRow::zero();
+        row.right = line.f[b];
+        for k in R - r..SITES {
+            for e in 0..B {
+                let site = r + k - R;
+                if site < R {
+                    row.left[site][e] = line.a[b][k][e];
+                } else if LOWER + (site - R) * B + e < WIDTH {
+                    row.band[LOWER + (site - R) * B + e] = line.a[b][k][e];
+                }
+            }
+        }
+        row
+    }
+}
