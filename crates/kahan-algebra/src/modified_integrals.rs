@@ -132,12 +132,12 @@ impl<'a> Flow<'a> {
     fn of(field: &'a Field, budget: &mut Budget) -> Result<Self, OverBudget> {
         let mut divisor = Polynomial::one();
         for component in &field.components {
-            divisor = common_multiple(&divisor, &component.denominator, budget)?;
+            divisor = common_multiple(&divisor, component.denominator(), budget)?;
         }
         let mut components = Vec::with_capacity(field.dimension());
         for component in &field.components {
-            let cofactor = divisor.div_within(&component.denominator, budget)?.expect("a multiple of it");
-            components.push(component.numerator.mul_within(&cofactor, budget)?);
+            let cofactor = divisor.div_within(component.denominator(), budget)?.expect("a multiple of it");
+            components.push(component.numerator().mul_within(&cofactor, budget)?);
         }
         Ok(Flow { symbols: &field.symbols, components, divisor })
     }

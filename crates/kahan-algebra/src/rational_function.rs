@@ -84,6 +84,17 @@ impl RationalFunction {
         self.denominator.is_one().then_some(&self.numerator)
     }
 
+    /// Whether the function depends on this variable.
+    pub fn contains(&self, variable: Variable) -> bool {
+        self.numerator.contains(variable) || self.denominator.contains(variable)
+    }
+
+    /// The quotient of `change` of the numerator and of the denominator, in lowest terms; `None` if
+    /// the denominator becomes zero.
+    pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
+        Self::new(change(&self.numerator), change(&self.denominator))
+    }
+
     /// The quotient; `None` if `divisor` is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         unlimited(|budget| self.div_within(divisor, budget))
@@ -154,7 +165,7 @@ impl RationalFunction {
     }
 
     /// The normal form of a quotient of coprime polynomials, the denominator not zero.
-    fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
+    pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         if numerator.is_zero() {
             return Self::zero();
         }

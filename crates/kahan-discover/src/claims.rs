@@ -82,11 +82,7 @@ impl<'a> Claims<'a> {
         // A parameter that cancelled from the equations is unknown to them.
         let occurs = |name: &str| {
             symbols.parameters.iter().position(|known| known == name).is_some_and(|k| {
-                let variable = symbols.parameter(k);
-                field
-                    .components
-                    .iter()
-                    .any(|c| c.numerator.contains(variable) || c.denominator.contains(variable))
+                field.components.iter().any(|component| component.contains(symbols.parameter(k)))
             })
         };
         let mut conditions: Vec<String> = parameters

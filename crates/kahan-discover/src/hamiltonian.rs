@@ -217,8 +217,7 @@ impl Hamiltonian {
         self.tensor.iter().zip(&field.components).all(|(row, component)| {
             let products = row.iter().zip(&slopes).map(|(entry, slope)| entry * slope);
             let value = products.fold(RationalFunction::zero(), |sum, product| &sum + &product);
-            RationalFunction::new(component.numerator.clone(), component.denominator.clone())
-                .is_some_and(|component| (&value - &component).is_zero())
+            value == *component
         })
     }
 

@@ -7,8 +7,8 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::plan::{Node, PlanBuilder};
+use crate::rational_function::RationalFunction;
 use crate::system::{Claim, upper_index};
 
 use super::conditions;
@@ -21,7 +21,7 @@ use super::stand_in::StandIn;
 /// in.
 pub(super) fn compile_all(
     block: &Block,
-    components: &[Component],
+    components: &[RationalFunction],
     scope: &mut Scope,
     stand_in: &mut StandIn,
     diagnostics: &mut Diagnostics,

@@ -7,9 +7,9 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Block, Expr, ExprKind};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
+use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
@@ -20,7 +20,7 @@ pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
-) -> (Vec<Component>, Kept) {
+) -> (Vec<RationalFunction>, Kept) {
     let mut values = Values::of(&scope.symbols);
     let (mut components, mut kept) = (Vec::new(), Vec::new());
     let mut seen: FxHashSet<&str> = FxHashSet::default();
@@ -39,7 +39,7 @@ pub(super) fn expand_all(
         });
         let expansion = expansion.unwrap_or_else(Expansion::zero);
         kept.push(expansion.kept().clone());
-        components.push(expansion.component());
+        components.push(expansion.function());
     }
     (components, Kept::new(values, kept))
 }

@@ -7,10 +7,10 @@ use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::Kept;
 use crate::plan::PlanBuilder;
-use crate::poly::Polynomial;
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::system::{Claim, Condition, System};
 
@@ -61,9 +61,7 @@ impl StandIn {
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
-        let zero = || Component { numerator: Polynomial::zero(), denominator: Polynomial::one() };
-        let components = symbols.states.iter().map(|_| zero()).collect();
-        let field = Field { symbols, components };
+        let field = Field { components: vec![RationalFunction::zero(); symbols.dimension()], symbols };
         System {
             header: self.header.clone(),
             constants: Vec::new(),

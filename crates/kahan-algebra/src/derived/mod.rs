@@ -255,7 +255,7 @@ impl Derived {
     /// Polynomials that belong to the components of a field, each over its component's divisor.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
-        let divisors = with.field.components.iter().map(|component| &component.denominator);
+        let divisors = with.field.components.iter().map(|component| component.denominator());
         with.put_into(&quotients(polynomials(&with.field).iter().zip(divisors)))
     }
 

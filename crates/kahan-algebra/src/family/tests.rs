@@ -118,9 +118,9 @@ fn random_families_are_the_chains_that_one_writes_out() {
             // Parameters come in the order of their use in a block without a header.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
-                let component = |component: &crate::field::Component| {
+                let component = |component: &crate::rational_function::RationalFunction| {
                     let mut terms: Vec<String> = component
-                        .numerator
+                        .numerator()
                         .terms()
                         .map(|(monomial, coefficient)| {
                             let mut factors: Vec<String> = monomial

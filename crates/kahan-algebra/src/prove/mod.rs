@@ -85,7 +85,7 @@ const MOST_OPERATIONS: usize = 1_500_000;
 /// and eliminations, whose operations modulo a prime are quick.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
-    let terms: usize = system.field.components.iter().map(|component| component.numerator.len()).sum();
+    let terms: usize = system.field.components.iter().map(|component| component.numerator().len()).sum();
     let one = |claim: &Claim| claim.plan.operations.len() + terms + n.saturating_pow(3) / 16;
     system.claims.iter().map(one).fold(0, usize::saturating_add)
 }

@@ -38,15 +38,11 @@ pub(crate) fn of_structure(
     let n = field.dimension();
     let (number, Hamiltonian { tensor, .. }) = structure;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-    let slopes: Option<Vec<Vec<RationalFunction>>> = field
+    let slopes: Vec<Vec<RationalFunction>> = field
         .components
         .iter()
-        .map(|component| {
-            let slope = |l| component.numerator.derivative(field.symbols.state(l));
-            (0..n).map(|l| RationalFunction::new(slope(l), component.denominator.clone())).collect()
-        })
+        .map(|component| (0..n).map(|l| component.derivative(field.symbols.state(l))).collect())
         .collect();
-    let slopes = slopes?;
     let once = product(&slopes, tensor, &mut budget)?;
     let twice = product(&slopes, &once, &mut budget)?;
     let square = RationalFunction::variable(field.symbols.epsilon());

@@ -90,8 +90,8 @@ impl<'a> Elimination<'a> {
     /// The plan of its values.
     pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
-        let numerators = field.components.iter().map(|component| &component.numerator);
-        let denominators = field.components.iter().map(|component| &component.denominator);
+        let numerators = field.components.iter().map(|component| component.numerator());
+        let denominators = field.components.iter().map(|component| component.denominator());
         Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators))
     }
 

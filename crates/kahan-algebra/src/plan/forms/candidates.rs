@@ -118,7 +118,7 @@ pub(in crate::plan) fn steady_forms(
 
 /// The terms of all equations.
 fn terms(field: &Field) -> usize {
-    field.components.iter().map(|component| component.numerator.len()).sum()
+    field.components.iter().map(|component| component.numerator().len()).sum()
 }
 
 impl WithDenominator {
@@ -215,7 +215,7 @@ impl FactoredMap<'_> {
             .iter()
             .zip(&self.field.components)
             .map(|(row, component)| {
-                let right = &eps * &component.numerator;
+                let right = &eps * component.numerator();
                 row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
             })
             .collect();

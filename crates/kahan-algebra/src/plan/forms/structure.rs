@@ -16,7 +16,7 @@ pub(in crate::plan) struct Structure {
 impl Structure {
     pub(in crate::plan) fn of(field: &Field) -> Self {
         let depends = pattern(&field_jacobian(field));
-        let is_whole = field.components.iter().map(|component| component.denominator.is_one()).collect();
+        let is_whole = field.components.iter().map(|component| component.denominator().is_one()).collect();
         Structure { depends, is_whole }
     }
 

@@ -163,9 +163,9 @@ impl Scaling {
 /// a field keeps no measure and no integral that a constant rounded twice could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
-    let slopes = (0..n).map(|i| field.components[i].numerator.derivative(field.symbols.state(i)));
+    let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
     let divergence = slopes.fold(Polynomial::zero(), |sum, slope| &sum + &slope);
-    field.components.iter().all(|component| component.denominator.is_one())
+    field.components.iter().all(|component| component.denominator().is_one())
         && !divergence.is_zero()
         && !field.symbols.has_state(&divergence)
 }
