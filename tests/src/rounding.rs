@@ -127,14 +127,13 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 /// of the two matrix errors, ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖), maximum norms.
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
-    let components = &field.components;
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {
-        let divisors: Vec<&Polynomial> = components.iter().map(|component| component.denominator()).collect();
+        let divisors: Vec<&Polynomial> = field.denominators().collect();
         let divisors = computed(&divisors, values, unit);
         let above = computed(numerators, values, unit).into_iter().enumerate();
         above.map(|(i, value)| Some(value.over(&divisors[i / width])?.rounded(unit))).collect()
     };
-    let numerators: Vec<&Polynomial> = components.iter().map(|component| component.numerator()).collect();
+    let numerators: Vec<&Polynomial> = field.numerators().collect();
     let velocity_error =
         over_divisors(&numerators, 1)?.iter().map(|component| component.error).fold(0.0, f64::max);
 

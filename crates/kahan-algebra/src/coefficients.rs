@@ -1,8 +1,6 @@
 //! Fields made of their coefficients, and the coefficients of fields: ẋ = Q(x, x) + Bx + c without a
 //! text.
 
-use std::sync::Arc;
-
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
@@ -42,14 +40,8 @@ impl System {
         }
         let component = |terms| Polynomial::from_terms(terms).into();
         let field = Field { components: terms.into_iter().map(component).collect(), symbols };
-        System {
-            header: None,
-            constants: Vec::new(),
-            kept: Kept::of(&field).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        }
+        let kept = Kept::of(&field);
+        System::of(field, kept)
     }
 
     /// The coefficients of the field, component by component; `None` where a term has parameters

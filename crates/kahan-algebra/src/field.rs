@@ -25,6 +25,16 @@ impl Field {
         self.components.len()
     }
 
+    /// Returns the numerators p, component by component.
+    pub fn numerators(&self) -> impl Iterator<Item = &Polynomial> {
+        self.components.iter().map(RationalFunction::numerator)
+    }
+
+    /// Returns the denominators q, component by component.
+    pub fn denominators(&self) -> impl Iterator<Item = &Polynomial> {
+        self.components.iter().map(RationalFunction::denominator)
+    }
+
     /// Whether a coefficient depends on ε.
     #[must_use]
     pub fn depends_on_eps(&self) -> bool {
@@ -35,10 +45,9 @@ impl Field {
     /// The numerator's part of degree `degree` (0, 1 or 2) in the states.
     #[must_use]
     pub fn homogeneous_part(&self, component: usize, degree: u32) -> Polynomial {
-        let part = self.components[component].numerator().terms().filter(|(monomial, _)| {
-            monomial.degree_where(|variable| self.symbols.is_state(variable)) == degree
-        });
-        Polynomial::from_terms(part.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())))
+        let is_in = |monomial: &Monomial| monomial.degree_where(|v| self.symbols.is_state(v)) == degree;
+        let numerator = self.components[component].numerator();
+        numerator.map_monomials(|monomial| is_in(monomial).then(|| monomial.clone()))
     }
 
     /// Whether all terms are quadratic (B = 0 and c = 0).

@@ -100,7 +100,7 @@ impl Values {
         let own = over.intern(square.clone()).expect("the first value has a number");
         let mut renamed: Vec<Variable> = Vec::with_capacity(self.values.len());
         let halved = |polynomial: &Polynomial, renamed: &[Variable]| {
-            Polynomial::from_terms(polynomial.terms().map(|(monomial, coefficient)| {
+            polynomial.map_monomials(|monomial| {
                 let mut term = Monomial::one();
                 for &(variable, exponent) in monomial.powers() {
                     match self.place(variable) {
@@ -109,8 +109,8 @@ impl Values {
                         None => term.multiply_by(variable, exponent),
                     }
                 }
-                (term, coefficient.clone())
-            }))
+                Some(term)
+            })
         };
         for value in self.values.iter() {
             let value = match value {

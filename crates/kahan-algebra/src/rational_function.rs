@@ -7,6 +7,7 @@
 //! already (Henrici: only factors named below can be common), which keeps each gcd small. Absent on
 //! purpose: evaluation, and quotients left unreduced.
 
+mod common;
 mod compose;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,8 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use kahan_syntax::rational::Rational;
+
+pub(crate) use common::{Row, reduced, with_leading_one};
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
 
@@ -84,13 +87,13 @@ impl RationalFunction {
         self.denominator.is_one().then_some(&self.numerator)
     }
 
-    /// Whether the function depends on this variable.
+    /// Returns whether the function depends on this variable.
     pub fn contains(&self, variable: Variable) -> bool {
         self.numerator.contains(variable) || self.denominator.contains(variable)
     }
 
-    /// The quotient of `change` of the numerator and of the denominator, in lowest terms; `None` if
-    /// the denominator becomes zero.
+    /// Changes numerator and denominator, and reduces their quotient; `None` if the denominator
+    /// becomes zero.
     pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
         Self::new(change(&self.numerator), change(&self.denominator))
     }

@@ -91,14 +91,9 @@ impl System {
         let components = components.collect::<Option<Vec<_>>>()?;
         let kept = specialisation.kept(&self.kept, &components);
         let field = Field { symbols, components };
-        Some(System {
-            header: self.header.clone(),
-            constants: self.constants.clone(),
-            kept: kept.unwrap_or_else(|| Kept::of(&field)).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        })
+        let kept = kept.unwrap_or_else(|| Kept::of(&field));
+        let (header, constants) = (self.header.clone(), self.constants.clone());
+        Some(System { header, constants, ..System::of(field, kept) })
     }
 }
 
@@ -193,7 +188,7 @@ impl Specialisation<'_> {
             solved.extend(name.map(|name| (condition.written.clone(), name, added)));
         }
         let eps = Polynomial::variable(self.field.symbols.epsilon());
-        let divisors = self.field.components.iter().map(|component| component.denominator());
+        let divisors = self.field.denominators();
         for nonzero in divisors.chain([&eps]) {
             if relations.makes_vanish(nonzero).ok()? {
                 return None;

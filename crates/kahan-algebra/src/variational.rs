@@ -4,8 +4,6 @@
 //! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε
 //! f/ε + ∂f/∂ε stands in place of ∂f/∂a.
 
-use std::sync::Arc;
-
 use crate::field::Field;
 pub use crate::kept::By;
 use crate::poly::Polynomial;
@@ -56,14 +54,9 @@ impl System {
         let of_vector = |own: (usize, By)| field.components.iter().map(move |one| along(own, one));
         let vectors = by.iter().copied().enumerate().flat_map(of_vector);
         let components = field.components.iter().map(moved).chain(vectors);
-        System {
-            header: None,
-            constants: self.constants.clone(),
-            kept: self.kept.sensitivities(&field.symbols, &symbols, by).into(),
-            field: Field { components: components.collect(), symbols: symbols.clone() }.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        }
+        let kept = self.kept.sensitivities(&field.symbols, &symbols, by);
+        let field = Field { components: components.collect(), symbols: symbols.clone() };
+        System { constants: self.constants.clone(), ..System::of(field, kept) }
     }
 }
 

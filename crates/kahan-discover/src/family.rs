@@ -41,7 +41,7 @@ impl Family {
         Family {
             dimension: field.dimension(),
             symbols: field.symbols.clone(),
-            divisors: field.components.iter().map(|component| component.denominator().clone()).collect(),
+            divisors: field.denominators().cloned().collect(),
             terms,
         }
     }

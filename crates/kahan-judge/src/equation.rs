@@ -77,7 +77,7 @@ impl Equation {
                 slopes: slopes.iter().map(|(j, slope)| (*j, terms(slope))).collect(),
             }
         };
-        let all = system.field.components.iter().flat_map(|c| [c.numerator(), c.denominator()]);
+        let all = system.field.numerators().chain(system.field.denominators());
         Self {
             rows: system.field.components.iter().map(row).collect(),
             degree: greatest_power(all),

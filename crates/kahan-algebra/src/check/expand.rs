@@ -62,7 +62,7 @@ impl Expansion {
         Expansion::polynomial(Polynomial::zero())
     }
 
-    /// The function, whose numerator and denominator are in lowest terms.
+    /// Returns the function, whose numerator and denominator are in lowest terms.
     pub(super) fn function(self) -> RationalFunction {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }

@@ -1,8 +1,6 @@
 //! What stands in for a block with mistakes, so that the rest of a program is checked against its
 //! type: the names that were found, and nothing that could be computed.
 
-use std::sync::Arc;
-
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
@@ -62,14 +60,9 @@ impl StandIn {
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
         let field = Field { components: vec![RationalFunction::zero(); symbols.dimension()], symbols };
-        System {
-            header: self.header.clone(),
-            constants: Vec::new(),
-            kept: Kept::of(&field).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: self.claims.iter().map(|claim| self.claim(claim)).collect(),
-        }
+        let (header, kept) = (self.header.clone(), Kept::of(&field));
+        let claims = self.claims.iter().map(|claim| self.claim(claim)).collect();
+        System { header, claims, ..System::of(field, kept) }
     }
 
     fn claim(&self, (kind, name, is_unconditional): &(ClaimKind, Name, bool)) -> Claim {

@@ -133,8 +133,7 @@ impl<'a> Middle<'a> {
 
     /// Moves every site of a polynomial by `by` sites.
     pub(super) fn shifted_polynomial(&self, polynomial: &Polynomial, by: i64) -> Polynomial {
-        let terms = polynomial.terms();
-        Polynomial::from_terms(terms.map(|(monomial, value)| (self.shifted(monomial, by), value.clone())))
+        polynomial.map_monomials(|monomial| Some(self.shifted(monomial, by)))
     }
 }
 

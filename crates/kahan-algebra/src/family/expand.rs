@@ -1,7 +1,5 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
-use std::sync::Arc;
-
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
 use kahan_syntax::token::Span;
@@ -42,52 +40,50 @@ impl Family {
     }
 
     /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is
-    /// shorter than the stencil, a site is its own neighbour.
+    /// shorter than the stencil, a site is its own neighbour; `None` where it then divides by zero,
+    /// as `x[i]/(c[i] - c[i+1])` does at one site.
     #[must_use]
-    pub fn at_sites(&self, sites: usize) -> System {
+    pub fn at_sites(&self, sites: usize) -> Option<System> {
         let symbols = self.symbols_at(sites);
         let mut components = Vec::with_capacity(sites * self.block());
         let mut values = Values::of(&symbols);
         let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
+            for component in &self.components {
+                components.push(self.moved(component, site, sites, &symbols)?);
+            }
             kept.extend(self.kept.with(&mut values, |variable| {
                 let moved = self.moved_variable(variable, site, sites, &symbols);
                 moved.map_or_else(Polynomial::zero, Polynomial::variable)
             }));
-            components.extend(self.components.iter().map(|component| {
-                self.moved(component, site, sites, &symbols).expect("a divisor is not zero")
-            }));
         }
-        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols)).collect();
-        let field = Field { symbols, components };
-        System {
+        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols));
+        Some(System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            kept: Kept::new(values, kept).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims,
-        }
+            claims: claims.collect::<Option<_>>()?,
+            ..System::of(Field { symbols, components }, Kept::new(values, kept))
+        })
     }
 
     /// A linear integral of a chain, which was proved for every number of sites.
-    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Claim {
+    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Option<Claim> {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
         let mut terms = Vec::with_capacity(sites);
         for site in 0..sites {
-            let density = self.moved(&sum.density, site, sites, symbols).expect("a divisor is not zero");
+            let density = self.moved(&sum.density, site, sites, symbols)?;
             let term = builder.quotient(density.numerator(), density.denominator());
             total = builder.add(total, term);
             terms.push(density);
         }
-        Claim {
+        Some(Claim {
             kind: ClaimKind::Integral,
             name: sum.name.clone(),
             body: ClaimBody::Function(written(&terms, symbols, sum.written.span)),
             plan: builder.finish(&[total]),
             conditions: Vec::new(),
-        }
+        })
     }
 
     /// A quotient written for site i, at one site of a chain, where it divides by something.
@@ -105,11 +101,7 @@ impl Family {
             });
             powers.collect()
         };
-        function.map(|polynomial| {
-            let terms =
-                polynomial.terms().filter_map(|(monomial, value)| Some((moved(monomial)?, value.clone())));
-            Polynomial::from_terms(terms)
-        })
+        function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
     /// `None` beyond the end of an open chain.

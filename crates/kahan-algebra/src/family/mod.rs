@@ -130,16 +130,10 @@ impl Family {
 
     /// The equations, expanded: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
-        self.arrays.iter().zip(&self.components).map(|(array, component)| {
-            let polynomial = |polynomial| Text.polynomial(&self.symbols, polynomial);
-            let above = polynomial(component.numerator());
-            let right = if component.denominator().is_one() {
-                above
-            } else {
-                Text.quotient(&above, &polynomial(component.denominator()))
-            };
-            format!("{array}[i]dot = {right}")
-        })
+        self.arrays
+            .iter()
+            .zip(&self.components)
+            .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
     /// The places, among the states, of the values that the field of an array depends on.

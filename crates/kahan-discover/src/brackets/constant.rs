@@ -18,7 +18,6 @@ use kahan_algebra::system::upper_index;
 
 use crate::hamiltonian::Hamiltonian;
 use crate::search_field::{SampledStep, SearchField};
-use crate::space::over_common;
 use crate::stepping::Stepping;
 
 use super::polynomial::{PoissonTensor, Tensor};
@@ -54,7 +53,8 @@ pub(crate) fn of_structure(
             upper.push(tensor[i][j].sub_within(&moved, &mut budget).ok()?);
         }
     }
-    let entries = over_common(&upper).0.into_iter().map(|entry| searched.at_eps(entry)).collect();
+    let entries =
+        RationalFunction::over_common(&upper).0.into_iter().map(|entry| searched.at_eps(entry)).collect();
     let found = PoissonTensor { rank: 0, entries, structure: Some(number), is_implied: false };
     let place = searched.step(random)?;
     let rank = found.invariant_rank(searched, &place)?;
