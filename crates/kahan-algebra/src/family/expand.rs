@@ -58,12 +58,11 @@ impl Family {
             }));
         }
         let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols));
-        Some(System {
-            header: self.header.clone(),
-            constants: self.constants.clone(),
-            claims: claims.collect::<Option<_>>()?,
-            ..System::of(Field { symbols, components }, Kept::new(values, kept))
-        })
+        let claims = claims.collect::<Option<_>>()?;
+        let field = Field { symbols, components };
+        let kept = Kept::new(values, kept);
+        let (header, constants) = (self.header.clone(), self.constants.clone());
+        Some(System { header, constants, claims, ..System::of(field, kept) })
     }
 
     /// A linear integral of a chain, which was proved for every number of sites.
