@@ -58,10 +58,9 @@ impl Expression {
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
         let functions = Functions::new(Budget::unlimited());
-        let results =
-            self.plan.evaluate(&functions, |variable| Function::polynomial(Polynomial::variable(variable)));
-        match results.into_iter().next().flatten() {
-            Some(Function::Known { numerator, denominator }) if denominator.is_empty() => numerator,
+        let results = self.plan.evaluate(&functions, |variable| Some(Polynomial::variable(variable).into()));
+        match results.into_iter().next().flatten().flatten() {
+            Some(Function { numerator, denominator }) if denominator.is_empty() => numerator,
             other => panic!("not a polynomial: {other:?}"),
         }
     }

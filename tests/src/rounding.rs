@@ -11,11 +11,12 @@
 mod running_bound;
 
 use kahan_algebra::derive;
-use kahan_algebra::field::{Component, Field};
+use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
 use kahan_algebra::plan::{Plan, StepPlan};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
 
 use crate::doubles::float;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
@@ -126,14 +127,13 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 /// of the two matrix errors, ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖), maximum norms.
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
-    let components = &field.components;
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {
-        let divisors: Vec<&Polynomial> = components.iter().map(|component| &component.denominator).collect();
+        let divisors: Vec<&Polynomial> = field.denominators().collect();
         let divisors = computed(&divisors, values, unit);
         let above = computed(numerators, values, unit).into_iter().enumerate();
         above.map(|(i, value)| Some(value.over(&divisors[i / width])?.rounded(unit))).collect()
     };
-    let numerators: Vec<&Polynomial> = components.iter().map(|component| &component.numerator).collect();
+    let numerators: Vec<&Polynomial> = field.numerators().collect();
     let velocity_error =
         over_divisors(&numerators, 1)?.iter().map(|component| component.error).fold(0.0, f64::max);
 
@@ -164,8 +164,8 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
 
 /// A(x,ε): the rows of Â over the parameters' divisors.
 fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
-    let row = |(row, component): (&Vec<Polynomial>, &Component)| {
-        let divisor = evaluate(&component.denominator, values);
+    let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
+        let divisor = evaluate(component.denominator(), values);
         row.iter().map(|entry| evaluate(entry, values) / &divisor).collect()
     };
     scaled_matrix(field).iter().zip(&field.components).map(row).collect()

@@ -1,11 +1,9 @@
 //! Fields made of their coefficients, and the coefficients of fields: ẋ = Q(x, x) + Bx + c without a
 //! text.
 
-use std::sync::Arc;
-
 use kahan_syntax::rational::Rational;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::Kept;
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::{Symbol, Symbols};
@@ -40,17 +38,10 @@ impl System {
             }
             terms[component].push((monomial, value));
         }
-        let component =
-            |terms| Component { numerator: Polynomial::from_terms(terms), denominator: Polynomial::one() };
+        let component = |terms| Polynomial::from_terms(terms).into();
         let field = Field { components: terms.into_iter().map(component).collect(), symbols };
-        System {
-            header: None,
-            constants: Vec::new(),
-            kept: Kept::of(&field).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        }
+        let kept = Kept::of(&field);
+        System::of(field, kept)
     }
 
     /// The coefficients of the field, component by component; `None` where a term has parameters
@@ -59,9 +50,8 @@ impl System {
     pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
         let symbols = &self.field.symbols;
         let mut coefficients = Vec::new();
-        for (component, Component { numerator, denominator }) in self.field.components.iter().enumerate() {
-            let divisor = denominator.as_constant()?;
-            for (monomial, value) in numerator.terms() {
+        for (component, function) in self.field.components.iter().enumerate() {
+            for (monomial, value) in function.as_polynomial()?.terms() {
                 let (mut states, mut parameter) = (Vec::with_capacity(2), None);
                 for &(variable, power) in monomial.powers() {
                     match symbols.symbol(variable) {
@@ -71,8 +61,7 @@ impl System {
                     }
                 }
                 let states = [states.first().copied(), states.get(1).copied()];
-                let value = value * &divisor.recip()?;
-                coefficients.push(Coefficient { component, states, parameter, value });
+                coefficients.push(Coefficient { component, states, parameter, value: value.clone() });
             }
         }
         Some(coefficients)

@@ -4,33 +4,18 @@
 //! Coefficients may depend on ε²; the map approximates the field at ε = 0. Everything that the map
 //! needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
 
-use crate::poly::{Monomial, Polynomial, Variable};
+use crate::poly::{Monomial, Polynomial};
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
-
-/// One component p/q of a field.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Component {
-    /// p: a polynomial in states, parameters and ε², of degree at most two in the states.
-    pub numerator: Polynomial,
-    /// q: a polynomial in parameters and ε², not zero at ε = 0, coprime to p.
-    pub denominator: Polynomial,
-}
-
-impl Component {
-    /// Whether p or q depends on this variable.
-    #[must_use]
-    pub fn contains(&self, variable: Variable) -> bool {
-        self.numerator.contains(variable) || self.denominator.contains(variable)
-    }
-}
 
 /// A quadratic vector field ẋ = Q(x) + Bx + c with exact coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
     /// The names.
     pub symbols: Symbols,
-    /// One component a state.
-    pub components: Vec<Component>,
+    /// One component p/q a state: p is a polynomial in states, parameters and ε², of degree at most
+    /// two in the states; q is one in parameters and ε², not zero at ε = 0.
+    pub components: Vec<RationalFunction>,
 }
 
 impl Field {
@@ -38,6 +23,16 @@ impl Field {
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.components.len()
+    }
+
+    /// Returns the numerators p, component by component.
+    pub fn numerators(&self) -> impl Iterator<Item = &Polynomial> {
+        self.components.iter().map(RationalFunction::numerator)
+    }
+
+    /// Returns the denominators q, component by component.
+    pub fn denominators(&self) -> impl Iterator<Item = &Polynomial> {
+        self.components.iter().map(RationalFunction::denominator)
     }
 
     /// Whether a coefficient depends on ε.
@@ -50,10 +45,9 @@ impl Field {
     /// The numerator's part of degree `degree` (0, 1 or 2) in the states.
     #[must_use]
     pub fn homogeneous_part(&self, component: usize, degree: u32) -> Polynomial {
-        let part = self.components[component].numerator.terms().filter(|(monomial, _)| {
-            monomial.degree_where(|variable| self.symbols.is_state(variable)) == degree
-        });
-        Polynomial::from_terms(part.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())))
+        let is_in = |monomial: &Monomial| monomial.degree_where(|v| self.symbols.is_state(v)) == degree;
+        let numerator = self.components[component].numerator();
+        numerator.map_monomials(|monomial| is_in(monomial).then(|| monomial.clone()))
     }
 
     /// Whether all terms are quadratic (B = 0 and c = 0).

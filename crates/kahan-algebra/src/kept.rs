@@ -10,10 +10,11 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kahan::SparseRows;
 use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
 /// A number by which points of an orbit are differentiated.
@@ -99,7 +100,7 @@ impl Values {
         let own = over.intern(square.clone()).expect("the first value has a number");
         let mut renamed: Vec<Variable> = Vec::with_capacity(self.values.len());
         let halved = |polynomial: &Polynomial, renamed: &[Variable]| {
-            Polynomial::from_terms(polynomial.terms().map(|(monomial, coefficient)| {
+            polynomial.map_monomials(|monomial| {
                 let mut term = Monomial::one();
                 for &(variable, exponent) in monomial.powers() {
                     match self.place(variable) {
@@ -108,8 +109,8 @@ impl Values {
                         None => term.multiply_by(variable, exponent),
                     }
                 }
-                (term, coefficient.clone())
-            }))
+                Some(term)
+            })
         };
         for value in self.values.iter() {
             let value = match value {
@@ -311,8 +312,12 @@ impl Kept {
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
-            let reciprocal = values.reciprocal(&component.denominator).expect("a state has one divisor");
-            if reciprocal.is_one() { component.numerator.clone() } else { &component.numerator * &reciprocal }
+            let reciprocal = values.reciprocal(component.denominator()).expect("a state has one divisor");
+            if reciprocal.is_one() {
+                component.numerator().clone()
+            } else {
+                component.numerator() * &reciprocal
+            }
         });
         let components = components.collect();
         Kept::new(values, components)
@@ -447,13 +452,12 @@ impl Kept {
             let by_states = polynomial.group(|variable| symbols.is_state(variable));
             by_states.into_iter().map(|(states, _)| states).collect()
         };
-        let component = |numerator| Component { numerator, denominator: Polynomial::one() };
-        let expanded: Vec<Component> =
-            kept.components.iter().map(|of| component(kept.values.with_sums(of))).collect();
+        let expanded: Vec<RationalFunction> =
+            kept.components.iter().map(|of| kept.values.with_sums(of).into()).collect();
         let is_as_sparse = expanded
             .iter()
             .zip(&field.components)
-            .all(|(over, own)| states(&over.numerator) == states(&own.numerator));
+            .all(|(over, own)| states(over.numerator()) == states(own.numerator()));
         if !is_as_sparse {
             return WithConstants::plain(field);
         }

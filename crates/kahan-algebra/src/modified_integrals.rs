@@ -26,10 +26,10 @@ mod linear_relations;
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
-use linear_relations::{Relation, common_multiple, linear_relations};
+use linear_relations::{Relation, linear_relations};
 
 /// The most terms of a formula, and the work for each theorem: lifted chains of hundreds of
 /// variables are far from it.
@@ -130,15 +130,7 @@ struct Flow<'a> {
 
 impl<'a> Flow<'a> {
     fn of(field: &'a Field, budget: &mut Budget) -> Result<Self, OverBudget> {
-        let mut divisor = Polynomial::one();
-        for component in &field.components {
-            divisor = common_multiple(&divisor, &component.denominator, budget)?;
-        }
-        let mut components = Vec::with_capacity(field.dimension());
-        for component in &field.components {
-            let cofactor = divisor.div_within(&component.denominator, budget)?.expect("a multiple of it");
-            components.push(component.numerator.mul_within(&cofactor, budget)?);
-        }
+        let (components, divisor) = RationalFunction::over_common_within(field.components.iter(), budget)?;
         Ok(Flow { symbols: &field.symbols, components, divisor })
     }
 
@@ -163,11 +155,9 @@ impl<'a> Flow<'a> {
     fn add_polarised(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         let symbols = self.symbols;
         let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();
+        let is_quadratic = |monomial: &Monomial| monomial.degree_where(|v| symbols.is_state(v)) == 2;
         let of_degree_two = |component: &Polynomial| {
-            let terms = component
-                .terms()
-                .filter(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 2);
-            Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())))
+            component.map_monomials(|monomial| is_quadratic(monomial).then(|| monomial.clone()))
         };
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, symbols, budget)?;

@@ -7,6 +7,7 @@
 //! already (Henrici: only factors named below can be common), which keeps each gcd small. Absent on
 //! purpose: evaluation, and quotients left unreduced.
 
+mod common;
 mod compose;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,8 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use kahan_syntax::rational::Rational;
+
+pub(crate) use common::{Row, reduced, with_leading_one};
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
 
@@ -82,6 +85,17 @@ impl RationalFunction {
     /// The function as a polynomial, if it is one.
     pub fn as_polynomial(&self) -> Option<&Polynomial> {
         self.denominator.is_one().then_some(&self.numerator)
+    }
+
+    /// Returns whether the function depends on this variable.
+    pub fn contains(&self, variable: Variable) -> bool {
+        self.numerator.contains(variable) || self.denominator.contains(variable)
+    }
+
+    /// Changes numerator and denominator, and reduces their quotient; `None` if the denominator
+    /// becomes zero.
+    pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
+        Self::new(change(&self.numerator), change(&self.denominator))
     }
 
     /// The quotient; `None` if `divisor` is zero.
@@ -154,7 +168,7 @@ impl RationalFunction {
     }
 
     /// The normal form of a quotient of coprime polynomials, the denominator not zero.
-    fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
+    pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         if numerator.is_zero() {
             return Self::zero();
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Polynomial, Variable};
@@ -68,13 +68,8 @@ impl System {
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
-        let component = |Component { numerator, denominator }: &Component| {
-            let [above, below] = [numerator, denominator].map(|of| of.substitute(symbols.epsilon(), eps));
-            let quotient = RationalFunction::new(above, below)?;
-            let [numerator, denominator] = [quotient.numerator(), quotient.denominator()].map(Clone::clone);
-            Some(Component { numerator, denominator })
-        };
-        let components = components.iter().map(component).collect::<Option<Vec<_>>>()?;
+        let put = |of: &Polynomial| of.substitute(symbols.epsilon(), eps);
+        let components = components.iter().map(|component| component.map(put)).collect::<Option<Vec<_>>>()?;
         let field = Field { symbols: symbols.clone(), components };
         let kept = self.kept.at_eps(symbols, eps);
         let (field, kept, written) = (field.into(), kept.into(), Arc::default());
@@ -96,14 +91,9 @@ impl System {
         let components = components.collect::<Option<Vec<_>>>()?;
         let kept = specialisation.kept(&self.kept, &components);
         let field = Field { symbols, components };
-        Some(System {
-            header: self.header.clone(),
-            constants: self.constants.clone(),
-            kept: kept.unwrap_or_else(|| Kept::of(&field)).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        })
+        let kept = kept.unwrap_or_else(|| Kept::of(&field));
+        let (header, constants) = (self.header.clone(), self.constants.clone());
+        Some(System { header, constants, ..System::of(field, kept) })
     }
 }
 
@@ -133,23 +123,19 @@ impl Specialisation<'_> {
     }
 
     fn function(&self, function: &RationalFunction) -> Option<RationalFunction> {
-        RationalFunction::new(self.polynomial(function.numerator()), self.polynomial(function.denominator()))
+        function.map(|of| self.polynomial(of))
     }
 
-    fn component(&self, component: &Component) -> Option<Component> {
+    fn component(&self, component: &RationalFunction) -> Option<RationalFunction> {
         let mut relations = self.relations.clone();
-        let numerator = relations.put_into(&component.numerator).ok()??;
-        let denominator = relations.put_into(&component.denominator).ok()??;
-        let quotient = self.function(&numerator.checked_div(&denominator)?)?;
-        Some(Component {
-            numerator: quotient.numerator().clone(),
-            denominator: quotient.denominator().clone(),
-        })
+        let numerator = relations.put_into(component.numerator()).ok()??;
+        let denominator = relations.put_into(component.denominator()).ok()??;
+        self.function(&numerator.checked_div(&denominator)?)
     }
 
     /// What is kept of these components; `None` where a relation fixes a quotient, and where what
     /// was divided by is gone from them.
-    fn kept(&self, kept: &Kept, components: &[Component]) -> Option<Kept> {
+    fn kept(&self, kept: &Kept, components: &[RationalFunction]) -> Option<Kept> {
         let mut values = Values::of(self.new);
         let put = |variable| match self.relations.value(variable) {
             Some(value) => Some(self.polynomial(value.as_polynomial()?)),
@@ -158,8 +144,8 @@ impl Specialisation<'_> {
         let old = self.field.symbols.parameters.len();
         (0..old).try_for_each(|k| put(self.field.symbols.parameter(k)).map(drop))?;
         let kept = kept.with(&mut values, |variable| put(variable).expect("every value is a polynomial"));
-        let is_free = |(kept, component): (&Polynomial, &Component)| {
-            values.divide_only_by(kept, &component.denominator)
+        let is_free = |(kept, component): (&Polynomial, &RationalFunction)| {
+            values.divide_only_by(kept, component.denominator())
         };
         kept.iter().zip(components).all(is_free).then(|| Kept::new(values.clone(), kept.clone()))
     }
@@ -202,7 +188,7 @@ impl Specialisation<'_> {
             solved.extend(name.map(|name| (condition.written.clone(), name, added)));
         }
         let eps = Polynomial::variable(self.field.symbols.epsilon());
-        let divisors = self.field.components.iter().map(|component| &component.denominator);
+        let divisors = self.field.denominators();
         for nonzero in divisors.chain([&eps]) {
             if relations.makes_vanish(nonzero).ok()? {
                 return None;

@@ -145,6 +145,18 @@ pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
 }
 
 impl System {
+    /// Makes a system of a field that was not written, without claims.
+    pub(crate) fn of(field: Field, kept: Kept) -> Self {
+        System {
+            header: None,
+            constants: Vec::new(),
+            field: field.into(),
+            kept: kept.into(),
+            written: Arc::default(),
+            claims: Vec::new(),
+        }
+    }
+
     /// The unconditional claims of one kind, in order.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())

@@ -4,11 +4,10 @@
 //! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε
 //! f/ε + ∂f/∂ε stands in place of ∂f/∂a.
 
-use std::sync::Arc;
-
-use crate::field::{Component, Field};
+use crate::field::Field;
 pub use crate::kept::By;
-use crate::poly::{Polynomial, gcd};
+use crate::poly::Polynomial;
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::system::System;
 
@@ -31,57 +30,33 @@ impl System {
         let renamed = |polynomial: &Polynomial| {
             polynomial.map_variables(|variable| symbols.variable(field.symbols.symbol(variable)))
         };
-        let moved = |component: &Component| Component {
-            numerator: renamed(&component.numerator),
-            denominator: renamed(&component.denominator),
-        };
-        let along = |(vector, by): (usize, By), component: &Component| {
-            let Component { numerator, denominator } = component;
-            let slopes = (0..dimension).map(|k| {
-                let slope = renamed(&numerator.derivative(field.symbols.state(k)));
-                &slope * &Polynomial::variable(symbols.state((vector + 1) * dimension + k))
+        let moved = |function: &RationalFunction| function.map(renamed).expect("a divisor is not zero");
+        let along = |(vector, by): (usize, By), component: &RationalFunction| {
+            let slopes = component.numerator().gradient(|variable| field.symbols.is_state(variable));
+            let slopes = slopes.into_iter().map(|(state, slope)| {
+                let tangent = symbols.state((vector + 1) * dimension + usize::from(state.0));
+                &renamed(&slope) * &Polynomial::variable(tangent)
             });
             let slopes: Vec<Polynomial> = slopes.collect();
-            let mut sum = Polynomial::sum_of(slopes.iter().map(|slope| (false, slope)));
-            let mut divisor = denominator.clone();
-            let source = match by {
-                By::Start => None,
-                By::Parameter(k) => {
-                    let slope = |of: &Polynomial| of.derivative(field.symbols.parameter(k));
-                    Some((slope(numerator), slope(denominator), Polynomial::one()))
-                }
+            let sum = Polynomial::sum_of(slopes.iter().map(|slope| (false, slope)));
+            let sum = RationalFunction::new(sum, renamed(component.denominator())).expect("it divides above");
+            match by {
+                By::Start => sum,
+                By::Parameter(k) => &sum + &moved(&component.derivative(field.symbols.parameter(k))),
                 By::Epsilon => {
                     let eps = field.symbols.epsilon();
-                    let slope = |of: &Polynomial| &of.derivative(eps) * &Polynomial::variable(eps);
-                    let inverse = Polynomial::variable(symbols.parameter(symbols.parameters.len() - 1));
-                    Some((numerator + &slope(numerator), slope(denominator), inverse))
-                }
-            };
-            if let Some((above, below, factor)) = source {
-                sum = &sum + &(&renamed(&above) * &factor);
-                if !below.is_zero() {
-                    let bent = &renamed(&(numerator * &below)) * &factor;
-                    sum = &(&sum * &renamed(denominator)) - &bent;
-                    divisor = denominator * denominator;
+                    let slope = &RationalFunction::variable(eps) * &component.derivative(eps);
+                    let inverse = symbols.parameter(symbols.parameters.len() - 1);
+                    &sum + &(&moved(&(component + &slope)) * &RationalFunction::variable(inverse))
                 }
             }
-            let denominator = renamed(&divisor);
-            let common = gcd(&sum, &denominator);
-            let [numerator, denominator] =
-                [sum, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
-            Component { numerator, denominator }
         };
         let of_vector = |own: (usize, By)| field.components.iter().map(move |one| along(own, one));
         let vectors = by.iter().copied().enumerate().flat_map(of_vector);
         let components = field.components.iter().map(moved).chain(vectors);
-        System {
-            header: None,
-            constants: self.constants.clone(),
-            kept: self.kept.sensitivities(&field.symbols, &symbols, by).into(),
-            field: Field { components: components.collect(), symbols: symbols.clone() }.into(),
-            written: Arc::default(),
-            claims: Vec::new(),
-        }
+        let kept = self.kept.sensitivities(&field.symbols, &symbols, by);
+        let field = Field { components: components.collect(), symbols: symbols.clone() };
+        System { constants: self.constants.clone(), ..System::of(field, kept) }
     }
 }
 
@@ -121,7 +96,7 @@ mod tests {
         assert_eq!(symbols.states, ["x", "dx", "ddx", "dddx"]);
         let lines = system.field.components.iter().map(|component| {
             let [above, below] =
-                [&component.numerator, &component.denominator].map(|of| Text.polynomial(symbols, of));
+                [component.numerator(), component.denominator()].map(|of| Text.polynomial(symbols, of));
             format!("({above})/({below})")
         });
         assert_eq!(

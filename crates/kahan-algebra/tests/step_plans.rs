@@ -93,7 +93,7 @@ fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Ration
     };
     let run = |plan: Plan| plan.evaluate(&Exact, value).into_iter().map(Option::unwrap).collect::<Vec<_>>();
     let polarized = run(Plan::of(polarization(field).iter()));
-    let denominators = run(Plan::of(field.components.iter().map(|component| &component.denominator)));
+    let denominators = run(Plan::of(field.denominators()));
     (0..next.len())
         .map(|i| &(&denominators[i] * &(&next[i] - &point[i])) - &(&(eps + eps) * &polarized[i]))
         .collect()

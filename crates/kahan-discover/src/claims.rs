@@ -6,7 +6,7 @@
 
 use std::slice::from_ref;
 
-use kahan_algebra::arithmetic::{Arithmetic, Function, Functions};
+use kahan_algebra::arithmetic::{Arithmetic, Functions};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::prove::{Verdict, prove_all};
 use kahan_algebra::rational::Rational;
@@ -82,11 +82,7 @@ impl<'a> Claims<'a> {
         // A parameter that cancelled from the equations is unknown to them.
         let occurs = |name: &str| {
             symbols.parameters.iter().position(|known| known == name).is_some_and(|k| {
-                let variable = symbols.parameter(k);
-                field
-                    .components
-                    .iter()
-                    .any(|c| c.numerator.contains(variable) || c.denominator.contains(variable))
+                field.components.iter().any(|component| component.contains(symbols.parameter(k)))
             })
         };
         let mut conditions: Vec<String> = parameters
@@ -163,11 +159,11 @@ impl<'a> Claims<'a> {
         };
         let value = |variable: Variable| {
             let own = own(&system.field.symbols.name(variable));
-            own.map_or(Function::TooLarge, |own| Function::polynomial(Polynomial::variable(own)))
+            own.map(|own| Polynomial::variable(own).into())
         };
         let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
         let stated = system.claims.last()?.plan.evaluate(&functions, value).pop()??;
-        let [above, below] = [numerator, denominator].map(|side| Function::polynomial(side.clone()));
+        let [above, below] = [numerator, denominator].map(|side| Some(side.clone().into()));
         let meant = functions.divide(&above, &below)?;
         let is_stated = [functions.subtract(&stated, &meant), functions.add(&stated, &meant)]
             .iter()

@@ -79,14 +79,12 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
     for component in &field.components {
-        for factor in state_factors(symbols, &component.numerator) {
+        for factor in state_factors(symbols, component.numerator()) {
             if symbols.degree(&factor) != 1 || found.contains(&factor) {
                 continue;
             }
             let rise = (0..).zip(&field.components).fold(RationalFunction::zero(), |sum, (i, own)| {
-                let slope = &factor.derivative(symbols.state(i)) * &own.numerator;
-                let term = RationalFunction::new(slope, own.denominator.clone());
-                &sum + &term.expect("a divisor of the field is not zero")
+                &sum + &(&RationalFunction::from(factor.derivative(symbols.state(i))) * own)
             });
             if rise.numerator().checked_div(&factor).is_some() {
                 found.push(factor);

@@ -24,7 +24,7 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
 pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     let mut rows = scaled_matrix(field);
     for (row, component) in rows.iter_mut().zip(&field.components) {
-        row.push(component.numerator.clone());
+        row.push(component.numerator().clone());
     }
     rows.push(covector.iter().cloned().chain([Polynomial::zero()]).collect());
     Ok(-&of_matrix(&rows, budget)?)

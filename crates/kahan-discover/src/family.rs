@@ -33,7 +33,7 @@ impl Family {
         let mut terms = Vec::new();
         for (component, quotient) in field.components.iter().enumerate() {
             for (monomial, coefficient) in
-                quotient.numerator.group(|variable| field.symbols.is_state(variable))
+                quotient.numerator().group(|variable| field.symbols.is_state(variable))
             {
                 terms.push(FamilyTerm { component, states: field.states_of(&monomial), coefficient });
             }
@@ -41,7 +41,7 @@ impl Family {
         Family {
             dimension: field.dimension(),
             symbols: field.symbols.clone(),
-            divisors: field.components.iter().map(|component| component.denominator.clone()).collect(),
+            divisors: field.denominators().cloned().collect(),
             terms,
         }
     }

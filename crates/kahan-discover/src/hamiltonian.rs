@@ -18,7 +18,7 @@ use crate::monomials::Monomials;
 use crate::reconstruct::reconstruct;
 use crate::relations::monomial_gradients;
 use crate::search_field::{Sample, SearchField};
-use crate::space::{combination, over_common};
+use crate::space::combination;
 use crate::stepping::Stepping;
 
 /// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
@@ -103,7 +103,7 @@ fn reconstructed(
     let symbols = searched.family().symbols();
     let states: Vec<Variable> = (0..n).map(|i| symbols.state(i)).collect();
     let support: Vec<usize> = (1..monomials.len()).collect();
-    let (coefficients, common) = over_common(coefficients);
+    let (coefficients, common) = RationalFunction::over_common(coefficients);
     let hamiltonian =
         RationalFunction::new(combination(&states, monomials, &support, &coefficients), common)?;
     if hamiltonian.is_zero() {
@@ -217,8 +217,7 @@ impl Hamiltonian {
         self.tensor.iter().zip(&field.components).all(|(row, component)| {
             let products = row.iter().zip(&slopes).map(|(entry, slope)| entry * slope);
             let value = products.fold(RationalFunction::zero(), |sum, product| &sum + &product);
-            RationalFunction::new(component.numerator.clone(), component.denominator.clone())
-                .is_some_and(|component| (&value - &component).is_zero())
+            value == *component
         })
     }
 
@@ -226,13 +225,7 @@ impl Hamiltonian {
     /// [`modified`](Self::modified), since x̃ − x = 2ε (I − ε f′)⁻¹ f; x̃ is written `x~` in text.
     #[must_use]
     pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
-        let written = |function: &RationalFunction| {
-            let above = notation.polynomial(symbols, function.numerator());
-            match function.as_polynomial() {
-                Some(_) => above,
-                None => notation.quotient(&above, &notation.polynomial(symbols, function.denominator())),
-            }
-        };
+        let written = |function: &RationalFunction| notation.function(symbols, function);
         let term = |(i, state): (usize, &String)| {
             let slope = self.hamiltonian.derivative(symbols.state(i));
             let slope = (!slope.is_zero()).then(|| written(&slope))?;

@@ -8,6 +8,7 @@
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -17,7 +18,7 @@ use crate::monomials::Monomials;
 use crate::pencil::{PencilEntry, SPARE};
 use crate::reconstruct::reconstruct;
 use crate::search_field::SearchField;
-use crate::space::{combination, over_common};
+use crate::space::combination;
 use crate::stepping::Stepping;
 use crate::weights::Weights;
 
@@ -194,7 +195,7 @@ impl Leaf {
             };
             let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
             // One denominator for all entries, so that P and Q are polynomials.
-            let (entries, _) = over_common(&entries);
+            let (entries, _) = RationalFunction::over_common(&entries);
             let (above, below) = entries.split_at(linear.len());
             let [numerator, denominator] =
                 [above, below].map(|side| combination(&states, &linear, &all, side));

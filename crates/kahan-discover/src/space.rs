@@ -3,7 +3,7 @@
 //! A space that depends on parameters and ε has a basis in reduced form whose entries are rational
 //! functions of them; this is what is reconstructed.
 
-use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -178,20 +178,7 @@ pub fn cleared(
     support: &[usize],
     coefficients: &[RationalFunction],
 ) -> Polynomial {
-    combination(states, monomials, support, &over_common(coefficients).0).primitive_part()
-}
-
-/// The numerators of functions over their least common denominator, and that.
-pub(crate) fn over_common(functions: &[RationalFunction]) -> (Vec<Polynomial>, Polynomial) {
-    let common = functions.iter().fold(Polynomial::one(), |common, function| {
-        let shared = gcd(&common, function.denominator());
-        &common * &function.denominator().checked_div(&shared).expect("a common divisor divides")
-    });
-    let numerator = |function: &RationalFunction| {
-        function.numerator()
-            * &common.checked_div(function.denominator()).expect("a common multiple is one of each")
-    };
-    (functions.iter().map(numerator).collect(), common)
+    combination(states, monomials, support, &RationalFunction::over_common(coefficients).0).primitive_part()
 }
 
 /// Σ cₘ m over the monomials m of a support, in these states.

@@ -4,9 +4,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Notation, Text};
-use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
@@ -194,8 +192,11 @@ pub(crate) fn discover_within(
             let tensor = &modified.found.tensor;
             HamiltonianReport {
                 number: (count > 1).then_some(number),
-                tensor: tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
-                hamiltonian: text(symbols, &modified.found.hamiltonian),
+                tensor: tensor
+                    .iter()
+                    .map(|row| row.iter().map(|k| Text.function(symbols, k)).collect())
+                    .collect(),
+                hamiltonian: Text.function(symbols, &modified.found.hamiltonian),
                 modified_is_proved: is_proved,
                 bracket_is_proved: found.brackets.structures.contains(&(number - 1)),
                 found: modified.found,
@@ -533,20 +534,12 @@ fn structure(
     };
     StructureReport {
         depends_on_eps: system.field.depends_on_eps(),
-        divergence: text(symbols, &divergence(&system.field)),
+        divergence: Text.function(symbols, &divergence(&system.field)),
         is_even: is_even(searched, random),
         linear_integrals: written(1),
         quadratic_integrals: written(2),
         flow_degree: of_flow.degree,
         kept: 0,
         hamiltonians: Vec::new(),
-    }
-}
-
-fn text(symbols: &Symbols, function: &RationalFunction) -> String {
-    let above = Text.polynomial(symbols, function.numerator());
-    match function.as_polynomial() {
-        Some(_) => above,
-        None => Text.quotient(&above, &Text.polynomial(symbols, function.denominator())),
     }
 }

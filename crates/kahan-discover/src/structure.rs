@@ -23,9 +23,7 @@ use crate::stepping::Stepping;
 #[must_use]
 pub fn divergence(field: &Field) -> RationalFunction {
     field.components.iter().enumerate().fold(RationalFunction::zero(), |sum, (i, component)| {
-        let slope = component.numerator.derivative(field.symbols.state(i));
-        let term = RationalFunction::new(slope, component.denominator.clone());
-        &sum + &term.expect("a divisor of the field is not zero")
+        &sum + &component.derivative(field.symbols.state(i))
     })
 }
 

@@ -22,10 +22,9 @@ pub(crate) fn claim<'a>(system: &'a System, name: &str) -> &'a Claim {
 /// What a claim states: one function, or the entries of a bracket above the diagonal.
 pub(crate) fn functions(claim: &Claim) -> Vec<RationalFunction> {
     let arithmetic = Functions::new(Budget::unlimited());
-    let values =
-        claim.plan.evaluate(&arithmetic, |variable| Function::polynomial(Polynomial::variable(variable)));
-    let reduced = |value: Option<Function>| {
-        let Some(Function::Known { numerator, denominator }) = value else { panic!("a value") };
+    let values = claim.plan.evaluate(&arithmetic, |variable| Some(Polynomial::variable(variable).into()));
+    let reduced = |value: Option<Option<Function>>| {
+        let Function { numerator, denominator } = value.flatten().expect("a value");
         let below =
             denominator.iter().flat_map(|(factor, power)| std::iter::repeat_n(factor, *power as usize));
         let below = below.fold(Polynomial::one(), |product, factor| &product * factor);

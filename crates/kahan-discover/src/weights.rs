@@ -34,10 +34,10 @@ impl Weights {
         };
         let mut equations: Vec<Vec<Rational>> = Vec::new();
         for (i, component) in field.components.iter().enumerate() {
-            let mut divisors = component.denominator.terms().map(|(monomial, _)| exponents(monomial));
+            let mut divisors = component.denominator().terms().map(|(monomial, _)| exponents(monomial));
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
-            for (monomial, _) in component.numerator.terms() {
+            for (monomial, _) in component.numerator().terms() {
                 // ε p/q ~ xᵢ
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
@@ -146,8 +146,8 @@ mod tests {
             let eps = Monomial::variable(field.symbols.epsilon());
             for (i, component) in field.components.iter().enumerate() {
                 let state = weights.of_variable(field.symbols.state(i));
-                for (above, _) in component.numerator.terms() {
-                    for (below, _) in component.denominator.terms() {
+                for (above, _) in component.numerator().terms() {
+                    for (below, _) in component.denominator().terms() {
                         let above = weights.of_monomial(&above.mul(&eps));
                         let below = weights.of_monomial(below);
                         let quotient: Vec<Rational> = above.iter().zip(&below).map(|(a, b)| a - b).collect();

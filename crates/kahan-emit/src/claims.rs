@@ -26,23 +26,13 @@ pub(super) struct EmittedClaims {
 /// what a call lacks.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
-    let density = context.system.accessors(ClaimKind::Density).zip(&context.derived.density);
-    let density = density.map(|(claim, plan)| {
-        emit_accessor(context, ClaimKind::Density, plan, &docs::density(claim), "density")
-    });
-    let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
-    let brackets = brackets.map(|(claim, (name, plan))| {
-        let name = format!("bracket_{name}");
-        emit_accessor(context, ClaimKind::Bracket, plan, &docs::bracket(claim), &name)
-    });
-    let drifts = context.system.accessors(ClaimKind::Drift).zip(&context.derived.drifts);
-    let drifts = drifts.map(|(claim, (name, plan))| {
-        emit_accessor(context, ClaimKind::Drift, plan, &docs::drift(claim), &format!("drift_{name}"))
-    });
-    emitted.methods.extend(density.into_iter().chain(brackets).chain(drifts));
-    let integrals = &context.derived.integral_names;
-    for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
-        emitted.methods.extend(emit_conditional(context, claim, plan, integrals));
+    let (system, derived) = (context.system, context.derived);
+    let density = system.accessors(ClaimKind::Density).zip(&derived.density);
+    let brackets = system.accessors(ClaimKind::Bracket).zip(derived.brackets.iter().map(|(_, plan)| plan));
+    let drifts = system.accessors(ClaimKind::Drift).zip(derived.drifts.iter().map(|(_, plan)| plan));
+    let conditional = system.conditional().zip(&derived.conditional);
+    for (claim, plan) in density.chain(brackets).chain(drifts).chain(conditional) {
+        emitted.methods.extend(emit_accessor(context, claim, plan));
     }
     let this = context.this.path();
     let scalar = &context.this.scalar;
@@ -135,32 +125,20 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// The accessor of a claim that is made `when` something holds.
-fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals: &[String]) -> TokenStream {
-    let name = &claim.name.text;
-    let method = match claim.kind {
-        ClaimKind::Integral => name_of_integral(name, integrals),
-        ClaimKind::Density => format!("density_{name}"),
-        ClaimKind::Bracket => format!("bracket_{name}"),
-        ClaimKind::Drift => format!("drift_{name}"),
+/// Expands to the method of a claim: `density`, `bracket_NAME`, `drift_NAME`; of one that is made `when`
+/// something holds `density_NAME`, or the name of an integral.
+fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
+    let name = match claim.kind {
+        ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),
+        ClaimKind::Density if claim.is_unconditional() => "density".to_owned(),
+        kind => format!("{}_{}", kind.keyword(), claim.name.text),
     };
-    emit_accessor(context, claim.kind, plan, &docs::conditional(context, claim), &method)
-}
-
-/// The method that computes a claimed function or tensor.
-fn emit_accessor(
-    context: &Context<'_>,
-    kind: ClaimKind,
-    plan: &Plan,
-    documentation: &TokenStream,
-    name: &str,
-) -> TokenStream {
     let (bindings, results) = emit_body(context, plan);
     let scalar = &context.this.scalar;
-    let (result, value) = match kind {
+    let (result, value) = match claim.kind {
         ClaimKind::Integral | ClaimKind::Density => (quote!(#scalar), quote!(#(#results)*)),
         ClaimKind::Bracket => (context.matrix(), quote!(__kahan::antisymmetric([#(#results),*]))),
         ClaimKind::Drift => (quote!([#scalar; 2]), quote!([#(#results),*])),
     };
-    emit_method(context, documentation, name, &result, &quote!(#bindings #value))
+    emit_method(context, &docs::accessor(context, claim), &name, &result, &quote!(#bindings #value))
 }

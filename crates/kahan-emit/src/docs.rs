@@ -4,6 +4,7 @@ use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
     Formulas, Text, claim_statement, claim_text, condition_note, condition_text, expression_text, folded,
 };
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
 use kahan_lift::Lift;
 use proc_macro2::TokenStream;
@@ -196,46 +197,39 @@ pub(super) fn integral(claim: &Claim) -> TokenStream {
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
 
-/// The documentation of what is claimed `when` something holds.
-pub(super) fn conditional(context: &Context<'_>, claim: &Claim) -> TokenStream {
-    let (kind, name) = (claim.kind.keyword(), &claim.name.text);
-    let conditions = condition_text(context.system, claim);
-    let mut lines = vec![format!(
-        " The {kind} `{name}` of the map where `{conditions}`, with the values that this gives put in; `eps` is ε, half the time step."
-    )];
-    push_block(&mut lines, "Namely", &statement(claim));
-    lines.push(String::new());
-    lines.push(" At other parameters it says nothing of the map.".to_owned());
-    emit_lines(&lines)
-}
-
-/// The documentation of `density`.
-pub(super) fn density(claim: &Claim) -> TokenStream {
-    let mut lines = vec![
-        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step."
-            .to_owned(),
-    ];
-    push_block(&mut lines, "Namely", &statement(claim));
-    emit_lines(&lines)
-}
-
-/// The documentation of `bracket_NAME`.
-pub(super) fn bracket(claim: &Claim) -> TokenStream {
-    let mut lines = vec![
-        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step."
-            .to_owned(),
-    ];
-    push_block(&mut lines, "Its entries, those not given being zero:", &statement(claim));
-    emit_lines(&lines)
-}
-
-/// The documentation of `drift_NAME`.
-pub(super) fn drift(claim: &Claim) -> TokenStream {
-    let name = &claim.name.text;
-    let mut lines = vec![format!(
-        " `{name}` at `x` and at the next point, the latter by its recurrence; `eps` is ε, half the time step."
-    )];
-    push_block(&mut lines, "Namely, `~` for the next value:", &statement(claim));
+/// Documents the method of a claim. An integral without `when` has [its own](integral).
+pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
+    let (kind, name) = (claim.kind, &claim.name.text);
+    let (introduction, title) = match kind {
+        _ if !claim.is_unconditional() => {
+            let (kind, conditions) = (kind.keyword(), condition_text(context.system, claim));
+            let introduction = format!(
+                " The {kind} `{name}` of the map where `{conditions}`, with the values that this gives put in; `eps` is ε, half the time step."
+            );
+            (introduction, "Namely")
+        }
+        ClaimKind::Density => (
+            " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step."
+                .to_owned(),
+            "Namely",
+        ),
+        ClaimKind::Bracket => (
+            " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step."
+                .to_owned(),
+            "Its entries, those not given being zero:",
+        ),
+        ClaimKind::Drift | ClaimKind::Integral => (
+            format!(
+                " `{name}` at `x` and at the next point, the latter by its recurrence; `eps` is ε, half the time step."
+            ),
+            "Namely, `~` for the next value:",
+        ),
+    };
+    let mut lines = vec![introduction];
+    push_block(&mut lines, title, &statement(claim));
+    if !claim.is_unconditional() {
+        lines.extend([String::new(), " At other parameters it says nothing of the map.".to_owned()]);
+    }
     emit_lines(&lines)
 }
 

@@ -1,6 +1,6 @@
 //! `QuadraticField`: f, f′, the bilinear form and the polarised field.
 
-use kahan_algebra::elimination::Couplings;
+use kahan_algebra::Derived;
 use kahan_algebra::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,10 +13,7 @@ use super::plan::{Emitted, emit_plan};
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived.at_eps_zero();
-    let (value, slope) = match context.derived.couplings() {
-        Some(couplings) => emit_coupled_field(context, couplings, &quote!(__kahan::integer(0))),
-        None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
-    };
+    let (value, slope) = emit_value_and_slope(context, derived, &quote!(__kahan::integer(0)));
     let bilinear = emit_vector(context, derived.bilinear());
     // Without a linear and a constant part the two forms are one.
     let polarized = if derived.polarized() == derived.bilinear() {
@@ -47,11 +44,10 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
 /// Expands to the methods that evaluate the field at ε; `None` where coefficients are free of ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
-    let (value, slope) = match derived.couplings() {
-        _ if !context.system.field.depends_on_eps() => return None,
-        Some(couplings) => emit_coupled_field(context, couplings, &quote!(eps.clone())),
-        None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
-    };
+    if !context.system.field.depends_on_eps() {
+        return None;
+    }
+    let (value, slope) = emit_value_and_slope(context, derived, &quote!(eps.clone()));
     let polarized = emit_vector(context, derived.polarized());
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     Some(quote! {
@@ -70,12 +66,16 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// The bodies of functions for f and for f′ in many variables, with coefficients at `eps`.
-fn emit_coupled_field(
+/// Returns the bodies of `field` and `field_jacobian`: those of the plans, or calls of `__Coupled`'s, which
+/// take ε where coefficients depend on it.
+fn emit_value_and_slope(
     context: &Context<'_>,
-    couplings: &Couplings,
+    derived: &Derived,
     eps: &TokenStream,
 ) -> (TokenStream, TokenStream) {
+    let Some(couplings) = context.derived.couplings() else {
+        return (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian()));
+    };
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let own = emit_parameters(context, eps);
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);

@@ -2,32 +2,32 @@
 
 use kahan_algebra::rational::Rational;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// A constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its
 /// digits.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
-    if let Some(integer) = value.as_i64() {
-        let integer = Literal::i64_unsuffixed(integer);
-        return quote!(__kahan::integer::<#scalar>(#integer));
-    }
-    if let Some((numerator, denominator)) = value.as_short_ratio() {
-        let [numerator, denominator] = [numerator, denominator].map(Literal::i64_unsuffixed);
-        return quote!(__kahan::ratio::<#scalar>(#numerator, #denominator));
+    if let Some((kind, parts)) = short(value) {
+        return quote!(__kahan::#kind::<#scalar>(#parts));
     }
     let exact = emit_exact(value);
     quote!(<#scalar as __kahan::Scalar>::constant(&#exact))
 }
 
-/// A constant as data: `__kahan::Constant::integer(3)`.
-pub(super) fn emit_exact(value: &Rational) -> TokenStream {
+/// Returns the name and the arguments of a constant that is an integer or a short ratio.
+fn short(value: &Rational) -> Option<(Ident, TokenStream)> {
     if let Some(integer) = value.as_i64() {
         let integer = Literal::i64_unsuffixed(integer);
-        return quote!(__kahan::Constant::integer(#integer));
+        return Some((format_ident!("integer"), quote!(#integer)));
     }
-    if let Some((numerator, denominator)) = value.as_short_ratio() {
-        let [numerator, denominator] = [numerator, denominator].map(Literal::i64_unsuffixed);
-        return quote!(__kahan::Constant::ratio(#numerator, #denominator));
+    let [above, below] = <[i64; 2]>::from(value.as_short_ratio()?).map(Literal::i64_unsuffixed);
+    Some((format_ident!("ratio"), quote!(#above, #below)))
+}
+
+/// A constant as data: `__kahan::Constant::integer(3)`.
+pub(super) fn emit_exact(value: &Rational) -> TokenStream {
+    if let Some((kind, parts)) = short(value) {
+        return quote!(__kahan::Constant::#kind(#parts));
     }
     let negative = value.is_negative();
     let limbs = |digits: Vec<u64>| {

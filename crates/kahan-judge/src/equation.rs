@@ -4,8 +4,8 @@
 //! f, each row multiplied by the denominator of its component. They are evaluated term by term from
 //! the checked field, by other code than the steps that they judge.
 
-use kahan_algebra::field::Component;
 use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::System;
 
 use super::dyadic::Dyadic;
@@ -57,7 +57,8 @@ pub(crate) struct RowAtPoint {
 impl Equation {
     pub(crate) fn of(system: &System) -> Self {
         let symbols = &system.field.symbols;
-        let row = |Component { numerator, denominator }: &Component| {
+        let row = |component: &RationalFunction| {
+            let (numerator, denominator) = (component.numerator(), component.denominator());
             let scale = common_denominator([numerator, denominator]);
             let terms = |polynomial: &Polynomial| Terms::of(polynomial, &scale);
             let derivatives = |polynomial: &Polynomial| {
@@ -76,7 +77,7 @@ impl Equation {
                 slopes: slopes.iter().map(|(j, slope)| (*j, terms(slope))).collect(),
             }
         };
-        let all = system.field.components.iter().flat_map(|c| [&c.numerator, &c.denominator]);
+        let all = system.field.numerators().chain(system.field.denominators());
         Self {
             rows: system.field.components.iter().map(row).collect(),
             degree: greatest_power(all),

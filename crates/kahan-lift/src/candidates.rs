@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use kahan_algebra::field::{Component, Field};
+use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, modified_integral};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -249,9 +249,5 @@ pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIn
 pub(crate) fn field_of(ring: &Ring, form: &[Quadratic]) -> Field {
     let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
     let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", ring.parameters) };
-    let component = |equation: &Quadratic| {
-        let value = component(equation, form.len());
-        Component { numerator: value.numerator().clone(), denominator: value.denominator().clone() }
-    };
-    Field { components: form.iter().map(component).collect(), symbols }
+    Field { components: form.iter().map(|equation| component(equation, form.len())).collect(), symbols }
 }

@@ -210,13 +210,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     let symbols = Symbols { states: variables, parameters: parameters.clone() };
     let field = Field { symbols, ..field_of(ring, &judged.form) };
     let text = |polynomial: &Polynomial| Text.polynomial(&field.symbols, polynomial);
-    let fraction = |value: &RationalFunction| {
-        if value.denominator().is_one() {
-            text(value.numerator())
-        } else {
-            Text.fraction(&field.symbols, value.numerator(), value.denominator())
-        }
-    };
+    let fraction = |value: &RationalFunction| Text.function(&field.symbols, value);
     let mut relations: Vec<Relation> = judged
         .kept
         .iter()

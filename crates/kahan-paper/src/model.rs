@@ -69,8 +69,8 @@ impl Model {
                 format!(
                     "f{} := ({})/({});\n",
                     index + 1,
-                    text(&component.numerator),
-                    text(&component.denominator)
+                    text(component.numerator()),
+                    text(component.denominator())
                 )
             })
             .collect()

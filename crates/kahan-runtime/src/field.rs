@@ -97,7 +97,7 @@ impl Field {
 
     /// Whether the field divides by something that depends on parameters or ε.
     pub(crate) fn has_divisors(&self) -> bool {
-        self.system().field.components.iter().any(|component| !component.denominator.is_one())
+        self.system().field.components.iter().any(|component| !component.denominator().is_one())
     }
 
     /// The integrals that are claimed without `when`, in their order.

@@ -217,7 +217,7 @@ fn quadratic(lift: &Lift, given: &str) -> Result<(FieldText, System), StudyError
     let is_used = |k: &usize| {
         let variable = symbols.parameter(*k);
         let mut components = lift.field.components.iter();
-        components.any(|one| one.numerator.contains(variable) || one.denominator.contains(variable))
+        components.any(|one| one.contains(variable))
     };
     let (used, others): (Vec<usize>, Vec<usize>) = (0..lift.parameters.len()).partition(is_used);
     let names = |places: &[usize]| places.iter().map(|&k| lift.parameters[k].clone()).collect::<Vec<_>>();

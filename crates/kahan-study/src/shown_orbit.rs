@@ -283,7 +283,7 @@ fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
             .fold(at_zero, |polynomial, (k, value)| polynomial.substitute(field.symbols.parameter(k), value))
     };
     let sizes = field.components.iter().enumerate().flat_map(|(i, component)| {
-        let below = at(&component.denominator).as_constant().unwrap_or_default();
+        let below = at(component.denominator()).as_constant().unwrap_or_default();
         let above = at(&field.homogeneous_part(i, degree));
         let sizes = above.terms().filter_map(|(_, above)| above.checked_div(&below));
         sizes.map(|size| size.abs().to_f64()).collect::<Vec<_>>()

@@ -515,11 +515,15 @@ pub(crate) fn assigned<N: Display, V: Display>(
 /// The plain system of a chain of so many sites of the family in a text, its claims proved.
 ///
 /// # Errors
-/// Mistakes of the text, a field that is no family, and more than [`MOST_VARIABLES`] variables.
+/// Mistakes of the text, a field that is no family, more than [`MOST_VARIABLES`] variables, and
+/// so few sites that the field divides by zero.
 fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
     let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
     if sites.saturating_mul(family.block()) > MOST_VARIABLES {
         return Err(StudyError::ManySites { sites });
     }
-    Ok(family.at_sites(sites))
+    family.at_sites(sites).ok_or_else(|| StudyError::UndefinedField {
+        system: family.name().to_owned(),
+        parameters: vec![("sites".to_owned(), Rational::from(sites as i64))],
+    })
 }

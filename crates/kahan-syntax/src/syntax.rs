@@ -244,18 +244,24 @@ impl Expr {
     /// Calls `visit` with every value that the expression names and its place, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
-            ExprKind::Number(_) => {}
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
             ExprKind::Special(InFamily::Site { array, offset }) => {
                 visit(Reference::Site { array, offset: *offset }, self.span);
             }
-            ExprKind::Sum(terms) => terms.iter().for_each(|term| term.expr.visit_names(visit)),
-            ExprKind::Product(factors) => factors.iter().for_each(|factor| factor.expr.visit_names(visit)),
+            _ => self.parts().into_iter().for_each(|part| part.visit_names(visit)),
+        }
+    }
+
+    /// Returns the expressions that it is made of, from left to right.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(InFamily::Site { .. }) => Vec::new(),
+            ExprKind::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
+            ExprKind::Product(factors) => factors.iter().map(|factor| &factor.expr).collect(),
             ExprKind::Negation(inner)
             | ExprKind::Power(inner, _)
-            | ExprKind::Special(InFamily::OverSites(inner)) => {
-                inner.visit_names(visit);
-            }
+            | ExprKind::Special(InFamily::OverSites(inner)) => vec![inner],
         }
     }
 

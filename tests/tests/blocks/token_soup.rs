@@ -285,7 +285,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     assert!(reading.diagnostics().is_empty());
     // xᵢxⱼ and xⱼxᵢ are one product: 820 of them for each full round of 1600 terms and power of
     // `a`.
-    let terms = reading.system().expect("a system").field.components[0].numerator.len();
+    let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }
 

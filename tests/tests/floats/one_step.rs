@@ -44,8 +44,8 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     };
     let components = subject.system.field.components.iter();
     let sums = components.map(|component| {
-        assert!(component.denominator.is_one(), "no field of the catalog divides");
-        let terms = component.numerator.terms().map(|(monomial, coefficient)| {
+        assert!(component.denominator().is_one(), "no field of the catalog divides");
+        let terms = component.numerator().terms().map(|(monomial, coefficient)| {
             let powers =
                 monomial.powers().iter().map(|(variable, power)| value(*variable).powi(*power as i32));
             coefficient.to_f64().abs() * powers.product::<f64>()

@@ -290,6 +290,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "Kept::new(values, kept)",
         weaker: "Kept::of(&field)" },
     Weakening { name: "a system with values that keeps nothing", file: "crates/kahan-algebra/src/specialise.rs", tests: TEXTS,
-        text: "kept: kept.unwrap_or_else(|| Kept::of(&field))",
-        weaker: "kept: kept.filter(|_| false).unwrap_or_else(|| Kept::of(&field))" },
+        text: "let kept = kept.unwrap_or_else(|| Kept::of(&field));",
+        weaker: "let kept = kept.filter(|_| false).unwrap_or_else(|| Kept::of(&field));" },
 ];

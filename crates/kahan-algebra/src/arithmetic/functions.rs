@@ -2,8 +2,7 @@
 //! that a value is zero exactly when its numerator has no terms. No gcd is taken; common
 //! denominators and quotients share their factors.
 //!
-//! Work is bounded: once the budget is spent every further value is [`Function::TooLarge`], and
-//! nothing can be said.
+//! Work is bounded: once the budget is spent every further value is `None`, and nothing can be said.
 
 use std::cell::RefCell;
 
@@ -13,35 +12,19 @@ use crate::poly::{Budget, Polynomial};
 
 use super::Arithmetic;
 
-/// A rational function, or the statement that it was too large to expand.
+/// numerator / ∏ factorᵏ
 #[derive(Clone, Debug)]
-pub enum Function {
-    /// numerator / ∏ factorᵏ
-    Known {
-        /// Expanded.
-        numerator: Polynomial,
-        /// Distinct non-constant primitive polynomials with their exponents.
-        denominator: Vec<(Polynomial, u32)>,
-    },
-    /// The budget did not suffice.
-    TooLarge,
+pub struct Function {
+    /// Expanded.
+    pub numerator: Polynomial,
+    /// Distinct non-constant primitive polynomials with their exponents.
+    pub denominator: Vec<(Polynomial, u32)>,
 }
 
-/// A numerator, and the factors below it.
-type Fraction<'a> = (&'a Polynomial, &'a [(Polynomial, u32)]);
-
-impl Function {
-    fn fraction(&self) -> Option<Fraction<'_>> {
-        match self {
-            Function::Known { numerator, denominator } => Some((numerator, denominator)),
-            Function::TooLarge => None,
-        }
-    }
-
-    /// A polynomial.
-    #[must_use]
-    pub fn polynomial(numerator: Polynomial) -> Self {
-        Function::Known { numerator, denominator: Vec::new() }
+/// A polynomial.
+impl From<Polynomial> for Function {
+    fn from(numerator: Polynomial) -> Self {
+        Function { numerator, denominator: Vec::new() }
     }
 }
 
@@ -83,28 +66,23 @@ impl Functions {
         Some(expanded)
     }
 
-    /// What comes of two functions that are known, within the budget.
-    fn of_both(
-        a: &Function,
-        b: &Function,
-        result: impl FnOnce(Fraction<'_>, Fraction<'_>) -> Option<Function>,
-    ) -> Function {
-        let fractions = a.fraction().zip(b.fraction());
-        fractions.and_then(|(a, b)| result(a, b)).unwrap_or(Function::TooLarge)
+    fn sum(&self, a: &Function, b: &Function, sign: i64) -> Option<Function> {
+        let mut denominator = a.denominator.clone();
+        for (factor, exponent) in &b.denominator {
+            let known = exponent_in(&mut denominator, factor);
+            *known = (*known).max(*exponent);
+        }
+        let a = self.expand_to(&a.numerator, &a.denominator, &denominator)?;
+        let b = self.expand_to(&b.numerator, &b.denominator, &denominator)?.scale(&Rational::from(sign));
+        let numerator = a.add_within(&b, &mut self.budget.borrow_mut()).ok()?;
+        Some(Function { numerator, denominator })
     }
 
-    fn sum(&self, a: &Function, b: &Function, sign: i64) -> Function {
-        Self::of_both(a, b, |(a, below_a), (b, below_b)| {
-            let mut denominator = below_a.to_vec();
-            for (factor, exponent) in below_b {
-                let known = exponent_in(&mut denominator, factor);
-                *known = (*known).max(*exponent);
-            }
-            let a = self.expand_to(a, below_a, &denominator)?;
-            let b = self.expand_to(b, below_b, &denominator)?.scale(&Rational::from(sign));
-            let numerator = a.add_within(&b, &mut self.budget.borrow_mut()).ok()?;
-            Some(Function::Known { numerator, denominator })
-        })
+    fn times(&self, a: &Function, b: &Function) -> Option<Function> {
+        let (mut above, mut other, mut denominator) = (a.numerator.clone(), b.numerator.clone(), Vec::new());
+        self.cancel(&mut above, &b.denominator, &mut denominator)?;
+        self.cancel(&mut other, &a.denominator, &mut denominator)?;
+        Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
     /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which
@@ -136,7 +114,7 @@ impl Functions {
         let primitive = numerator.primitive_part();
         let above = above.scale(&numerator.content().recip()?);
         let denominator = if primitive.as_constant().is_some() { Vec::new() } else { vec![(primitive, 1)] };
-        Some(Function::Known { numerator: above, denominator })
+        Some(Function { numerator: above, denominator })
     }
 }
 
@@ -153,36 +131,31 @@ fn exponent_of(denominator: &[(Polynomial, u32)], factor: &Polynomial) -> u32 {
     denominator.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
 }
 
+/// A value is `None` where the budget did not suffice.
 impl Arithmetic for Functions {
-    type Value = Function;
+    type Value = Option<Function>;
 
-    fn constant(&self, value: &Rational) -> Option<Function> {
-        Some(Function::polynomial(Polynomial::constant(value.clone())))
+    fn constant(&self, value: &Rational) -> Option<Option<Function>> {
+        Some(Some(Polynomial::constant(value.clone()).into()))
     }
 
-    fn add(&self, a: &Function, b: &Function) -> Function {
-        self.sum(a, b, 1)
+    fn add(&self, a: &Option<Function>, b: &Option<Function>) -> Option<Function> {
+        self.sum(a.as_ref()?, b.as_ref()?, 1)
     }
 
-    fn subtract(&self, a: &Function, b: &Function) -> Function {
-        self.sum(a, b, -1)
+    fn subtract(&self, a: &Option<Function>, b: &Option<Function>) -> Option<Function> {
+        self.sum(a.as_ref()?, b.as_ref()?, -1)
     }
 
-    fn multiply(&self, a: &Function, b: &Function) -> Function {
-        Self::of_both(a, b, |(a, below_a), (b, below_b)| {
-            let (mut a, mut b) = (a.clone(), b.clone());
-            let mut denominator = Vec::new();
-            self.cancel(&mut a, below_b, &mut denominator)?;
-            self.cancel(&mut b, below_a, &mut denominator)?;
-            Some(Function::Known { numerator: self.product(&a, &b)?, denominator })
-        })
+    fn multiply(&self, a: &Option<Function>, b: &Option<Function>) -> Option<Function> {
+        self.times(a.as_ref()?, b.as_ref()?)
     }
 
-    fn negate(&self, a: &Function) -> Function {
-        self.multiply(a, &Function::polynomial(Polynomial::constant(Rational::from(-1))))
+    fn negate(&self, a: &Option<Function>) -> Option<Function> {
+        self.times(a.as_ref()?, &Polynomial::constant(Rational::from(-1)).into())
     }
 
-    fn divide(&self, a: &Function, b: &Function) -> Option<Function> {
+    fn divide(&self, a: &Option<Function>, b: &Option<Function>) -> Option<Option<Function>> {
         if self.is_zero(b) {
             return None;
         }
@@ -193,14 +166,15 @@ impl Arithmetic for Functions {
                 .map(|(factor, exponent)| (factor, exponent.saturating_sub(exponent_of(other, factor))));
             left.filter(|(_, exponent)| *exponent > 0).map(|(factor, e)| (factor.clone(), e)).collect()
         };
-        Some(Self::of_both(a, b, |(numerator, below_a), (divisor, below_b)| {
-            let denominator = without(below_a, below_b);
-            let inverse = self.inverted(divisor, &without(below_b, below_a))?;
-            Some(self.multiply(&Function::Known { numerator: numerator.clone(), denominator }, &inverse))
-        }))
+        let quotient = |a: &Function, b: &Function| {
+            let denominator = without(&a.denominator, &b.denominator);
+            let inverse = self.inverted(&b.numerator, &without(&b.denominator, &a.denominator))?;
+            self.times(&Function { numerator: a.numerator.clone(), denominator }, &inverse)
+        };
+        Some(a.as_ref().zip(b.as_ref()).and_then(|(a, b)| quotient(a, b)))
     }
 
-    fn is_zero(&self, a: &Function) -> bool {
-        matches!(a, Function::Known { numerator, .. } if numerator.is_zero())
+    fn is_zero(&self, a: &Option<Function>) -> bool {
+        a.as_ref().is_some_and(|a| a.numerator.is_zero())
     }
 }

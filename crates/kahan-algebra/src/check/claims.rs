@@ -7,8 +7,8 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::plan::{Node, PlanBuilder};
+use crate::rational_function::RationalFunction;
 use crate::system::{Claim, upper_index};
 
 use super::conditions;
@@ -21,29 +21,30 @@ use super::stand_in::StandIn;
 /// in.
 pub(super) fn compile_all(
     block: &Block,
-    components: &[Component],
+    components: &[RationalFunction],
     scope: &mut Scope,
     stand_in: &mut StandIn,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Claim> {
-    let mut compiler = Compiler { builder: PlanBuilder::default(), functions: FxHashMap::default() };
+    let (builder, functions) = (PlanBuilder::default(), FxHashMap::default());
+    let mut compiler = Compiler { builder, functions, scope };
     let mut claims: Vec<Claim> = Vec::new();
     for claim in &block.claims {
-        if !scope.is_free(&claim.name, "claim", diagnostics) {
+        if !compiler.scope.is_free(&claim.name, "claim", diagnostics) {
             continue;
         }
         check_density_is_single(claim, &claims, diagnostics);
-        let conditions = conditions::evaluate(&claim.conditions, components, scope, diagnostics);
-        let entries = entry_places(claim, scope, diagnostics);
+        let conditions = conditions::evaluate(&claim.conditions, components, compiler.scope, diagnostics);
+        let entries = entry_places(claim, compiler.scope, diagnostics);
         let outputs = claim
             .body
             .as_ref()
             .filter(|body| {
                 // Every expression is looked at, so that all unknown names are reported.
-                let mut resolve = |expr: &Expr| scope.resolve(expr, true, diagnostics);
+                let mut resolve = |expr: &Expr| compiler.scope.resolve(expr, true, diagnostics);
                 match body {
                     ClaimBody::Recurrence { function, next } => {
-                        resolve(function) & resolve_next(next, claim, &claims, scope, diagnostics)
+                        resolve(function) & resolve_next(next, claim, &claims, compiler.scope, diagnostics)
                     }
                     ClaimBody::Function(function) => resolve(function),
                     ClaimBody::Tensor(entries) => {
@@ -52,14 +53,14 @@ pub(super) fn compile_all(
                 }
             })
             .zip(entries)
-            .and_then(|(body, entries)| match compiler.body(&claim.name.text, body, &entries, scope) {
+            .and_then(|(body, entries)| match compiler.body(&claim.name.text, body, &entries) {
                 Ok(outputs) => Some(outputs),
                 Err(diagnostic) => {
                     diagnostics.push(diagnostic);
                     None
                 }
             });
-        scope.claims.push(claim.name.text.clone());
+        compiler.scope.claims.push(claim.name.text.clone());
         stand_in.push_claim(claim.kind, &claim.name, claim.conditions.is_empty());
         match outputs.as_deref() {
             Some([output, ..]) if claim.kind != ClaimKind::Bracket => {
@@ -67,7 +68,7 @@ pub(super) fn compile_all(
             }
             Some(_) => {}
             // The mistake in it is reported already, so later claims that use it are silent.
-            None => scope.poison(&claim.name.text),
+            None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
             claims.push(Claim {
@@ -130,31 +131,27 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
     }
 }
 
-struct Compiler {
+/// The operations of one claim after the other.
+struct Compiler<'a> {
     builder: PlanBuilder,
     functions: FxHashMap<String, Node>,
+    scope: &'a mut Scope,
 }
 
-/// The operations of one claim after the other.
-struct Operations<'a> {
-    compiler: &'a mut Compiler,
-    scope: &'a Scope,
-}
-
-impl Target for Operations<'_> {
+impl Target for Compiler<'_> {
     type Value = Node;
 
     fn number(&mut self, value: &Rational) -> Node {
-        self.compiler.builder.constant(value)
+        self.builder.constant(value)
     }
 
     fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Node, Diagnostic> {
         let name = reference.to_string();
-        if let Some(node) = self.compiler.functions.get(&name) {
+        if let Some(node) = self.functions.get(&name) {
             return Ok(*node);
         }
         match self.scope.meaning(&name) {
-            Some(Meaning::Variable(variable)) => Ok(self.compiler.builder.input(variable)),
+            Some(Meaning::Variable(variable)) => Ok(self.builder.input(variable)),
             Some(Meaning::Constant(value)) => Ok(self.number(&value)),
             None => Err(Diagnostic::new(
                 Kind::Claim,
@@ -166,12 +163,12 @@ impl Target for Operations<'_> {
     }
 
     fn negate(&mut self, a: Node) -> Node {
-        self.compiler.builder.negate(a)
+        self.builder.negate(a)
     }
 
     fn sum(&mut self, terms: Vec<(bool, Node)>, _: Span) -> Result<Node, Diagnostic> {
         let zero = self.number(&Rational::zero());
-        let builder = &mut self.compiler.builder;
+        let builder = &mut self.builder;
         Ok(terms.into_iter().fold(zero, |sum, (negative, term)| match negative {
             true => builder.subtract(sum, term),
             false => builder.add(sum, term),
@@ -179,15 +176,15 @@ impl Target for Operations<'_> {
     }
 
     fn multiply(&mut self, a: Node, b: Node, _: Span) -> Result<Node, Diagnostic> {
-        Ok(self.compiler.builder.multiply(a, b))
+        Ok(self.builder.multiply(a, b))
     }
 
     fn divide(&mut self, a: Node, b: Node, _: Span) -> Result<Node, Diagnostic> {
-        Ok(self.compiler.builder.divide(a, b))
+        Ok(self.builder.divide(a, b))
     }
 
     fn power(&mut self, a: Node, exponent: u64, span: Span) -> Result<Node, Diagnostic> {
-        let bits = self.compiler.builder.constant_size(a).map(|value| value.bits().max(1));
+        let bits = self.builder.constant_size(a).map(|value| value.bits().max(1));
         let is_short_number = bits.is_some_and(|bits| bits.saturating_mul(exponent) <= MOST_BITS);
         if !is_short_number && exponent > HIGHEST_EXPONENT.unsigned_abs() {
             return Err(Diagnostic::new(
@@ -197,11 +194,11 @@ impl Target for Operations<'_> {
                 "write the claim with smaller powers",
             ));
         }
-        Ok(self.compiler.builder.power(a, exponent as u32))
+        Ok(self.builder.power(a, exponent as u32))
     }
 
     fn is_zero(&self, a: &Node) -> bool {
-        self.compiler.builder.is_zero(*a)
+        self.builder.is_zero(*a)
     }
 
     fn inverts(&self) -> bool {
@@ -209,32 +206,27 @@ impl Target for Operations<'_> {
     }
 }
 
-impl Compiler {
-    fn node(&mut self, expr: &Expr, scope: &Scope) -> Result<Node, Diagnostic> {
-        lower(expr, &mut Operations { compiler: self, scope })
-    }
-
+impl Compiler<'_> {
     /// The results of a claim whose names and entries are sound.
     fn body(
         &mut self,
         name: &str,
         body: &ClaimBody,
         entries: &[(usize, usize)],
-        scope: &Scope,
     ) -> Result<Vec<Node>, Diagnostic> {
         match body {
-            ClaimBody::Function(expr) => Ok(vec![self.node(expr, scope)?]),
+            ClaimBody::Function(expr) => Ok(vec![lower(expr, self)?]),
             ClaimBody::Recurrence { function, next } => {
-                let function = self.node(function, scope)?;
+                let function = lower(function, self)?;
                 self.functions.insert(name.to_owned(), function);
-                Ok(vec![function, self.node(next, scope)?])
+                Ok(vec![function, lower(next, self)?])
             }
             ClaimBody::Tensor(values) => {
-                let n = scope.symbols.dimension();
+                let n = self.scope.symbols.dimension();
                 let zero = self.builder.constant(&Rational::zero());
                 let mut upper = vec![zero; n * (n.max(1) - 1) / 2];
                 for (entry, &(row, column)) in values.iter().zip(entries) {
-                    let node = self.node(&entry.value, scope)?;
+                    let node = lower(&entry.value, self)?;
                     let place = upper_index(n, row.min(column), row.max(column));
                     upper[place] = if row < column { node } else { self.builder.negate(node) };
                 }

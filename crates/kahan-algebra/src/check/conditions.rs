@@ -9,7 +9,6 @@ use kahan_syntax::syntax;
 use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::poly::{OverBudget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
@@ -23,7 +22,7 @@ use super::names::Scope;
 /// The relations behind `when`, solved; `None` if one is broken.
 pub(super) fn evaluate(
     written: &[syntax::Condition],
-    components: &[Component],
+    components: &[RationalFunction],
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Condition>> {
@@ -47,7 +46,7 @@ pub(super) fn evaluate(
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
-    components: &[Component],
+    components: &[RationalFunction],
     scope: &mut Scope,
 ) -> Result<Option<Variable>, Diagnostic> {
     let Some(names) = names(condition, scope)?.filter(|_| !is_spent(scope)) else { return Ok(None) };
@@ -77,7 +76,7 @@ fn one_relation(
         }
     }
     for component in components {
-        if relations.makes_vanish(&component.denominator).map_err(over_budget)? {
+        if relations.makes_vanish(component.denominator()).map_err(over_budget)? {
             return Err(wrong(
                 "here the field divides by zero, so it has no map",
                 "fix values at which every divisor of the equations is different from zero",

@@ -7,9 +7,9 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Block, Expr, ExprKind};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
+use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
@@ -20,7 +20,7 @@ pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
-) -> (Vec<Component>, Kept) {
+) -> (Vec<RationalFunction>, Kept) {
     let mut values = Values::of(&scope.symbols);
     let (mut components, mut kept) = (Vec::new(), Vec::new());
     let mut seen: FxHashSet<&str> = FxHashSet::default();
@@ -39,7 +39,7 @@ pub(super) fn expand_all(
         });
         let expansion = expansion.unwrap_or_else(Expansion::zero);
         kept.push(expansion.kept().clone());
-        components.push(expansion.component());
+        components.push(expansion.function());
     }
     (components, Kept::new(values, kept))
 }
@@ -89,24 +89,13 @@ fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &
     [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
 }
 
-/// The place to report of a mistake with ε: the first `eps` of the first term with odd powers, or
-/// of the whole expression where no term has any.
+/// The place to report of a mistake with ε: the first `eps` of the first part with odd powers, or
+/// of the whole expression where no part has any.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
-    match &expr.kind {
-        ExprKind::Negation(inner) => return place_of_eps(inner, scope),
-        ExprKind::Sum(terms) => {
-            if let Some(term) = terms.iter().find(|term| is_odd(&term.expr)) {
-                return place_of_eps(&term.expr, scope);
-            }
-        }
-        ExprKind::Product(factors) => {
-            if let Some(factor) = factors.iter().find(|factor| is_odd(&factor.expr)) {
-                return place_of_eps(&factor.expr, scope);
-            }
-        }
-        ExprKind::Power(..) | ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(_) => {}
+    if let Some(part) = expr.parts().into_iter().find(|part| is_odd(part)) {
+        return place_of_eps(part, scope);
     }
     let mut place = None;
     expr.visit_names(&mut |name, span| {

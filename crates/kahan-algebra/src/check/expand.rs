@@ -14,7 +14,6 @@ use kahan_syntax::spelling::{LIFTS, NOT_QUADRATIC};
 use kahan_syntax::syntax::{Expr, Reference};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::kept::Values;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
@@ -63,9 +62,9 @@ impl Expansion {
         Expansion::polynomial(Polynomial::zero())
     }
 
-    /// Numerator and denominator, which are in lowest terms.
-    pub(super) fn component(self) -> Component {
-        Component { numerator: self.numerator, denominator: self.denominator }
+    /// Returns the function, whose numerator and denominator are in lowest terms.
+    pub(super) fn function(self) -> RationalFunction {
+        RationalFunction::from_coprime(self.numerator, self.denominator)
     }
 
     /// The same over the values that are kept.

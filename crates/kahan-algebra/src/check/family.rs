@@ -6,7 +6,7 @@ use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
 
 use crate::family::{Family, SiteSum};
-use crate::field::Component;
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
 use super::constants;
@@ -189,9 +189,9 @@ fn sum(
     Some(SiteSum { name: name.clone(), written: written.clone(), density })
 }
 
-fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
-    let component = expand_in_claim(&summand(written)?, scope)?.component();
-    if component.contains(scope.symbols.epsilon()) {
+fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic> {
+    let density = expand_in_claim(&summand(written)?, scope)?.function();
+    if density.contains(scope.symbols.epsilon()) {
         return Err(Diagnostic::new(
             Kind::Claim,
             written.span,
@@ -199,5 +199,5 @@ fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
             "write the sum that the field keeps; what the map keeps is made of it",
         ));
     }
-    Ok(component)
+    Ok(density)
 }

@@ -4,8 +4,8 @@ use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Reference};
 
 use crate::family::{Family, Role};
-use crate::field::Component;
 use crate::poly::Monomial;
+use crate::rational_function::RationalFunction;
 
 /// Reports parameters of neighbours that are needed where there is no neighbour: they may only
 /// multiply a state that lies as far outside, which is 0.
@@ -25,11 +25,11 @@ pub(super) fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics
 }
 
 /// A parameter that a quotient needs beyond an end.
-fn undefined(family: &Family, component: &Component) -> Option<String> {
-    let divisors = component.denominator.terms().map(|(monomial, _)| monomial);
+fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
+    let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
     let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();
     divisor.or_else(|| {
-        let terms = component.numerator.terms();
+        let terms = component.numerator().terms();
         terms.filter_map(|(monomial, _)| beyond(family, monomial, states(family, monomial))).next()
     })
 }

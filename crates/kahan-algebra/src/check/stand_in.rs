@@ -1,16 +1,14 @@
 //! What stands in for a block with mistakes, so that the rest of a program is checked against its
 //! type: the names that were found, and nothing that could be computed.
 
-use std::sync::Arc;
-
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::Kept;
 use crate::plan::PlanBuilder;
-use crate::poly::Polynomial;
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::system::{Claim, Condition, System};
 
@@ -61,17 +59,10 @@ impl StandIn {
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
-        let zero = || Component { numerator: Polynomial::zero(), denominator: Polynomial::one() };
-        let components = symbols.states.iter().map(|_| zero()).collect();
-        let field = Field { symbols, components };
-        System {
-            header: self.header.clone(),
-            constants: Vec::new(),
-            kept: Kept::of(&field).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims: self.claims.iter().map(|claim| self.claim(claim)).collect(),
-        }
+        let field = Field { components: vec![RationalFunction::zero(); symbols.dimension()], symbols };
+        let (header, kept) = (self.header.clone(), Kept::of(&field));
+        let claims = self.claims.iter().map(|claim| self.claim(claim)).collect();
+        System { header, claims, ..System::of(field, kept) }
     }
 
     fn claim(&self, (kind, name, is_unconditional): &(ClaimKind, Name, bool)) -> Claim {

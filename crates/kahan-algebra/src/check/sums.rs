@@ -58,10 +58,7 @@ fn outside(expr: &Expr) -> Diagnostic {
 fn find_sum(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
         ExprKind::Special(InFamily::OverSites(_)) => Some(expr),
-        ExprKind::Sum(terms) => terms.iter().find_map(|term| find_sum(&term.expr)),
-        ExprKind::Product(factors) => factors.iter().find_map(|factor| find_sum(&factor.expr)),
-        ExprKind::Negation(inner) | ExprKind::Power(inner, _) => find_sum(inner),
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(InFamily::Site { .. }) => None,
+        _ => expr.parts().into_iter().find_map(find_sum),
     }
 }
 

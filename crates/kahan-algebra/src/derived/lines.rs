@@ -3,10 +3,11 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::WithConstants;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable, gcd};
+use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
 use crate::family::{Family, Role, SiteSum};
@@ -71,8 +72,8 @@ impl Family {
         let (mut lower, mut upper) = (0, 0);
         for (row, component) in components.iter().enumerate() {
             for column in self.with_diagonal(row) {
-                let slope = component.numerator.derivative(self.symbols.state(column));
-                nodes.push(writer.entry(&slope, &component.denominator, column == center + row));
+                let slope = component.numerator().derivative(self.symbols.state(column));
+                nodes.push(writer.entry(&slope, component.denominator(), column == center + row));
                 entries.push(Place { row, column });
                 lower = lower.max((center + row).saturating_sub(column));
                 upper = upper.max(column.saturating_sub(center + row));
@@ -192,8 +193,8 @@ impl LineWriter<'_> {
         self.builder.polynomial(&renamed)
     }
 
-    fn quotient(&mut self, component: &Component) -> Node {
-        self.multiple(None, &component.numerator, &component.denominator)
+    fn quotient(&mut self, component: &RationalFunction) -> Node {
+        self.multiple(None, component.numerator(), component.denominator())
     }
 
     /// A quotient, or ε times it, as a sum of prepared coefficients times polynomials of integers

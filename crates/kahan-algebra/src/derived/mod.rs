@@ -62,6 +62,12 @@ pub struct Derived {
     /// The claims that are made `when` something holds, in their order: each where it does, with
     /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
+    made: Made,
+}
+
+/// The plans that are made when they are first asked for.
+#[derive(Clone, Debug, Default)]
+struct Made {
     planned: OnceLock<Planned>,
     at_eps_zero: OnceLock<Box<Derived>>,
     dense: OnceLock<Option<DenseField>>,
@@ -95,25 +101,13 @@ pub fn derive(system: &System) -> Derived {
         rational_map: of_map(&|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
         reduced_map: planned.as_ref().and_then(Planned::reduced_map),
         map,
-        planned: planned.map_or_else(OnceLock::new, OnceLock::from),
-        at_eps_zero: OnceLock::new(),
-        dense: OnceLock::new(),
-        field: OnceLock::new(),
-        coefficients: OnceLock::new(),
-        field_jacobian: OnceLock::new(),
-        matrix: OnceLock::new(),
-        bilinear: OnceLock::new(),
-        polarized: OnceLock::new(),
-        rhs: OnceLock::new(),
+        made: Made { planned: planned.map_or_else(OnceLock::new, OnceLock::from), ..Made::default() },
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
         drifts: claims(ClaimKind::Drift).map(|(name, plan)| (name, single(plan))).collect(),
         conditional: system.conditional().map(Claim::where_it_holds).collect(),
-        step: OnceLock::new(),
-        couplings: OnceLock::new(),
-        carry: OnceLock::new(),
         system: system.clone(),
     }
 }
@@ -163,7 +157,7 @@ impl Derived {
     /// are free of ε.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
-            true => self.at_eps_zero.get_or_init(|| {
+            true => self.made.at_eps_zero.get_or_init(|| {
                 let system = self.system.at_eps(&Rational::ZERO);
                 derive(&system.expect("a checked field has a value at eps = 0")).into()
             }),
@@ -173,7 +167,7 @@ impl Derived {
 
     /// f(x), one result for each component. Coefficients may depend on ε, which is an input then.
     pub fn field(&self) -> &Plan {
-        self.field.get_or_init(|| match self.dense() {
+        self.made.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
             None => self.system.kept.plan(),
         })
@@ -188,7 +182,7 @@ impl Derived {
     /// coefficient is 0.
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
-        self.coefficients.get_or_init(coefficients).as_ref()
+        self.made.coefficients.get_or_init(coefficients).as_ref()
     }
 
     /// Whether the field has [coefficients](Self::coefficients).
@@ -203,12 +197,12 @@ impl Derived {
 
     fn dense(&self) -> Option<&DenseField> {
         let System { field, kept, .. } = &self.system;
-        self.dense.get_or_init(|| DenseField::of(kept, &field.symbols)).as_ref()
+        self.made.dense.get_or_init(|| DenseField::of(kept, &field.symbols)).as_ref()
     }
 
     /// f′(x), row by row.
     pub fn field_jacobian(&self) -> &Plan {
-        self.field_jacobian.get_or_init(|| match self.dense() {
+        self.made.field_jacobian.get_or_init(|| match self.dense() {
             Some(dense) => dense.slopes(dense.entries()),
             None => {
                 let (values, slopes) = self.slopes();
@@ -219,7 +213,7 @@ impl Derived {
 
     /// A(x,ε), row by row.
     pub fn matrix(&self) -> &Plan {
-        self.matrix.get_or_init(|| {
+        self.made.matrix.get_or_init(|| {
             let (values, slopes) = self.slopes();
             let epsilon = self.system.field.symbols.epsilon();
             values
@@ -229,17 +223,17 @@ impl Derived {
 
     /// Q(x,y), one result for each component; y are the second states.
     pub fn bilinear(&self) -> &Plan {
-        self.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
+        self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
 
     /// Q(x,y) + ½B(x+y) + c, one result for each component.
     pub fn polarized(&self) -> &Plan {
-        self.polarized.get_or_init(|| self.over_divisors(polarization))
+        self.made.polarized.get_or_init(|| self.over_divisors(polarization))
     }
 
     /// b(x,ε), one result for each component.
     pub fn rhs(&self) -> &Plan {
-        self.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
+        self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
 
     /// f′(x) over the values of the field.
@@ -249,14 +243,14 @@ impl Derived {
     }
 
     fn planned(&self) -> &Planned {
-        self.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
+        self.made.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
     }
 
     /// Polynomials that belong to the components of a field, each over its component's divisor.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
-        let divisors = with.field.components.iter().map(|component| &component.denominator);
-        with.put_into(&quotients(polynomials(&with.field).iter().zip(divisors)))
+        let polynomials = polynomials(&with.field);
+        with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
     /// The step in straight lines; `None` where every step eliminates.
@@ -271,7 +265,7 @@ impl Derived {
             )
         };
         let is_written = self.system.field.dimension() <= MOST_EXPANDED;
-        self.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
+        self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
     }
 
     /// How A(x,ε) is eliminated where the step is not written in straight lines.
@@ -286,7 +280,7 @@ impl Derived {
                 Couplings::of(&values, &slopes)
             })
         };
-        self.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
+        self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
     /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, one result for each component; `None` where the
@@ -306,7 +300,7 @@ impl Derived {
         };
         let has_other_poles = self.reduced_map.is_some();
         let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };
-        self.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
+        self.made.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
     /// Whether all divisors of the field differ from 0 at this ε and these parameters, in their

@@ -17,7 +17,7 @@ pub(crate) struct Scheme {
 
 impl Scheme {
     pub(crate) fn of(field: &Field) -> Self {
-        let numerators = Plan::of(field.components.iter().map(|component| &component.numerator));
+        let numerators = Plan::of(field.numerators());
         let matrix = Plan::of(scaled_matrix(field).iter().flatten());
         let variables = usize::from(field.symbols.epsilon().0) + 1;
         Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }

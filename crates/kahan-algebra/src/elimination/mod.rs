@@ -95,7 +95,7 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
         return None;
     }
     let is_state = |variable| field.symbols.is_state(variable);
-    let slopes = field.components.iter().map(|component| component.numerator.gradient(is_state).len());
+    let slopes = field.components.iter().map(|component| component.numerator().gradient(is_state).len());
     let slopes: usize = slopes.sum();
     (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
         Diagnostic::new(

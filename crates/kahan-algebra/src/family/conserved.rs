@@ -34,7 +34,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
 /// equation is summed.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
-    let degree = family.symbols.degree(&integral.density.numerator);
+    let degree = family.symbols.degree(integral.density.numerator());
     if degree > 1 {
         return Err(Diagnostic::new(
             Kind::Claim,
@@ -95,19 +95,19 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Resul
     let density = middle.at(&sum.density, 0);
     // The slope of the whole sum by the state of an array in the middle.
     let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
-    for (monomial, value) in density.numerator.terms() {
+    for (monomial, value) in density.numerator().terms() {
         let Some((state, _)) =
             monomial.powers().iter().find(|(variable, _)| middle.symbols.is_state(*variable))
         else {
             continue;
         };
         let (offset, array) = middle.state(*state);
-        budget.charge(1 + density.denominator.len() as u64)?;
+        budget.charge(1 + density.denominator().len() as u64)?;
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         let extent = middle.moved(extent, -offset);
         let slope = monomial.lowered(*state).expect("it occurs");
         let slope = Polynomial::term(middle.shifted(&slope, -offset), value.clone());
-        let below = middle.shifted_polynomial(&density.denominator, -offset);
+        let below = middle.shifted_polynomial(density.denominator(), -offset);
         let slope = RationalFunction::new_within(slope, below, budget)?.expect("a divisor is not zero");
         let total = slopes.entry((array, extent)).or_insert_with(RationalFunction::zero);
         *total = total.add_within(&slope, budget)?;
@@ -121,17 +121,17 @@ pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -
     let density = middle.at(&sum.density, 0);
     // By divisor, monomial and length, wherever they begin.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
-    for state in density.numerator.variables().into_iter().filter(|&state| middle.symbols.is_state(state)) {
+    for state in density.numerator().variables().into_iter().filter(|&state| middle.symbols.is_state(state)) {
         let (offset, array) = middle.state(state);
         let component = middle.at(&middle.family.components[array], offset);
         let place = middle.extent_of_site(0).with(middle.extent_of_site(offset));
-        let below = product(&density.denominator, &component.denominator, budget)?;
+        let below = product(density.denominator(), component.denominator(), budget)?;
         let content = below.monomial_content();
-        budget.charge(density.numerator.len() as u64)?;
-        for (written, value) in density.numerator.terms() {
+        budget.charge(density.numerator().len() as u64)?;
+        for (written, value) in density.numerator().terms() {
             let Some(slope) = written.lowered(state) else { continue };
-            budget.charge((component.numerator.len() * (1 + below.len())) as u64)?;
-            for (factor, by) in component.numerator.terms() {
+            budget.charge((component.numerator().len() * (1 + below.len())) as u64)?;
+            for (factor, by) in component.numerator().terms() {
                 let extent = middle.extent(factor, middle.extent(&slope, place));
                 let above = slope.mul(factor);
                 let common = above.gcd(&content);
@@ -169,15 +169,17 @@ fn derivative(
     // Terms over one divisor cancel among themselves, most often all of them.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
     for site in 0..sites {
-        let density = family.moved(&sum.density, site, sites, symbols);
-        let states = density.numerator.variables().into_iter().filter(|variable| symbols.is_state(*variable));
+        let Some(density) = family.moved(&sum.density, site, sites, symbols) else { continue };
+        let states =
+            density.numerator().variables().into_iter().filter(|variable| symbols.is_state(*variable));
         for state in states {
             let place = usize::from(state.0);
             let (site, array) = (place / family.block(), place % family.block());
             let component = family.moved(&family.components[array], site, sites, symbols);
-            let slope = density.numerator.derivative(state);
-            let above = product(&slope, &component.numerator, budget)?;
-            let below = product(&density.denominator, &component.denominator, budget)?;
+            let Some(component) = component else { continue };
+            let slope = density.numerator().derivative(state);
+            let above = product(&slope, component.numerator(), budget)?;
+            let below = product(density.denominator(), component.denominator(), budget)?;
             match groups.iter_mut().find(|(divisor, _)| *divisor == below) {
                 Some((_, total)) => *total = total.add_within(&above, budget)?,
                 None => groups.push((below, above)),

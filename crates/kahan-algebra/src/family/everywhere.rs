@@ -10,8 +10,8 @@
 
 use kahan_syntax::syntax::Boundary;
 
-use crate::field::Component;
 use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
 use super::Family;
@@ -63,9 +63,10 @@ impl<'a> Middle<'a> {
     }
 
     /// A quotient written for site i, at the site that is `offset` from the middle.
-    pub(super) fn at(&self, component: &Component, offset: i64) -> Component {
+    pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
         let site = (self.site as i64 + offset) as usize;
-        self.family.moved(component, site, self.sites, &self.symbols)
+        let moved = self.family.moved(component, site, self.sites, &self.symbols);
+        moved.expect("no two sites are one in a long chain")
     }
 
     /// How far the site of a state is from the middle, and its array.
@@ -132,8 +133,7 @@ impl<'a> Middle<'a> {
 
     /// Moves every site of a polynomial by `by` sites.
     pub(super) fn shifted_polynomial(&self, polynomial: &Polynomial, by: i64) -> Polynomial {
-        let terms = polynomial.terms();
-        Polynomial::from_terms(terms.map(|(monomial, value)| (self.shifted(monomial, by), value.clone())))
+        polynomial.map_monomials(|monomial| Some(self.shifted(monomial, by)))
     }
 }
 

@@ -1,15 +1,14 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
-use std::sync::Arc;
-
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
 use kahan_syntax::token::Span;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::system::{Claim, System};
 
@@ -41,95 +40,67 @@ impl Family {
     }
 
     /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is
-    /// shorter than the stencil, a site is its own neighbour.
+    /// shorter than the stencil, a site is its own neighbour; `None` where it then divides by zero,
+    /// as `x[i]/(c[i] - c[i+1])` does at one site.
     #[must_use]
-    pub fn at_sites(&self, sites: usize) -> System {
+    pub fn at_sites(&self, sites: usize) -> Option<System> {
         let symbols = self.symbols_at(sites);
         let mut components = Vec::with_capacity(sites * self.block());
         let mut values = Values::of(&symbols);
         let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
+            for component in &self.components {
+                components.push(self.moved(component, site, sites, &symbols)?);
+            }
             kept.extend(self.kept.with(&mut values, |variable| {
                 let moved = self.moved_variable(variable, site, sites, &symbols);
                 moved.map_or_else(Polynomial::zero, Polynomial::variable)
             }));
-            components
-                .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }
-        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols)).collect();
+        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols));
+        let claims = claims.collect::<Option<_>>()?;
         let field = Field { symbols, components };
-        System {
-            header: self.header.clone(),
-            constants: self.constants.clone(),
-            kept: Kept::new(values, kept).into(),
-            field: field.into(),
-            written: Arc::default(),
-            claims,
-        }
+        let kept = Kept::new(values, kept);
+        let (header, constants) = (self.header.clone(), self.constants.clone());
+        Some(System { header, constants, claims, ..System::of(field, kept) })
     }
 
     /// A linear integral of a chain, which was proved for every number of sites.
-    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Claim {
+    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Option<Claim> {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
         let mut terms = Vec::with_capacity(sites);
         for site in 0..sites {
-            let density = self.moved(&sum.density, site, sites, symbols);
-            let term = builder.quotient(&density.numerator, &density.denominator);
+            let density = self.moved(&sum.density, site, sites, symbols)?;
+            let term = builder.quotient(density.numerator(), density.denominator());
             total = builder.add(total, term);
             terms.push(density);
         }
-        Claim {
+        Some(Claim {
             kind: ClaimKind::Integral,
             name: sum.name.clone(),
             body: ClaimBody::Function(written(&terms, symbols, sum.written.span)),
             plan: builder.finish(&[total]),
             conditions: Vec::new(),
-        }
+        })
     }
 
-    /// A quotient written for site i, at one site of a chain.
+    /// A quotient written for site i, at one site of a chain, where it divides by something.
     pub(super) fn moved(
         &self,
-        component: &Component,
+        function: &RationalFunction,
         site: usize,
         sites: usize,
         symbols: &Symbols,
-    ) -> Component {
-        Component {
-            numerator: self.moved_polynomial(&component.numerator, site, sites, symbols),
-            denominator: self.moved_polynomial(&component.denominator, site, sites, symbols),
-        }
-    }
-
-    fn moved_polynomial(
-        &self,
-        polynomial: &Polynomial,
-        site: usize,
-        sites: usize,
-        symbols: &Symbols,
-    ) -> Polynomial {
-        let terms = polynomial.terms().filter_map(|(monomial, coefficient)| {
-            let monomial = self.moved_monomial(monomial, site, sites, symbols)?;
-            Some((monomial, coefficient.clone()))
-        });
-        Polynomial::from_terms(terms)
-    }
-
-    /// `None` where a value beyond the end of an open chain makes it zero.
-    fn moved_monomial(
-        &self,
-        monomial: &Monomial,
-        site: usize,
-        sites: usize,
-        symbols: &Symbols,
-    ) -> Option<Monomial> {
-        let mut moved = Monomial::one();
-        for &(variable, exponent) in monomial.powers() {
-            let variable = self.moved_variable(variable, site, sites, symbols)?;
-            moved = moved.mul(&Monomial::power(variable, exponent));
-        }
-        Some(moved)
+    ) -> Option<RationalFunction> {
+        // A value beyond the end of an open chain makes a term zero.
+        let moved = |monomial: &Monomial| -> Option<Monomial> {
+            let powers = monomial.powers().iter().map(|&(variable, exponent)| {
+                Some((self.moved_variable(variable, site, sites, symbols)?, exponent))
+            });
+            powers.collect()
+        };
+        function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
     /// `None` beyond the end of an open chain.
@@ -159,7 +130,7 @@ impl Family {
 }
 
 /// A sum of quotients as one writes it; its place is that of the claim.
-fn written(terms: &[Component], symbols: &Symbols, span: Span) -> Expr {
+fn written(terms: &[RationalFunction], symbols: &Symbols, span: Span) -> Expr {
     let expr = |kind| Expr { kind, span };
     let factor = |divides, expr| Factor { divides, expr };
     let polynomial = |polynomial: &Polynomial| {
@@ -177,11 +148,11 @@ fn written(terms: &[Component], symbols: &Symbols, span: Span) -> Expr {
         terms.collect::<Vec<Term>>()
     };
     let mut sum = Vec::new();
-    for term in terms.iter().filter(|term| !term.numerator.is_zero()) {
-        if term.denominator.is_one() {
-            sum.extend(polynomial(&term.numerator));
+    for term in terms {
+        if let Some(whole) = term.as_polynomial() {
+            sum.extend(polynomial(whole));
         } else {
-            let parts = [&term.numerator, &term.denominator].map(|of| expr(ExprKind::Sum(polynomial(of))));
+            let parts = [term.numerator(), term.denominator()].map(|of| expr(ExprKind::Sum(polynomial(of))));
             let [above, below] = parts;
             let quotient = ExprKind::Product(vec![factor(false, above), factor(true, below)]);
             sum.push(Term { negative: false, expr: expr(quotient) });

@@ -21,7 +21,7 @@ use super::{Family, Role, SiteSum};
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: String, help: &str| Diagnostic::new(Kind::Claim, name.span, message, help);
-    let degree = family.symbols.degree(&hamiltonian.density.numerator);
+    let degree = family.symbols.degree(hamiltonian.density.numerator());
     if degree > 3 {
         return Err(refuse(
             format!(
@@ -39,7 +39,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
     let divides_by_site = hamiltonian
         .density
-        .denominator
+        .denominator()
         .variables()
         .into_iter()
         .any(|variable| matches!(family.role(variable), Role::SiteParameter { .. }));
@@ -117,7 +117,7 @@ pub(super) fn missing(
     let unknowns = unknowns(middle.family);
     budget.charge(unknowns.len() as u64)?;
     let gradient = gradient(middle, hamiltonian, budget)?;
-    let divisor = middle.at(&hamiltonian.density, 0).denominator;
+    let divisor = middle.at(&hamiltonian.density, 0).denominator().clone();
     let mut rows = Vec::new();
     for array in 0..middle.family.block() {
         rows.push(row(middle, &unknowns, &gradient, &divisor, array, budget)?);
@@ -164,7 +164,7 @@ fn gradient(
 ) -> Result<Vec<Vec<Term>>, OverBudget> {
     let mut gradient: Vec<Vec<Term>> = (0..middle.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
-    for (monomial, value) in density.numerator.terms() {
+    for (monomial, value) in density.numerator().terms() {
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         for &(state, exponent) in monomial.powers() {
             if !middle.symbols.is_state(state) {
@@ -201,7 +201,7 @@ fn row(
         let coefficient = Polynomial::term(of_chain, coefficient);
         terms.push(RowTerm { monomial: of_sites, extent, unknown, coefficient });
     };
-    let written = product(&component.numerator, divisor, budget)?;
+    let written = product(component.numerator(), divisor, budget)?;
     for (monomial, value) in written.terms() {
         add(unknowns.len(), monomial, value.clone(), middle.extent(monomial, here));
     }
@@ -211,12 +211,12 @@ fn row(
         for (_, other, offset, sign) in
             [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
         {
-            budget.charge((gradient[*other].len() * component.denominator.len()) as u64)?;
+            budget.charge((gradient[*other].len() * component.denominator().len()) as u64)?;
             for term in &gradient[*other] {
                 let slope = middle.shifted(&term.monomial, *offset);
                 let extent = middle.moved(term.extent, *offset).with(here);
                 let value = &term.coefficient * &Rational::from(*sign);
-                for (factor, by) in component.denominator.terms() {
+                for (factor, by) in component.denominator().terms() {
                     add(unknown, &slope.mul(factor), &value * by, middle.extent(factor, extent));
                 }
             }

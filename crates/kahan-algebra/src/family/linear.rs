@@ -3,12 +3,10 @@
 use kahan_syntax::table::Table;
 
 use crate::poly::{Budget, OverBudget, Polynomial};
-use crate::rational_function::RationalFunction;
+use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
-/// Coefficients by the number of their unknown; the right side has the number behind all.
-type Row = Table<usize, RationalFunction>;
-
-/// Equations Σ aₖuₖ = r, each reduced by those before it.
+/// Equations Σ aₖuₖ = r, each reduced by those before it. The right side has the number behind all
+/// unknowns.
 pub(super) struct Equations {
     unknowns: usize,
     /// By the first unknown that occurs, whose coefficient is 1.
@@ -27,34 +25,22 @@ impl Equations {
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,
         budget: &mut Budget,
     ) -> Result<bool, OverBudget> {
-        let mut equation = Row::new();
+        let mut sums: Table<usize, RationalFunction> = Table::new();
         for (unknown, coefficient) in terms {
-            let sum = equation.or_insert_with(unknown, |_| RationalFunction::zero());
+            let sum = sums.or_insert_with(unknown, |_| RationalFunction::zero());
             *sum = sum.add_within(&RationalFunction::from(coefficient.clone()), budget)?;
         }
-        let mut from = 0;
+        let mut equation: Row = sums.into_iter().filter(|(_, value)| !value.is_zero()).collect();
         loop {
-            let first = equation.iter().find(|(unknown, value)| **unknown >= from && !value.is_zero());
-            let Some((&unknown, value)) = first else { return Ok(true) };
-            if unknown == self.unknowns {
+            let Some((first, factor)) = equation.first() else { return Ok(true) };
+            if *first == self.unknowns {
                 return Ok(false);
             }
-            let Some(row) = self.rows.get(&unknown) else {
-                let inverse = value.recip().expect("it is not zero");
-                let mut row = Row::new();
-                for (&unknown, value) in equation.iter().filter(|(_, value)| !value.is_zero()) {
-                    row.insert(unknown, value.mul_within(&inverse, budget)?);
-                }
-                self.rows.insert(unknown, row);
+            let Some(row) = self.rows.get(first) else {
+                self.rows.insert(*first, with_leading_one(&equation, budget)?);
                 return Ok(true);
             };
-            let factor = value.clone();
-            for (&unknown, value) in row.iter() {
-                let product = factor.mul_within(value, budget)?;
-                let rest = equation.or_insert_with(unknown, |_| RationalFunction::zero());
-                *rest = rest.sub_within(&product, budget)?;
-            }
-            from = unknown + 1;
+            equation = reduced(&equation, factor, row, budget)?;
         }
     }
 }

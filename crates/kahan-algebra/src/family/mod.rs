@@ -16,9 +16,9 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Expr, Header, Name};
 use kahan_syntax::token::Span;
 
-use crate::field::Component;
 use crate::kept::Kept;
 use crate::poly::Variable;
+use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 use crate::symbols::{Symbol, Symbols};
 
@@ -43,7 +43,7 @@ pub struct Family {
     /// as parameters those of the chain, then for each parameter of a site its 2·reach + 1 values.
     pub symbols: Symbols,
     /// The field at site i, a component an array.
-    pub components: Vec<Component>,
+    pub components: Vec<RationalFunction>,
     /// The same with the sums and divisors that were written.
     pub kept: Kept,
     /// Linear integrals, as sums over all sites.
@@ -62,7 +62,7 @@ pub struct SiteSum {
     /// What was written.
     pub written: Expr,
     /// What is summed, at site i.
-    pub density: Component,
+    pub density: RationalFunction,
 }
 
 /// What a variable of a family stands for.
@@ -130,22 +130,16 @@ impl Family {
 
     /// The equations, expanded: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
-        self.arrays.iter().zip(&self.components).map(|(array, component)| {
-            let polynomial = |polynomial| Text.polynomial(&self.symbols, polynomial);
-            let above = polynomial(&component.numerator);
-            let right = if component.denominator.is_one() {
-                above
-            } else {
-                Text.quotient(&above, &polynomial(&component.denominator))
-            };
-            format!("{array}[i]dot = {right}")
-        })
+        self.arrays
+            .iter()
+            .zip(&self.components)
+            .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
     /// The places, among the states, of the values that the field of an array depends on.
     #[must_use]
     pub fn couplings(&self, array: usize) -> Vec<usize> {
-        let numerator = &self.components[array].numerator;
+        let numerator = self.components[array].numerator();
         let states = 0..self.symbols.states.len();
         states.filter(|&k| numerator.contains(self.symbols.state(k))).collect()
     }

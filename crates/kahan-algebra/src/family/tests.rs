@@ -105,6 +105,14 @@ fn reading(text: &str) -> Checked {
 }
 
 #[test]
+fn a_chain_too_short_for_its_divisors_is_none() {
+    let text = "struct F { c } for i in periodic { x[i]dot = x[i]*x[i+1]/(c[i] - c[i+1]); }";
+    let family = reading(text).family().expect("no mistake").expect("a family");
+    assert!(family.at_sites(1).is_none());
+    assert!(family.at_sites(2).is_some());
+}
+
+#[test]
 fn random_families_are_the_chains_that_one_writes_out() {
     let mut random = SplitMix64::new(18);
     for _ in 0..60 {
@@ -113,14 +121,14 @@ fn random_families_are_the_chains_that_one_writes_out() {
         let checked = checked.unwrap_or_else(|mistakes| panic!("{}: {mistakes:?}", family.text()));
         let checked = checked.expect("a family");
         for sites in 1..=8 {
-            let system = checked.at_sites(sites as usize);
+            let system = checked.at_sites(sites as usize).expect("no site divides by zero");
             let plain = reading(&family.chain(sites)).system().expect("a system");
             // Parameters come in the order of their use in a block without a header.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
-                let component = |component: &crate::field::Component| {
+                let component = |component: &crate::rational_function::RationalFunction| {
                     let mut terms: Vec<String> = component
-                        .numerator
+                        .numerator()
                         .terms()
                         .map(|(monomial, coefficient)| {
                             let mut factors: Vec<String> = monomial

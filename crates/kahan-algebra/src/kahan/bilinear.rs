@@ -16,7 +16,7 @@ pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
 /// The numerators of Q(x,y) + ½B(x+y) + c, over qᵢ: the right-hand side of Kahan's scheme.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
-    (0..field.dimension()).map(|i| polarize(field, &field.components[i].numerator)).collect()
+    (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()
 }
 
 /// xⱼxₖ ↦ ½(xⱼyₖ + xₖyⱼ), xⱼ ↦ ½(xⱼ + yⱼ), 1 ↦ 1.

@@ -2,15 +2,16 @@
 
 use kahan_syntax::rational::Rational;
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::poly::{Polynomial, Variable};
+use crate::rational_function::RationalFunction;
 
 /// The numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
 #[must_use]
 pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
-    let row = |component: &Component| {
+    let row = |component: &RationalFunction| {
         let mut row = vec![Polynomial::zero(); field.dimension()];
-        for (state, slope) in component.numerator.gradient(|variable| field.symbols.is_state(variable)) {
+        for (state, slope) in component.numerator().gradient(|variable| field.symbols.is_state(variable)) {
             row[usize::from(state.0)] = slope;
         }
         row
@@ -61,7 +62,7 @@ pub(crate) fn matrix_of(
 /// Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
 #[must_use]
 pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
-    matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator.clone())
+    matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator().clone())
 }
 
 /// b̂ = diag(q) b: entry i is qᵢxᵢ + ε(linear part of pᵢ) + 2ε(constant part of pᵢ).
@@ -70,7 +71,7 @@ pub fn scaled_rhs(field: &Field) -> Vec<Polynomial> {
     let eps = Polynomial::variable(field.symbols.epsilon());
     (0..field.dimension())
         .map(|i| {
-            let start = &field.components[i].denominator * &Polynomial::variable(field.symbols.state(i));
+            let start = field.components[i].denominator() * &Polynomial::variable(field.symbols.state(i));
             let constant = field.homogeneous_part(i, 0).scale(&Rational::from(2));
             &start + &(&eps * &(&field.homogeneous_part(i, 1) + &constant))
         })

@@ -59,7 +59,7 @@ impl RationalMap {
         let n = field.dimension();
         let mut rows = scaled_matrix(field);
         for (row, component) in rows.iter_mut().zip(&field.components) {
-            row.push(component.numerator.clone());
+            row.push(component.numerator().clone());
         }
         let mut minors = maximal_minors(&rows, budget)?;
         let all = (1u64 << (n + 1)) - 1;
@@ -75,7 +75,8 @@ impl RationalMap {
             numerators.push(start.add_within(&two_eps.mul_within(increment, budget)?, budget)?);
         }
         budget.admit(denominator.len() + numerators.iter().map(Polynomial::len).sum::<usize>())?;
-        let divisor = field.components.iter().fold(Polynomial::one(), |product, c| &product * &c.denominator);
+        let divisor =
+            field.components.iter().fold(Polynomial::one(), |product, c| &product * c.denominator());
         let reduced = Reduced::of(increments, &denominator, budget)?;
         Ok(RationalMap { numerators, denominator, divisor, reduced })
     }

@@ -1,15 +1,9 @@
 //! Linear relations between polynomials in the states, over the field of rational functions of the
 //! parameters: sparse elimination to reduced row echelon form.
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, gcd_within};
-use crate::rational_function::RationalFunction;
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 use crate::symbols::Symbols;
-
-/// The entries of a row or of a relation that are not zero, by ascending column.
-type Row = Vec<(usize, RationalFunction)>;
-
-/// The cost of reducing a fraction of long integers, by that of a product of them.
-const COST_OF_FRACTIONS: u64 = 50;
 
 /// The coefficients cₖ of a relation Σ cₖ vₖ = 0 that are not zero, by ascending k: polynomials in
 /// the parameters with coprime integer coefficients.
@@ -33,11 +27,7 @@ pub(super) fn linear_relations(
         let size = |row: &Row| (row.len(), row[0].1.numerator().len() + row[0].1.denominator().len());
         let Some(best) = (0..rows.len()).min_by_key(|&index| size(&rows[index])) else { continue };
         let pivot = rows.swap_remove(best);
-        let inverse = pivot[0].1.recip().expect("entries are not zero");
-        let pivot: Row = pivot
-            .iter()
-            .map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?)))
-            .collect::<Result<_, _>>()?;
+        let pivot = with_leading_one(&pivot, budget)?;
         for row in rows {
             let row = reduced(&row, &row[0].1.clone(), &pivot, budget)?;
             if let Some((first, _)) = row.first() {
@@ -97,59 +87,13 @@ fn equations(vectors: &[Polynomial], symbols: &Symbols) -> (Vec<Row>, Vec<bool>)
     (rows.into_iter().map(|row| row.into_iter().map(function).collect()).collect(), is_zero)
 }
 
-/// row − factor · pivot.
-fn reduced(
-    row: &Row,
-    factor: &RationalFunction,
-    pivot: &Row,
-    budget: &mut Budget,
-) -> Result<Row, OverBudget> {
-    let words = factor.numerator().coefficient_words();
-    let mut difference = Row::with_capacity(row.len() + pivot.len());
-    let mut own = row.iter().peekable();
-    for (column, entry) in pivot {
-        while let Some(before) = own.next_if(|(other, _)| other < column) {
-            difference.push(before.clone());
-        }
-        // Long fractions cost more than the product of their numerators, which the budget counts.
-        let long = entry.numerator().coefficient_words().max(words) - 1;
-        budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
-        let product = entry.mul_within(factor, budget)?;
-        let entry = match own.next_if(|(other, _)| other == column) {
-            Some((_, known)) => known.sub_within(&product, budget)?,
-            None => -&product,
-        };
-        if !entry.is_zero() {
-            difference.push((*column, entry));
-        }
-    }
-    difference.extend(own.cloned());
-    Ok(difference)
-}
-
 /// The relation times the least common denominator of its coefficients, over their content.
 fn cleared(relation: &Row, budget: &mut Budget) -> Result<Relation, OverBudget> {
-    let mut common = Polynomial::one();
-    for (_, entry) in relation {
-        common = common_multiple(&common, entry.denominator(), budget)?;
-    }
-    let mut numerators = Relation::new();
-    for (column, entry) in relation {
-        let cofactor = common.div_within(entry.denominator(), budget)?.expect("a multiple of it");
-        numerators.push((*column, entry.numerator().mul_within(&cofactor, budget)?));
-    }
-    let contents = numerators.iter().map(|(_, numerator)| numerator.content());
+    let entries = relation.iter().map(|(_, entry)| entry);
+    let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;
+    let contents = numerators.iter().map(Polynomial::content);
     let content = contents.reduce(|content, next| content.gcd(&next)).expect("its last entry is not 0");
     let inverse = content.recip().expect("a content is not 0");
-    Ok(numerators.into_iter().map(|(column, numerator)| (column, numerator.scale(&inverse))).collect())
-}
-
-/// The least common multiple.
-pub(super) fn common_multiple(
-    a: &Polynomial,
-    b: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, OverBudget> {
-    let cofactor = b.div_within(&gcd_within(a, b, budget)?, budget)?.expect("a common divisor divides");
-    a.mul_within(&cofactor, budget)
+    let columns = relation.iter().map(|(column, _)| *column);
+    Ok(columns.zip(&numerators).map(|(column, numerator)| (column, numerator.scale(&inverse))).collect())
 }

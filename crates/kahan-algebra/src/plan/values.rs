@@ -58,11 +58,23 @@ impl Values {
         if !plan.operations.iter().any(is_value) {
             return plan;
         }
+        self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
+    }
+
+    /// Puts values into a plan in the place of some variables: `value` is the place of the value that a
+    /// variable of the plan stands for, or what the variable is called in the new plan. `rename` is
+    /// what a variable in a value is called there.
+    fn put_in(
+        &self,
+        plan: &Plan,
+        value: impl Fn(Variable) -> Result<usize, Variable>,
+        rename: &dyn Fn(Variable) -> Variable,
+    ) -> Plan {
         let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(self, &|variable| variable);
-        let outputs = builder.include_mapped(&plan, |builder, variable| match self.place(variable) {
-            Some(place) => nodes.value(builder, place),
-            None => builder.input(variable),
+        let mut nodes = Nodes::of(self, rename);
+        let outputs = builder.include_mapped(plan, |builder, variable| match value(variable) {
+            Ok(place) => nodes.value(builder, place),
+            Err(other) => builder.input(other),
         });
         builder.into_plan(&outputs)
     }
@@ -99,13 +111,7 @@ impl WithConstants {
         constant: impl Fn(Variable) -> Result<usize, Variable>,
         rename: &dyn Fn(Variable) -> Variable,
     ) -> Plan {
-        let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(&self.values, rename);
-        let outputs = builder.include_mapped(plan, |builder, variable| match constant(variable) {
-            Ok(index) => nodes.value(builder, self.places[index]),
-            Err(other) => builder.input(other),
-        });
-        builder.finish(&outputs)
+        self.values.put_in(plan, |variable| constant(variable).map(|index| self.places[index]), rename)
     }
 
     /// A plan of this field as one of the field itself: what the values are is put in.

@@ -79,10 +79,16 @@ impl Polynomial {
 
     /// The polynomial with each variable renamed. Variables that get the same name are identified.
     pub fn map_variables(&self, mut rename: impl FnMut(Variable) -> Variable) -> Self {
-        Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
+        self.map_monomials(|monomial| {
             let powers = monomial.powers().iter().map(|&(variable, exponent)| (rename(variable), exponent));
-            (powers.collect(), coefficient.clone())
-        }))
+            Some(powers.collect())
+        })
+    }
+
+    /// Replaces each monomial by another one, or leaves its term out.
+    pub fn map_monomials(&self, mut change: impl FnMut(&Monomial) -> Option<Monomial>) -> Self {
+        let terms = self.terms.iter();
+        Self::from_terms(terms.filter_map(|(monomial, value)| Some((change(monomial)?, value.clone()))))
     }
 
     /// q and r of self = v·q + r with r free of v.

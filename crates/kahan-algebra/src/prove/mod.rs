@@ -24,6 +24,7 @@ use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::derived::Scheme;
+use crate::poly::Polynomial;
 use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::system::{Claim, Condition, System};
@@ -85,7 +86,7 @@ const MOST_OPERATIONS: usize = 1_500_000;
 /// and eliminations, whose operations modulo a prime are quick.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
-    let terms: usize = system.field.components.iter().map(|component| component.numerator.len()).sum();
+    let terms: usize = system.field.numerators().map(Polynomial::len).sum();
     let one = |claim: &Claim| claim.plan.operations.len() + terms + n.saturating_pow(3) / 16;
     system.claims.iter().map(one).fold(0, usize::saturating_add)
 }

@@ -29,10 +29,7 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let sample = sample(&scheme, &map, claim, &functions)?;
     let mut holds = true;
     for pair in pairs(claim, &functions, &sample, scheme.dimension())? {
-        match functions.subtract(&pair.left, &pair.right) {
-            Function::TooLarge => return None,
-            difference => holds &= functions.is_zero(&difference),
-        }
+        holds &= functions.subtract(&pair.left, &pair.right)?.numerator.is_zero();
     }
     Some(holds)
 }
@@ -43,21 +40,18 @@ fn sample(
     map: &RationalMap,
     claim: &Claim,
     functions: &Functions,
-) -> Option<Sample<Function>> {
+) -> Option<Sample<Option<Function>>> {
     let n = scheme.dimension();
     let variable = |index: usize| Variable(u16::try_from(index).expect("symbols are numbered by 16 bits"));
-    let mut here: Vec<Function> = (0..scheme.variables)
-        .map(|index| Function::polynomial(Polynomial::variable(variable(index))))
-        .collect();
+    let mut here: Vec<Option<Function>> =
+        (0..scheme.variables).map(|index| Some(Polynomial::variable(variable(index)).into())).collect();
     impose(&claim.conditions, functions, &mut here)?;
     let eps = usize::from(scheme.symbols.epsilon().0);
     let specialised = |polynomial: &Polynomial| {
         let values = claim.conditions.iter().map(|condition| (condition.variable, &condition.value));
         let quotient = put_into(polynomial, values, &mut Budget::new(MOST_TERMS, MOST_WORK)).ok()??;
-        functions.divide(
-            &Function::polynomial(quotient.numerator().clone()),
-            &Function::polynomial(quotient.denominator().clone()),
-        )
+        let [above, below] = [quotient.numerator(), quotient.denominator()].map(|of| Some(of.clone().into()));
+        functions.divide(&above, &below)
     };
     let denominator = specialised(&map.reduced.denominator)?;
     let two_eps = functions.multiply(&functions.constant(&Rational::from(2))?, &here[eps]);

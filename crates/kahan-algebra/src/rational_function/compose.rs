@@ -12,7 +12,7 @@ impl RationalFunction {
         value: &Self,
         budget: &mut Budget,
     ) -> Result<Option<Self>, OverBudget> {
-        if !self.numerator.contains(variable) && !self.denominator.contains(variable) {
+        if !self.contains(variable) {
             return Ok(Some(self.clone()));
         }
         let degree = self.numerator.degree_in(variable).max(self.denominator.degree_in(variable));

@@ -2,7 +2,8 @@
 
 use kahan_syntax::syntax::{Header, Reference};
 
-use crate::field::{Component, Field};
+use crate::field::Field;
+use crate::rational_function::RationalFunction;
 use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
@@ -14,7 +15,7 @@ fn used_parameters(system: &System) -> Vec<String> {
     let symbols = &system.field.symbols;
     let is_used = |k: usize| {
         let variable = symbols.parameter(k);
-        let in_field = |c: &Component| c.numerator.contains(variable) || c.denominator.contains(variable);
+        let in_field = |component: &RationalFunction| component.contains(variable);
         let in_claim = |claim: &Claim| {
             claim.plan.inputs().contains(&variable)
                 || claim.conditions.iter().any(|condition| mentions(condition, &symbols.name(variable)))

@@ -1,6 +1,6 @@
 //! The objects of a system as formulas.
 
-use crate::field::{Component, Field};
+use crate::field::Field;
 use crate::kahan::{RationalMap, TERM_BUDGET, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
 use crate::poly::{Budget, Polynomial};
 use crate::rational_function::RationalFunction;
@@ -28,11 +28,11 @@ impl Formulas<'_> {
     }
 
     /// p/q for a polynomial over the denominator of component `i`.
-    fn over(&self, polynomial: &Polynomial, component: &Component) -> String {
-        if component.denominator.is_one() || polynomial.is_zero() {
+    fn over(&self, polynomial: &Polynomial, component: &RationalFunction) -> String {
+        if component.denominator().is_one() || polynomial.is_zero() {
             return self.polynomial(polynomial);
         }
-        self.notation.fraction(&self.field.symbols, polynomial, &component.denominator)
+        self.notation.fraction(&self.field.symbols, polynomial, component.denominator())
     }
 
     fn over_each(&self, polynomials: &[Polynomial]) -> Vec<String> {
@@ -46,7 +46,8 @@ impl Formulas<'_> {
     /// f(x)
     #[must_use]
     pub fn field(&self) -> Vec<String> {
-        self.field.components.iter().map(|component| self.over(&component.numerator, component)).collect()
+        let components = self.field.components.iter();
+        components.map(|component| self.notation.function(&self.field.symbols, component)).collect()
     }
 
     /// f′(x)
@@ -103,11 +104,7 @@ impl Formulas<'_> {
             let moved = RationalFunction::new_within(increment, map.denominator.clone(), budget).ok()??;
             let slope = moved.derivative_within(symbols.state(j), budget).ok()?;
             let identity = if i == j { RationalFunction::one() } else { RationalFunction::zero() };
-            let entry = identity.add_within(&slope, budget).ok()?;
-            Some(match entry.as_polynomial() {
-                Some(polynomial) => self.polynomial(polynomial),
-                None => self.notation.fraction(symbols, entry.numerator(), entry.denominator()),
-            })
+            Some(self.notation.function(symbols, &identity.add_within(&slope, budget).ok()?))
         };
         let variables = 0..map.increments.len();
         variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()

@@ -7,6 +7,7 @@ use kahan_syntax::syntax::Expr;
 use kahan_syntax::table::sorted_by_key;
 
 use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
 use super::expression::{expression_text, push_term};
@@ -60,6 +61,14 @@ pub trait Notation: fmt::Debug {
     /// above/below.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
         self.quotient(&self.polynomial(symbols, above), &self.polynomial(symbols, below))
+    }
+
+    /// Writes a function in lowest terms.
+    fn function(&self, symbols: &Symbols, function: &RationalFunction) -> String {
+        match function.as_polynomial() {
+            Some(polynomial) => self.polynomial(symbols, polynomial),
+            None => self.fraction(symbols, function.numerator(), function.denominator()),
+        }
     }
 
     /// The name of a variable; the second copy of a state with a prime.

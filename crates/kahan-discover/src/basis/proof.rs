@@ -122,7 +122,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
     let others = |polynomial: &Polynomial| polynomial.degree_where(|variable| !symbols.is_state(variable));
-    let sides = || field.components.iter().flat_map(|c| [&c.numerator, &c.denominator]);
+    let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
     // |qᵢ| + 4 |pᵢ| bounds the coefficients of a row, times a fixed ε.

@@ -18,7 +18,6 @@ use kahan_algebra::system::upper_index;
 
 use crate::hamiltonian::Hamiltonian;
 use crate::search_field::{SampledStep, SearchField};
-use crate::space::over_common;
 use crate::stepping::Stepping;
 
 use super::polynomial::{PoissonTensor, Tensor};
@@ -38,15 +37,11 @@ pub(crate) fn of_structure(
     let n = field.dimension();
     let (number, Hamiltonian { tensor, .. }) = structure;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-    let slopes: Option<Vec<Vec<RationalFunction>>> = field
+    let slopes: Vec<Vec<RationalFunction>> = field
         .components
         .iter()
-        .map(|component| {
-            let slope = |l| component.numerator.derivative(field.symbols.state(l));
-            (0..n).map(|l| RationalFunction::new(slope(l), component.denominator.clone())).collect()
-        })
+        .map(|component| (0..n).map(|l| component.derivative(field.symbols.state(l))).collect())
         .collect();
-    let slopes = slopes?;
     let once = product(&slopes, tensor, &mut budget)?;
     let twice = product(&slopes, &once, &mut budget)?;
     let square = RationalFunction::variable(field.symbols.epsilon());
@@ -58,7 +53,8 @@ pub(crate) fn of_structure(
             upper.push(tensor[i][j].sub_within(&moved, &mut budget).ok()?);
         }
     }
-    let entries = over_common(&upper).0.into_iter().map(|entry| searched.at_eps(entry)).collect();
+    let entries =
+        RationalFunction::over_common(&upper).0.into_iter().map(|entry| searched.at_eps(entry)).collect();
     let found = PoissonTensor { rank: 0, entries, structure: Some(number), is_implied: false };
     let place = searched.step(random)?;
     let rank = found.invariant_rank(searched, &place)?;

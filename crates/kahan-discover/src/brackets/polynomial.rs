@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::upper_index;
 
@@ -25,7 +26,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::{gradient, monomial_gradients};
 use crate::search_field::SearchField;
-use crate::space::{Form, Space, combination, over_common};
+use crate::space::{Form, Space, combination};
 use crate::stepping::Stepping;
 
 /// The highest degree of the entries, and the most coefficients of all of them.
@@ -409,7 +410,7 @@ impl Shape {
         let grading = self.grading(searched, &support);
         let unknowns = searched.unknown_variables();
         let entries = reconstruct_graded(&mut oracle, &unknowns, &grading, random, deadline)?;
-        let (coefficients, _) = over_common(&entries);
+        let (coefficients, _) = RationalFunction::over_common(&entries);
         let symbols = searched.family().symbols();
         let states: Vec<_> = (0..searched.dimension()).map(|i| symbols.state(i)).collect();
         let entry = |pair: usize| {

@@ -29,7 +29,7 @@ use crate::monomials::Monomials;
 use crate::reconstruct::reconstruct;
 use crate::search::quotient_gradients;
 use crate::search_field::{Sample, SampledStep, SearchField};
-use crate::space::{Form, Space, combination, over_common, tidy};
+use crate::space::{Form, Space, combination, tidy};
 use crate::stepping::Stepping;
 use crate::writing::quotient;
 
@@ -269,7 +269,7 @@ impl Search<'_> {
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
         // The polynomial s·Σ vᵢPᵢ with integer coefficients and no factor without states, and s.
         let element = |vector: &Vec<RationalFunction>| {
-            let (numerators, common) = over_common(&normal::image(vector, &rows));
+            let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
             let short = tidy(symbols, &whole);
             Some((short.clone(), RationalFunction::new(common, whole.checked_div(&short)?)?))

@@ -14,8 +14,6 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_factor::factors;
 
-use crate::space::over_common;
-
 type Vector = Vec<RationalFunction>;
 type Matrix = Vec<Vector>;
 
@@ -163,7 +161,7 @@ fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
         let over = RationalFunction::constant(Rational::new(-1, k as i64));
         coefficients.push(&trace * &over);
     }
-    let (numerators, _) = over_common(&coefficients);
+    let (numerators, _) = RationalFunction::over_common(&coefficients);
     let lambda = Polynomial::variable(free);
     numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
 }

@@ -83,7 +83,7 @@ impl Compiled {
     /// A chain of this many sites. Its parameters are those of the chain, and then those of sites,
     /// name by name.
     pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
-        let system = family.at_sites(sites);
+        let system = family.at_sites(sites).expect("no site divides by zero");
         Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))
     }
 

@@ -28,7 +28,7 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
         }))
     };
     let mut sum = Laurent::zero();
-    let groups = component.numerator.group(|variable| usize::from(variable.0) < variables);
+    let groups = component.numerator().group(|variable| usize::from(variable.0) < variables);
     for (monomial, coefficient) in groups.iter() {
         let mut product = Laurent::from(Monomial::one());
         for &(variable, exponent) in monomial.powers() {
@@ -43,7 +43,7 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
         }
         sum.add_scaled(&product, &parameter(coefficient));
     }
-    let divisor = parameter(&component.denominator);
+    let divisor = parameter(component.denominator());
     sum.scale(&RationalFunction::one().checked_div(&divisor).expect("not 0"))
 }
 

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::arithmetic::{Arithmetic, Exact, Function, Functions, Modular, Size, Sizes};
+use kahan_algebra::arithmetic::{Arithmetic, Exact, Functions, Modular, Size, Sizes};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, Random, Shake256};
 use kahan_algebra::prove::points_needed;
@@ -88,13 +88,9 @@ impl Identity<'_> {
         let variable = |index: usize| {
             Polynomial::variable(Variable(u16::try_from(index).expect("a formula has few names")))
         };
-        let values =
-            names.iter().enumerate().map(|(k, name)| (name.clone(), Function::polynomial(variable(k))));
+        let values = names.iter().enumerate().map(|(k, name)| (name.clone(), Some(variable(k).into())));
         let [left, right] = self.sides(&functions, left, right, values.collect()).ok()?;
-        match functions.subtract(&left, &right) {
-            Function::TooLarge => None,
-            difference => Some(functions.is_zero(&difference)),
-        }
+        functions.subtract(&left, &right).map(|difference| difference.numerator.is_zero())
     }
 
     fn exact(

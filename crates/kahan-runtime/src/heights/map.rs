@@ -81,7 +81,7 @@ impl ProjectiveMap {
         let at = |eps: Rational| Values { field, parameters, eps };
         let ahead = at(if is_scaled { Rational::one() } else { eps.clone() });
         let behind = at(-&ahead.eps);
-        if field.components.iter().any(|component| ahead.put_into(&component.denominator).is_zero()) {
+        if field.components.iter().any(|component| ahead.put_into(component.denominator()).is_zero()) {
             return Err(UndefinedField);
         }
         let formula = match map {

@@ -47,7 +47,7 @@ struct Linear<'a> {
 
 impl<'a> Linear<'a> {
     fn of(field: &'a Field) -> Self {
-        let right = Plan::of(field.components.iter().map(|component| &component.numerator));
+        let right = Plan::of(field.numerators());
         Linear { field, matrix: Plan::of(scaled_matrix(field).iter().flatten()), right }
     }
 

@@ -90,9 +90,7 @@ impl<'a> Elimination<'a> {
     /// The plan of its values.
     pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
-        let numerators = field.components.iter().map(|component| &component.numerator);
-        let denominators = field.components.iter().map(|component| &component.denominator);
-        Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators))
+        Plan::of(jacobian.iter().flatten().chain(field.numerators()).chain(field.denominators()))
     }
 
     pub(super) fn of(field: &Field, plan: &'a Plan) -> Self {

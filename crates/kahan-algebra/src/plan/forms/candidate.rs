@@ -3,6 +3,7 @@
 use kahan_syntax::table::distinct;
 
 use crate::plan::cost::DERIVED;
+use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
@@ -30,6 +31,21 @@ impl Candidate {
         let products = reciprocals.iter().flatten().count();
         let operations = kernel.cost().operations() + products + numerators.len();
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
+    }
+
+    /// Makes a form from its numerators, each with the reciprocal that it is multiplied by and whether
+    /// that changes its sign. A numerator that is 0 has no reciprocal.
+    pub(in crate::plan) fn over(
+        mut writer: Writer,
+        numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
+    ) -> Self {
+        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
+        for (numerator, reciprocal, flips) in numerators {
+            let is_still = writer.draft.is_zero(numerator);
+            nodes.push(writer.draft.node(numerator.flipped(flips)));
+            reciprocals.push((!is_still).then_some(reciprocal));
+        }
+        Candidate::new(writer, nodes, reciprocals)
     }
 
     /// What is compared.

@@ -118,7 +118,7 @@ pub(in crate::plan) fn steady_forms(
 
 /// The terms of all equations.
 fn terms(field: &Field) -> usize {
-    field.components.iter().map(|component| component.numerator.len()).sum()
+    field.numerators().map(Polynomial::len).sum()
 }
 
 impl WithDenominator {
@@ -215,7 +215,7 @@ impl FactoredMap<'_> {
             .iter()
             .zip(&self.field.components)
             .map(|(row, component)| {
-                let right = &eps * &component.numerator;
+                let right = &eps * component.numerator();
                 row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
             })
             .collect();
@@ -230,7 +230,8 @@ impl FactoredMap<'_> {
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
         let numerators =
             numerators.unwrap_or_else(|| self.written_numerators(&mut writer, |_| Power::Eps, None));
-        self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
+        let over = |numerator| (numerator, reciprocal, denominator.negative);
+        Candidate::over(writer, numerators.into_iter().map(over))
     }
 
     /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an

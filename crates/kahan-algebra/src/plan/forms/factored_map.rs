@@ -7,7 +7,6 @@ use crate::field::Field;
 use crate::kahan::RationalMap;
 use crate::poly::{Monomial, Polynomial};
 
-use crate::plan::Node;
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::writing::draft::Signed;
 use crate::plan::writing::factors::{Factored, factored};
@@ -65,23 +64,6 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// The numerators with their reciprocals, and whether these are carried with the other sign.
-    pub(in crate::plan) fn with_reciprocals(
-        &self,
-        mut writer: Writer,
-        numerators: &[Signed],
-        reciprocal: impl Fn(&Factored) -> (Node, bool),
-    ) -> Candidate {
-        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
-        for (numerator, product) in numerators.iter().zip(&self.numerators) {
-            let (reciprocal, flips) = reciprocal(product);
-            let is_still = writer.draft.is_zero(*numerator);
-            nodes.push(writer.draft.node(numerator.flipped(flips)));
-            reciprocals.push((!is_still).then_some(reciprocal));
-        }
-        Candidate::new(writer, nodes, reciprocals)
-    }
-
     /// Where the denominator is a product of two factors of which all components need one and some
     /// do not need the other: E1 and E5. The first is the one that all need.
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
@@ -120,10 +102,13 @@ impl<'a> FactoredMap<'a> {
         let constant_flips = self.denominator.coefficient.is_negative();
         // A short quotient divides by one of the written factors, a long one by both, each with the
         // sign it was written with.
-        let candidate = self.with_reciprocals(writer, &numerators, |numerator| {
+        let over = |(numerator, product): (Signed, &Factored)| {
             let flips = constant_flips ^ needed.negative;
-            if is_short(numerator) { (reciprocal, flips) } else { (both, flips ^ partner.negative) }
-        });
-        Some(candidate)
+            match is_short(product) {
+                true => (numerator, reciprocal, flips),
+                false => (numerator, both, flips ^ partner.negative),
+            }
+        };
+        Some(Candidate::over(writer, numerators.into_iter().zip(&self.numerators).map(over)))
     }
 }

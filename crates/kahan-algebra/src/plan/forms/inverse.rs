@@ -91,7 +91,8 @@ impl FactoredMap<'_> {
             return None;
         }
         let numerators = self.written_numerators(&mut writer, |_| Power::OverEps(power - 1), None);
-        Some(self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative)))
+        let over = |numerator| (numerator, reciprocal, denominator.negative);
+        Some(Candidate::over(writer, numerators.into_iter().map(over)))
     }
 
     /// The states whose components are not zero.

@@ -42,11 +42,8 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> 
         rows.rotate_left(turn);
         let Determinants { denominator, numerators } = determinants(&mut writer, &rows);
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
-        let moves: Vec<bool> = numerators.iter().map(|numerator| !writer.draft.is_zero(*numerator)).collect();
-        let numerators =
-            numerators.into_iter().map(|of| writer.draft.node(of.flipped(denominator.negative))).collect();
-        let reciprocals = moves.into_iter().map(|moves| moves.then_some(reciprocal)).collect();
-        Candidate::new(writer, numerators, reciprocals)
+        let over = |numerator| (numerator, reciprocal, denominator.negative);
+        Candidate::over(writer, numerators.into_iter().map(over))
     };
     (0..n).map(candidate).collect()
 }

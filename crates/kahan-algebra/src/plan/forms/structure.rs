@@ -5,6 +5,7 @@ use kahan_syntax::table::{distinct, sorted_by_key};
 
 use crate::field::Field;
 use crate::kahan::{field_jacobian, pattern};
+use crate::poly::Polynomial;
 
 /// Which entries of f′ are not identically zero.
 pub(in crate::plan) struct Structure {
@@ -16,7 +17,7 @@ pub(in crate::plan) struct Structure {
 impl Structure {
     pub(in crate::plan) fn of(field: &Field) -> Self {
         let depends = pattern(&field_jacobian(field));
-        let is_whole = field.components.iter().map(|component| component.denominator.is_one()).collect();
+        let is_whole = field.denominators().map(Polynomial::is_one).collect();
         Structure { depends, is_whole }
     }
 

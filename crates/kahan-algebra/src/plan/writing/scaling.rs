@@ -122,10 +122,7 @@ impl Scaling {
         if !polynomial.contains(self.epsilon) {
             return polynomial.clone();
         }
-        let terms = polynomial
-            .terms()
-            .map(|(monomial, coefficient)| (self.scale_term(monomial, plain), coefficient.clone()));
-        Polynomial::from_terms(terms)
+        polynomial.map_monomials(|monomial| Some(self.scale_term(monomial, plain)))
     }
 
     fn scale_term(&self, monomial: &Monomial, plain: &[usize]) -> Monomial {
@@ -163,9 +160,9 @@ impl Scaling {
 /// a field keeps no measure and no integral that a constant rounded twice could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
-    let slopes = (0..n).map(|i| field.components[i].numerator.derivative(field.symbols.state(i)));
+    let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
     let divergence = slopes.fold(Polynomial::zero(), |sum, slope| &sum + &slope);
-    field.components.iter().all(|component| component.denominator.is_one())
+    field.denominators().all(Polynomial::is_one)
         && !divergence.is_zero()
         && !field.symbols.has_state(&divergence)
 }

@@ -100,9 +100,9 @@ impl<T: RuntimeFloat> Terms<T> {
         let mut linear = Vec::new();
         let (mut varying, mut by_parameters) = (Vec::new(), Vec::new());
         for (i, component) in field.components.iter().enumerate() {
-            let divisor = coefficients(&component.denominator, &field.symbols, values);
+            let divisor = coefficients(component.denominator(), &field.symbols, values);
             let divisor = divisor.get(&[None, None]).expect("a divisor is not 0");
-            for (states, mut coefficient) in coefficients(&component.numerator, &field.symbols, values) {
+            for (states, mut coefficient) in coefficients(component.numerator(), &field.symbols, values) {
                 coefficient.divide_by(divisor);
                 let value: T = round(&coefficient.value);
                 match states {

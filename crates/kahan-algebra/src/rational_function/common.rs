@@ -1,0 +1,69 @@
+//! Several rational functions at once: over one denominator, and as rows of linear equations.
+
+use super::{RationalFunction, divide, unlimited};
+use crate::poly::{Budget, OverBudget, Polynomial, gcd_within};
+
+/// The entries of a row that are not zero, by ascending column.
+pub(crate) type Row = Vec<(usize, RationalFunction)>;
+
+/// The cost of reducing a fraction of long integers, by that of a product of them.
+const COST_OF_FRACTIONS: u64 = 50;
+
+impl RationalFunction {
+    /// Returns the numerators of functions over their least common denominator, and that.
+    pub fn over_common(functions: &[Self]) -> (Vec<Polynomial>, Polynomial) {
+        unlimited(|budget| Self::over_common_within(functions.iter(), budget))
+    }
+
+    /// Does what [`over_common`](Self::over_common) does, within a budget.
+    pub fn over_common_within<'a>(
+        functions: impl Iterator<Item = &'a Self> + Clone,
+        budget: &mut Budget,
+    ) -> Result<(Vec<Polynomial>, Polynomial), OverBudget> {
+        let mut common = Polynomial::one();
+        for function in functions.clone() {
+            let shared = gcd_within(&common, &function.denominator, budget)?;
+            common = common.mul_within(&divide(&function.denominator, &shared, budget)?, budget)?;
+        }
+        let over = |function: &Self| {
+            function.numerator.mul_within(&divide(&common, &function.denominator, budget)?, budget)
+        };
+        Ok((functions.map(over).collect::<Result<_, _>>()?, common))
+    }
+}
+
+/// Divides a row by its first entry.
+pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Result<Row, OverBudget> {
+    let inverse = row[0].1.recip().expect("entries are not zero");
+    row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()
+}
+
+/// Computes row − factor · pivot.
+pub(crate) fn reduced(
+    row: &Row,
+    factor: &RationalFunction,
+    pivot: &Row,
+    budget: &mut Budget,
+) -> Result<Row, OverBudget> {
+    let words = factor.numerator().coefficient_words();
+    let mut difference = Row::with_capacity(row.len() + pivot.len());
+    let mut own = row.iter().peekable();
+    for (column, entry) in pivot {
+        while let Some(before) = own.next_if(|(other, _)| other < column) {
+            difference.push(before.clone());
+        }
+        // Long fractions cost more than the product of their numerators, which the budget counts.
+        let long = entry.numerator().coefficient_words().max(words) - 1;
+        budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
+        let product = entry.mul_within(factor, budget)?;
+        let entry = match own.next_if(|(other, _)| other == column) {
+            Some((_, known)) => known.sub_within(&product, budget)?,
+            None => -&product,
+        };
+        if !entry.is_zero() {
+            difference.push((*column, entry));
+        }
+    }
+    difference.extend(own.cloned());
+    Ok(difference)
+}
