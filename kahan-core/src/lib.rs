@@ -6,8 +6,9 @@
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
 //! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories
-//! at once, and the setting that reaches a tolerance. It must not know syntax, polynomials or
-//! claims: these are `kahan-algebra`'s, while compiling.
+//! at once. It must not know syntax, polynomials or claims: these are `kahan-algebra`'s, while
+//! compiling. The setting that reaches a tolerance, periodic points and the solution of the equation
+//! itself are found by the crate `kahan-dynamics`.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -42,7 +43,6 @@
 //! | integrals, a density, brackets, drifts | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME`, `drift_NAME` |
 //! | a chain of any number of sites | a family `for i in … { … }` in [`kahan!`] makes a [`LatticeMap`], its [`at`](LatticeMap::at) a [`LatticeAt`] |
 //! | another kind of number | `f32`, `f64`, [`Dd`] with twice the digits, `BigRational` with the feature `exact` |
-//! | the cheapest setting that is accurate enough | [`Scene`] |
 //! | ε from a time step | [`eps_from_dt`] |
 //!
 //! # Advanced
@@ -58,11 +58,11 @@
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
 //! | tangent vectors, an observer of one's own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
-//! | the solution of the equation itself | [`Flow`] |
 //! | what is inside: modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
-//! Without default features the crate is `no_std`; float scalars never allocate in any
-//! configuration.
+//! With the feature `serde` numbers, points, crossings and reports can be stored; `serde_json` reads
+//! back every bit with its feature `float_roundtrip`. Without default features the crate is
+//! `no_std`; float scalars never allocate in any configuration.
 
 #![no_std]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -75,9 +75,6 @@ extern crate std;
 mod scalar;
 
 mod field;
-
-#[cfg(feature = "std")]
-mod flow;
 
 mod step;
 
@@ -96,16 +93,12 @@ mod supernodes;
 pub mod observe;
 
 #[cfg(feature = "std")]
-pub mod periodic;
-
-#[cfg(feature = "std")]
 mod lattice;
-
-#[cfg(feature = "std")]
-mod scene;
 
 // The doors: what users and generated code come in by.
 mod macros;
+#[cfg(feature = "serde")]
+mod stored;
 mod undeclared;
 #[cfg(not(feature = "exact"))]
 mod without_exact;
@@ -126,8 +119,6 @@ pub use composition::{Composed, Composition};
 pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use field::{Integrals, Named, QuadraticField};
 #[cfg(feature = "std")]
-pub use flow::{Flow, FlowScalar, NoFlow};
-#[cfg(feature = "std")]
 pub use lattice::{Energy, LatticeAt, LatticeError, LatticeMap, LatticeScalar, Sums};
 pub use map::{
     Compensated, Elimination, ErrorEstimates, Estimated, ExtendScalars, Increments, KahanAt, KahanMap, Orbit,
@@ -137,8 +128,6 @@ pub use map::{
 pub use map::{Projective, ProjectivePoint, StepThroughF64, ThroughPoles};
 pub use observe::Tangent;
 pub use scalar::{Constant, Dd, Dual, EmbedScalar, FloatScalar, Scalar, nearest_short_eps};
-#[cfg(feature = "std")]
-pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{
     PointOf, PreparedStep, Quotients, Reason, SingularStep, StateVector, Step, StepCost, Stopped, WideStep,
     Workspace,

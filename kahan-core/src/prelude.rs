@@ -1,7 +1,7 @@
 //! What a file that writes or runs a Kahan map wants in scope: `use kahan_core::prelude::*;`.
 
 #[cfg(feature = "std")]
-pub use crate::{Axis, Ensemble, LatticeMap, Scene};
+pub use crate::{Axis, Ensemble, LatticeMap};
 pub use crate::{
     Composition, Dd, Integrals, KahanAt, KahanMap, Named, Pivot, QuadraticField, Scalar, SingularStep,
     ThroughF64, eps_from_dt, include_kahan, kahan, vector,

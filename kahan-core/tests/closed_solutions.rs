@@ -1,7 +1,8 @@
 //! The flow itself, against closed solutions, and at the ends of what it can do.
 
 use kahan_core::prelude::*;
-use kahan_core::{Flow, FlowScalar, NoFlow, QuadraticField};
+use kahan_core::{FloatScalar, QuadraticField};
+use kahan_dynamics::{Flow, NoFlow};
 
 use super::systems::Burst;
 
@@ -28,7 +29,7 @@ kahan! {
 fn through<F, T, const N: usize>(field: &F, start: [f64; N], end: f64) -> Result<Flow<T>, NoFlow>
 where
     F: QuadraticField<T, N>,
-    T: FlowScalar,
+    T: FloatScalar + From<f64> + From<Dd> + Into<Dd>,
 {
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }

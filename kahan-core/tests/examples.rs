@@ -15,7 +15,7 @@ mod near_pole;
 mod orbit;
 #[path = "../examples/own_scalar/main.rs"]
 mod own_scalar;
-#[path = "../examples/trade.rs"]
+#[path = "../../crates/kahan-dynamics/examples/trade.rs"]
 mod trade;
 
 #[test]

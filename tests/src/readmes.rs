@@ -42,6 +42,9 @@ struct Derive;
 #[doc = include_str!("../../kahan-core/README.md")]
 struct Core;
 
+#[doc = include_str!("../../crates/kahan-dynamics/README.md")]
+struct Dynamics;
+
 #[doc = include_str!("../../crates/kahan-discover/README.md")]
 struct Discover;
 

@@ -29,7 +29,8 @@ const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kaha
 
 /// How the names of crates begin whose code is timed: by `kahan trade`, by sweeps of settings, and
 /// by the benchmarks, the last of these.
-const TIMED: [&str; 5] = ["kahan-core", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
+const TIMED: [&str; 6] =
+    ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
 /// Crates, each with those that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;

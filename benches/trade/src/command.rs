@@ -3,7 +3,8 @@
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use kahan_core::{Composition, Need, Precision, Scheme};
+use kahan_core::Composition;
+use kahan_dynamics::{Need, Precision, Scheme};
 use serde_json::Value;
 
 use super::price::pace;

@@ -214,7 +214,7 @@ where
 {
     let start = SVector::from_fn(|i, _| to::<f64>(&start[i]));
     let chosen =
-        kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.extend_scalars::<f64>(to), &start);
+        kahan_dynamics::Scene::trajectory(horizon, tolerance).choose(&map.extend_scalars::<f64>(to), &start);
     let chosen = chosen.inspect_err(|why| println!("    the library refuses: {why}")).ok()?;
     Some(Setting { scheme: chosen.scheme(), eps: chosen.eps() })
 }

@@ -4,7 +4,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, Need, Precision, Scheme, ThroughF64};
+use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, ThroughF64};
+use kahan_dynamics::{Need, Precision, Scheme};
 use kahan_runtime::interpreted::round;
 use kahan_study::reference::Reference;
 

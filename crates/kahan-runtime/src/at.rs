@@ -19,7 +19,8 @@ pub use passed_poles::{Passed, PassedPoles};
 
 use std::sync::{Arc, OnceLock};
 
-use kahan_core::{Composition, Increments, Level, Precision, Step, Stopped, Workspace};
+use kahan_core::{Composition, Increments, Level, Step, Stopped, Workspace};
+use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
 use crate::dimension::Argument;

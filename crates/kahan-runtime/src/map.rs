@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{KahanMap, Pivot, Precision, Scalar, SingularStep, eps_from_dt};
+use kahan_core::{KahanMap, Pivot, Scalar, SingularStep, eps_from_dt};
+use kahan_dynamics::Precision;
 
 use crate::dimension::Argument;
 use crate::interpreted::{Interpreted, round};

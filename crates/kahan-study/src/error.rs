@@ -7,9 +7,9 @@ use std::fmt;
 
 use kahan_algebra::check::nearest;
 use kahan_algebra::rational::Rational;
-use kahan_core::periodic::NoPeriodicPoint;
 use kahan_discover::DiscoverError;
 use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
+use kahan_dynamics::periodic::NoPeriodicPoint;
 use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;

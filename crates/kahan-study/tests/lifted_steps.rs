@@ -2,7 +2,8 @@
 //! a variable would lose the sign that it has by its definition.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Need, Step, Workspace};
+use kahan_core::{Step, Workspace};
+use kahan_dynamics::Need;
 use kahan_runtime::Follow;
 use kahan_study::numbers::ScalarKind;
 use kahan_study::trade::Trade;

@@ -11,6 +11,7 @@ use super::{Ensemble, EnsembleScalar};
 
 /// Equally spaced values of one variable of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis<T> {
     /// The first value.
     pub start: T,

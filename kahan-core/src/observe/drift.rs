@@ -35,6 +35,7 @@ pub struct Drift<F, T, const M: usize> {
 /// How far an integral was from its first value I(x₀): |I − I(x₀)|/|I(x₀)|, or |I − I(x₀)| where
 /// I(x₀) = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {
     /// At most; not a number where the integral was not a number once.
     pub max: f64,

@@ -28,6 +28,7 @@ pub struct Extrema<F, T> {
 
 /// What [`Extrema`] reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extremes<T> {
     /// The least value.
     pub least: T,

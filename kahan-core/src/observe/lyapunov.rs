@@ -25,6 +25,7 @@ pub struct Growth {
 
 /// A Lyapunov exponent per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Exponent {
     /// The mean rate of growth; not a number where there was no step.
     pub value: f64,

@@ -32,6 +32,7 @@ pub struct MeanGrowth {
 
 /// What [`Megno`] reports: not numbers where there was no step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Megnos {
     /// The mean of Y over all steps.
     pub mean: f64,

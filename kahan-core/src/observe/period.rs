@@ -37,6 +37,7 @@ pub struct Period<T, V> {
 
 /// What [`Period`] reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Return<T> {
     /// The step after which the point is in the ball again.
     pub step: u64,

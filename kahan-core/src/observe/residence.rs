@@ -36,6 +36,7 @@ pub struct Residence<F, T, V> {
 
 /// What [`Residence`] reports.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stays<V> {
     /// How many points lay in each part of the range, without its end.
     pub within: V,

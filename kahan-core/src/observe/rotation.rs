@@ -59,6 +59,7 @@ pub struct Rotation<F, T> {
 
 /// What [`Rotation`] reports: not numbers where there was no step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Turns {
     /// Turns a step, modulo 1; counter-clockwise from the first coordinate to the second is
     /// positive.

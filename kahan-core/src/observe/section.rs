@@ -62,6 +62,7 @@ pub struct Section<M: Step, F, S> {
 
 /// What a [`Section`] reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sectioned<R> {
     /// What became of the crossings: the report of the [`Sink`] that took them.
     pub points: R,
@@ -71,6 +72,7 @@ pub struct Sectioned<R> {
 
 /// Which sign changes count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// Those where s grows.
     Rising,
@@ -82,6 +84,7 @@ pub enum Direction {
 
 /// A crossing of a [`Section`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing<P, T> {
     /// The step n that the crossing comes after, or is at the end of.
     pub step: u64,
@@ -133,6 +136,7 @@ pub struct AtMost<C> {
 /// What [`AtMost`] reports.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kept<C> {
     /// The first of them.
     pub kept: Vec<C>,

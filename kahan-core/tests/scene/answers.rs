@@ -1,7 +1,8 @@
 //! What the choice says, and what it prints.
 
+use kahan_core::Composition;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Flow, NoSetting, Precision, Scene};
+use kahan_dynamics::{Flow, NoSetting, Precision, Scene};
 
 use crate::systems::{Burst, E6, EulerTop, Lorenz, LotkaVolterra};
 

@@ -1,7 +1,8 @@
 //! The choice against a reference, and against everything cheaper.
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, ExtendScalars, PreparedStep, Scene, Scheme};
+use kahan_core::{Composition, ExtendScalars, PreparedStep};
+use kahan_dynamics::{Scene, Scheme};
 
 use crate::scene::trajectory::Trajectory;
 use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};

@@ -4,7 +4,8 @@ use std::cell::Cell;
 
 use kahan_core::nalgebra::SMatrix;
 use kahan_core::prelude::*;
-use kahan_core::{ExtendScalars, NoSetting, PreparedStep, QuadraticField, Quotients, Scene, StepCost};
+use kahan_core::{ExtendScalars, PreparedStep, QuadraticField, Quotients, StepCost};
+use kahan_dynamics::{NoSetting, Scene};
 
 use crate::systems::{Burst, E6, Lorenz, LotkaVolterra, Relaxation};
 
@@ -67,7 +68,7 @@ fn work<M, const N: usize>(
     x0: [f64; N],
     horizon: f64,
     tolerance: f64,
-) -> (Result<kahan_core::Setting, NoSetting>, u64)
+) -> (Result<kahan_dynamics::Setting, NoSetting>, u64)
 where
     M: ExtendScalars<f64, N>,
 {

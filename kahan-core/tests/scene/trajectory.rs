@@ -5,7 +5,8 @@
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, ExtendScalars, Setting};
+use kahan_core::{Composition, ExtendScalars};
+use kahan_dynamics::Setting;
 
 pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
     map: M::Extended<Dd>,

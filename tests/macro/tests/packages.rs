@@ -72,7 +72,7 @@ fn a_program_needs_nothing_but_the_packages() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("a workspace");
     let folder = env::temp_dir().join(format!("kahan-packages-{}", process::id()));
     let crates = unpacked(workspace, &folder);
-    assert_eq!(crates.len(), 19, "{crates:?}");
+    assert_eq!(crates.len(), 20, "{crates:?}");
 
     let mut manifest = "[package]\nname = \"user\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
                         [dependencies]\nkahan-core = \"0.1\"\n\n[patch.crates-io]\n"

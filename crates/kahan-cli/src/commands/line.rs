@@ -125,7 +125,7 @@ mod tests {
         trade::Trade, verify::Verify,
     };
     use kahan_algebra::rational::Rational;
-    use kahan_core::Need;
+    use kahan_dynamics::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
     use kahan_study::{

@@ -4,9 +4,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_core::periodic::{Branch, PeriodicPoint};
 use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
+use kahan_dynamics::periodic::{Branch, PeriodicPoint};
 use kahan_study::{CycleFound, Periodic as Question, Study, StudyError, characteristic_polynomial};
 
 use super::line::Asking;

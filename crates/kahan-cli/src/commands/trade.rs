@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValue;
-use kahan_core::{Composition, Need, Precision};
+use kahan_core::Composition;
 use kahan_draw::answer::{choice, front};
 use kahan_draw::picture::{Look, trade, trade_sheet};
+use kahan_dynamics::{Need, Precision};
 use kahan_study::Study;
 use kahan_study::numbers::ScalarKind;
 use kahan_study::reference::Method;

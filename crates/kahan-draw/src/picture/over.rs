@@ -1,7 +1,7 @@
 //! What depends on a parameter or on ε: orbit diagrams, and branches of cycles.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::periodic::Stability;
+use kahan_dynamics::periodic::Stability;
 use kahan_latex::symbol;
 use kahan_study::{CycleFound, DiagramFound, Range};
 

@@ -1,7 +1,7 @@
 //! The work–precision picture: price against error, a line for each order in doubles and in dd,
 //! small dots for other scalars and for compensation, the front below all.
 
-use kahan_core::{Need, Precision};
+use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
 
 use super::{Look, Picture};

@@ -7,7 +7,8 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, Precision, Scheme, ThroughF64};
+use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF64};
+use kahan_dynamics::{Precision, Scheme};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 use crate::interpreted::round;

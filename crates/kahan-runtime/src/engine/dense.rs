@@ -7,7 +7,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::__private::dense::{assemble, pack, points, velocities, velocity};
-use kahan_core::{Constant, Precision};
+use kahan_core::Constant;
+use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
 use crate::follow::is_finite;

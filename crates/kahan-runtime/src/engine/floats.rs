@@ -3,7 +3,8 @@
 use core::cell::Cell;
 
 use kahan_core::__private::{InLanes, Lanes, Twice};
-use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
+use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar};
+use kahan_dynamics::Precision;
 
 use crate::machine::Coded;
 

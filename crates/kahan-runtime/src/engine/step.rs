@@ -4,7 +4,8 @@
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::StepPlan;
 use kahan_core::__private::may_divide_by;
-use kahan_core::{Precision, Scalar};
+use kahan_core::Scalar;
+use kahan_dynamics::Precision;
 
 use crate::line::{Line, Results, has_value};
 use crate::machine::StepKind;

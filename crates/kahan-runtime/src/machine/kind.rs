@@ -1,6 +1,7 @@
 //! Which step there is code for.
 
-use kahan_core::{Constant, Precision};
+use kahan_core::Constant;
+use kahan_dynamics::Precision;
 
 use crate::engine::RuntimeFloat;
 

@@ -1,6 +1,7 @@
 //! What code is compiled from: the interpreter's work, over numbers that write it down.
 
-use kahan_core::{Precision, Scalar};
+use kahan_core::Scalar;
+use kahan_dynamics::Precision;
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 

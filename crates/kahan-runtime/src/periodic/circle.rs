@@ -2,7 +2,7 @@
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::rational::Rational;
-use kahan_core::periodic::Stability;
+use kahan_dynamics::periodic::Stability;
 
 /// The variable of characteristic polynomials.
 const Z: Variable = Variable(0);

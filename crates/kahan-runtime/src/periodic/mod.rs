@@ -1,6 +1,6 @@
 //! Periodic points of maps that are read at run time, and proofs over ℚ of those that are rational.
 //!
-//! In: a map at its ε for [`kahan_core::periodic`], and a cycle that this found. Out: fractions
+//! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle that this found. Out: fractions
 //! whose orbit closes exactly ([`rational`]), where there are such near the cycle, and how stable
 //! it is ([`circle`]).
 
@@ -10,8 +10,8 @@ mod rational;
 mod tests;
 
 use kahan_core::nalgebra::DMatrix;
-use kahan_core::periodic::{Differentiable, Parametric};
 use kahan_core::{Step, Stopped, Workspace};
+use kahan_dynamics::periodic::{Differentiable, Parametric};
 
 use crate::MapAt;
 

@@ -7,7 +7,7 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
-use kahan_core::periodic::{PeriodicPoint, Stability};
+use kahan_dynamics::periodic::{PeriodicPoint, Stability};
 
 use crate::Map;
 use crate::heights::HeightsOrbit;
@@ -142,7 +142,7 @@ mod tests {
         let equation = |i: usize| format!("x{i}dot = x{i}*(x{} - 1);", (i + 1) % 24);
         let text: String = (0..24).map(equation).collect();
         let map = crate::Field::parse(&text).unwrap().map().unwrap();
-        let cycle = kahan_core::periodic::periodic_point(&map.at(0.1), &[0.9; 24], 1).unwrap();
+        let cycle = kahan_dynamics::periodic::periodic_point(&map.at(0.1), &[0.9; 24], 1).unwrap();
         assert!(products(24, 1) > MOST_PRODUCTS);
         assert_eq!(map.rational_cycle(&Rational::new(1, 10), &cycle), None);
     }

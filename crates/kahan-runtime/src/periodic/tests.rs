@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, ComplexField};
-use kahan_core::periodic::{
+use kahan_dynamics::periodic::{
     Branch, Change, Differentiable, Parametric, Stability, Turn, branch, periodic_point,
 };
 

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use kahan_core::periodic::{Branch, NoPeriodicPoint, PeriodicPoint, branch, periodic_point};
+use kahan_dynamics::periodic::{Branch, NoPeriodicPoint, PeriodicPoint, branch, periodic_point};
 use kahan_runtime::Field;
 
 use crate::UNITS;

@@ -3,7 +3,8 @@
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
-use kahan_core::{ExtendScalars, FloatScalar, Need, NoSetting, ThroughPoles};
+use kahan_core::{ExtendScalars, FloatScalar, ThroughPoles};
+use kahan_dynamics::{Need, NoSetting, Scene};
 
 use crate::answers::{Answers, NUMBER, RATE, SPEED, TIME, check_units};
 use crate::fields::{CASES, Case, Unit, map, two_to};

@@ -3,8 +3,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
-use kahan_core::periodic::{Branch, PeriodicPoint, branch, periodic_point};
 use kahan_discover::Watch;
+use kahan_dynamics::periodic::{Branch, PeriodicPoint, branch, periodic_point};
 use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
 

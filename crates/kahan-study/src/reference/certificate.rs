@@ -4,7 +4,8 @@
 //! Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Composition, Dd, Flow, KahanMap};
+use kahan_core::{Composition, Dd, KahanMap};
+use kahan_dynamics::Flow;
 
 use super::path::Limits;
 use super::refusal::{LEAST_DIFFERENCE, NoReference};
@@ -28,7 +29,7 @@ pub struct Certificate {
     /// The second method.
     pub method: Method,
     /// The largest difference from it that was seen, relative to the trajectory's
-    /// [`scale`](kahan_core::Flow::scale).
+    /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
     /// The last time before which every difference was as small as was asked for.
     pub agreed_until: f64,

@@ -16,7 +16,8 @@ mod refusal;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Flow, KahanMap};
+use kahan_core::{Dd, KahanMap};
+use kahan_dynamics::Flow;
 
 use kahan_runtime::interpreted::round;
 

@@ -6,7 +6,8 @@
 use core::fmt;
 
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Dd, Flow, FlowScalar, KahanMap, NoFlow};
+use kahan_core::{Dd, KahanMap};
+use kahan_dynamics::{Flow, NoFlow};
 
 use super::refusal::NoReference;
 
@@ -48,7 +49,7 @@ pub(super) fn path<M, const N: usize>(
 where
     M: KahanMap<Dd, N>,
 {
-    let piece = (Dd::TERMS + 1) * N * size_of::<Dd>();
+    let piece = (Flow::<Dd>::DEGREE + 1) * N * size_of::<Dd>();
     let go_on = &mut |pieces| pieces < MOST_MEMORY / piece && !limits.is_over();
     let flow = Flow::through(map, start, end, limits.margin, go_on).map_err(|why| match why {
         NoFlow::Escapes { time } => NoReference::Escapes { time },

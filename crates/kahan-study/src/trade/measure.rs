@@ -4,8 +4,9 @@ use std::iter::once;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use kahan_core::{Dd, Need, Scene, Scheme, Setting};
+use kahan_core::Dd;
 use kahan_discover::Watch;
+use kahan_dynamics::{Need, Scene, Scheme, Setting};
 
 use crate::reference::Reference;
 

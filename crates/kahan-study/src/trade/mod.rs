@@ -20,9 +20,10 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
+use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Need, Scene, Scheme, Setting};
 use kahan_discover::{Progress, Watch};
+use kahan_dynamics::{Need, Scene, Scheme, Setting};
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;

@@ -1,7 +1,7 @@
 //! What was measured as an object of JSON.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Need, Scheme};
+use kahan_dynamics::{Need, Scheme};
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::{Measured, Traded};

@@ -1,7 +1,7 @@
 //! The chosen setting as Rust to paste.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Precision, Setting};
+use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 

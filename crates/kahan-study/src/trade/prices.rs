@@ -5,7 +5,8 @@
 //! will be; so E6 is timed in its place, and each time scaled by what the plans say the two steps
 //! cost. The ratios between orders are exact either way: an order is a number of stages.
 
-use kahan_core::{Need, Precision, Scheme, StepCost};
+use kahan_core::StepCost;
+use kahan_dynamics::{Need, Precision, Scheme};
 
 use super::runner::Runner;
 

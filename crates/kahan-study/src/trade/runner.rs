@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Dd, Dual, ExtendScalars, Precision, Scalar, Scheme};
+use kahan_core::{Dd, Dual, ExtendScalars, Scalar};
+use kahan_dynamics::{Precision, Scheme};
 use kahan_runtime::interpreted::{Padded, round};
 use kahan_runtime::{Field, Map, MapAt, RuntimeFloat};
 

@@ -5,7 +5,8 @@
 //! is sure to by the law error ∝ ε^order, or gains nothing any more. Then between the last rung
 //! that fails and the first that would be too dear, by the same law.
 
-use kahan_core::{Composition, Precision, Scheme};
+use kahan_core::Composition;
+use kahan_dynamics::{Precision, Scheme};
 
 use super::Measured;
 use super::measure::Search;

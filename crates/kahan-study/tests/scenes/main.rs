@@ -12,7 +12,8 @@ mod seeded_fields;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, ExtendScalars, NoSetting, Precision, Scene, Scheme, Setting};
+use kahan_core::{Composition, Dd, ExtendScalars};
+use kahan_dynamics::{NoSetting, Precision, Scene, Scheme, Setting};
 use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use seeded_fields::*;

@@ -5,7 +5,8 @@ use kahan_algebra::plan::Plan;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 use kahan_core::nalgebra::{SMatrix, SVector};
-use kahan_core::{Dd, Flow, QuadraticField};
+use kahan_core::{Dd, QuadraticField};
+use kahan_dynamics::Flow;
 use kahan_runtime::Map;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, Padded};
 

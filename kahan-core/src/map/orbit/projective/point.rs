@@ -11,6 +11,14 @@ use crate::{Pivot, Scalar};
 /// that is within a part in 2²⁰ of the largest. So equal points have equal coordinates, up to
 /// rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "SVector<T, N>: serde::Serialize",
+        deserialize = "SVector<T, N>: serde::Deserialize<'de>"
+    ))
+)]
 pub struct ProjectivePoint<T, const N: usize> {
     coordinates: SVector<T, N>,
     is_infinite: bool,

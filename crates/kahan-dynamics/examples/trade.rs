@@ -1,0 +1,35 @@
+//! Speed against accuracy: which numbers, order and ε reach a tolerance at the least cost?
+//!
+//! A `Scene` tries settings against the flow itself, over the whole horizon, and without a clock:
+//! the same answer on every run. It prints as a line of Rust.
+
+use kahan_core::prelude::*;
+use kahan_dynamics::Scene;
+
+kahan! {
+    /// Predator and prey.
+    struct LotkaVolterra;
+    xdot = x*(1 - y);
+    ydot = y*(x - 1);
+}
+
+/// Prints the choices; returns each tolerance, the order chosen, and the change of the flow's
+/// integral.
+pub(crate) fn run() -> Vec<(f64, u32, f64)> {
+    let start = vector![1.5, 1.0];
+    let part = |value: f64| value - value.ln();
+    let level = |x: SVector<f64, 2>| part(x[LotkaVolterra::X]) + part(x[LotkaVolterra::Y]);
+    let mut choices = Vec::new();
+    for tolerance in [1e-2, 1e-5, 1e-8] {
+        let setting =
+            Scene::trajectory(20.0, tolerance).choose(&LotkaVolterra, &start).expect("a setting serves");
+        let change = (level(setting.run(&LotkaVolterra, start)) - level(start)).abs();
+        println!("{tolerance:e}: {setting}\n      x − ln x + y − ln y changed by {change:.1e}");
+        choices.push((tolerance, setting.scheme().order(), change));
+    }
+    choices
+}
+
+fn main() {
+    run();
+}

@@ -1,0 +1,194 @@
+//! What happens within a stride along a branch: where it turns back, and which multipliers go
+//! through the unit circle.
+
+use std::fmt;
+use std::iter::repeat_n;
+
+use super::Parametric;
+use super::branch::{Arc, Place};
+use super::cycle::{PeriodicPoint, size};
+
+/// What happens between two cycles of a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Change {
+    /// The branch turns back: two cycles meet, and a real multiplier goes through 1.
+    Fold,
+    /// A real multiplier goes through 1, and the branch does not turn back.
+    ThroughOne,
+    /// A real multiplier goes through −1: cycles of twice the period may begin.
+    ThroughMinusOne,
+    /// A pair of complex multipliers goes through the unit circle.
+    ThroughCircle,
+}
+
+/// What it means, in words.
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Fold => "fold, two cycles meet",
+            Self::ThroughOne => "a multiplier goes through 1",
+            Self::ThroughMinusOne => "a multiplier goes through -1, the period may double",
+            Self::ThroughCircle => "a pair of multipliers goes through the unit circle",
+        })
+    }
+}
+
+/// A change, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Turn {
+    /// What happens.
+    pub change: Change,
+    /// The parameter there.
+    pub parameter: f64,
+}
+
+/// A way along the branch, ahead from a place.
+pub(super) struct Stride<'a, F> {
+    pub(super) arc: &'a Arc<F>,
+    pub(super) place: &'a Place,
+    pub(super) tangent: &'a Place,
+    pub(super) length: f64,
+}
+
+/// What is known of a cycle on a stride.
+struct Post {
+    /// How far along the stride.
+    at: f64,
+    /// Whether the parameter goes on towards the end of its range.
+    goes_ahead: bool,
+    cycle: PeriodicPoint,
+}
+
+impl Post {
+    fn new(at: f64, tangent: &Place, cycle: PeriodicPoint) -> Self {
+        Post { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, cycle }
+    }
+
+    /// How many multipliers outside the circle are real and above 1, real and below −1, complex.
+    fn outside_by_kind(&self) -> [isize; 3] {
+        /// Two that are nearly one may be complex by rounding.
+        const REAL: f64 = 1e-3;
+
+        let mut counts = [0; 3];
+        for one in &self.cycle.multipliers[..self.cycle.outside()] {
+            let kind = match one.im.abs() > REAL {
+                true => 2,
+                false => usize::from(one.re < 0.0),
+            };
+            counts[kind] += 1;
+        }
+        counts
+    }
+}
+
+impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
+    /// What happens from its first cycle to its last one, in order.
+    pub(super) fn turns(
+        &self,
+        first: &PeriodicPoint,
+        (tangent, last): (&Place, &PeriodicPoint),
+    ) -> Vec<Turn> {
+        let ends =
+            [Post::new(0.0, self.tangent, first.clone()), Post::new(self.length, tangent, last.clone())];
+        let mut turns = Vec::new();
+        // A change takes some forty; more would look for order in rounding.
+        let mut halvings = 400;
+        self.search([&ends[0], &ends[1]], &mut halvings, &mut turns);
+        turns
+    }
+
+    /// Halves what lies between two posts, so many times at most, until each part holds one change
+    /// at most.
+    fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<Turn>) {
+        /// Of the stride: what is nearer to each other happens at once.
+        const AT_ONCE: f64 = 1e-12;
+
+        let turns_back = low.goes_ahead != high.goes_ahead;
+        let (before, after) = (low.outside_by_kind(), high.outside_by_kind());
+        let [one, minus_one, pairs] = [0, 1, 2].map(|kind| after[kind] - before[kind]);
+        match (turns_back, one.abs(), minus_one.abs(), pairs.abs()) {
+            (false, 0, 0, 0) => return,
+            (true, 1, 0, 0) => return turns.push(self.fold([low, high])),
+            (false, 1, 0, 0) => return turns.push(self.crossing(Change::ThroughOne, [low, high])),
+            (false, 0, 1, 0) => return turns.push(self.crossing(Change::ThroughMinusOne, [low, high])),
+            (false, 0, 0, 2) => return turns.push(self.crossing(Change::ThroughCircle, [low, high])),
+            _ => {}
+        }
+        let is_wide = high.at - low.at > AT_ONCE * self.length && *halvings > 0;
+        if let Some(middle) = is_wide.then(|| self.post(0.5 * (low.at + high.at))).flatten() {
+            *halvings -= 1;
+            self.search([low, &middle], halvings, turns);
+            self.search([&middle, high], halvings, turns);
+            return;
+        }
+        let parameter = self.arc.parameter(&self.at(high.at).unwrap_or_else(|| self.place.clone()));
+        let mut tell = |change, times: isize| {
+            turns.extend(repeat_n(Turn { change, parameter }, times.unsigned_abs()));
+        };
+        // Where real multipliers meet outside the circle and become complex, none goes through it.
+        let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
+        tell(Change::Fold, isize::from(turns_back));
+        tell(Change::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
+        tell(Change::ThroughMinusOne, minus_one - met(minus_one));
+        tell(Change::ThroughCircle, (pairs + met(one) + met(minus_one)) / 2);
+    }
+
+    /// The place so far along, back if less than 0.
+    fn at(&self, along: f64) -> Option<Place> {
+        self.arc.step(self.place, self.tangent, along)
+    }
+
+    fn post(&self, at: f64) -> Option<Post> {
+        let place = self.at(at)?;
+        Some(Post::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
+    }
+
+    /// Where the branch turns back between two posts.
+    fn fold(&self, [low, high]: [&Post; 2]) -> Turn {
+        let is_before = |there: &Place| {
+            let tangent = self.arc.tangent(there, self.tangent);
+            tangent.is_none_or(|tangent| (tangent[tangent.len() - 1] > 0.0) == low.goes_ahead)
+        };
+        Turn { change: Change::Fold, parameter: self.halved([low.at, high.at], is_before) }
+    }
+
+    /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.
+    fn crossing(&self, change: Change, [low, high]: [&Post; 2]) -> Turn {
+        let (inner, outer) =
+            if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
+        // It is the smallest of those that lie outside.
+        let index = outer.cycle.outside() - 1;
+        let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
+        let size_at = |there: &Place| size_of(&self.arc.judged(there).cycle);
+        let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
+        // One that goes through the circle may be at it where it does not count as outside yet.
+        let behind = inner.at + self.length * (inner.at - outer.at).signum();
+        let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
+            (inner.at, 1.0)
+        } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
+            (behind, 1.0)
+        } else {
+            // It stayed on the circle but for rounding, and leaves it with a root of the distance.
+            (inner.at, 1.0 + inner.cycle.margin(index))
+        };
+        Turn { change, parameter: self.halved([begin, outer.at], |there| size_at(there) <= bound) }
+    }
+
+    /// The parameter up to which a condition holds, of those between two parts of the stride.
+    fn halved(&self, [mut before, mut behind]: [f64; 2], is_before: impl Fn(&Place) -> bool) -> f64 {
+        let mut found = self.arc.parameter(self.place);
+        for _ in 0..48 {
+            let middle = 0.5 * (before + behind);
+            let Some(there) = self.at(middle) else { break };
+            if is_before(&there) {
+                before = middle;
+            } else {
+                behind = middle;
+            }
+            found = self.arc.parameter(&there);
+        }
+        found
+    }
+}

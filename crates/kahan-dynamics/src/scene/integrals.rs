@@ -1,0 +1,99 @@
+//! The cheapest setting that keeps the map's own integrals.
+//!
+//! In: a map, a first point. Out: Kahan's map at an ε that is as large as the orbit bears, in the
+//! numbers whose roundings are small enough. The discretisation does nothing to these integrals;
+//! each step's roundings move the point off their level by u times the condition, and n steps by √n
+//! of that.
+
+use kahan_core::nalgebra::SVector;
+
+use crate::flow::{norm, slope};
+use kahan_core::{ExtendScalars, PreparedStep};
+
+use super::search::{PLAIN, WIDE};
+use super::{NoSetting, Scene, Setting};
+
+/// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical
+/// 19 times in 20.
+const SAFETY: f64 = 2.0;
+/// The most steps: as many as `f64` counts.
+const MOST_STEPS: f64 = 9e15;
+
+/// The most steps of a pilot orbit.
+const PILOT: f64 = 4096.0;
+/// An orbit is as large as it should be where its largest coordinate is at most this factor beyond
+/// that of a finer one.
+const LARGER: f64 = 2.0;
+/// How often ε is halved.
+const HALVINGS: i32 = 16;
+
+pub(super) fn choose<M, const N: usize>(
+    scene: &Scene,
+    map: &M,
+    x0: &SVector<f64, N>,
+) -> Result<Setting, NoSetting>
+where
+    M: ExtendScalars<f64, N>,
+{
+    let rate = rate(map, x0);
+    let first = (0.5 * scene.horizon * rate).ceil().max(1.0);
+    let coarsest =
+        (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
+    let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
+    let cost = |setting: &Setting| {
+        setting.steps as f64 * setting.scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
+    };
+    let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
+    for scheme in [PLAIN, PLAIN.compensated(), WIDE] {
+        for k in 0..HALVINGS {
+            let steps = coarsest * f64::from(k).exp2();
+            let mut setting = scene.setting(scheme, steps as u64);
+            let (eps, steps) = (setting.eps, setting.steps as f64);
+            if !(eps > 0.0 && steps < MOST_STEPS) {
+                break;
+            }
+            // Compensated, an increment is rounded, not the point.
+            let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
+            let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
+            least_error = least_error.min(error);
+            if error > scene.tolerance {
+                continue;
+            }
+            setting.error = error;
+            let of = |known: &Setting| (cost(known), known.error);
+            if best.as_ref().is_none_or(|known| of(&setting) < of(known)) {
+                best = Some(setting);
+            }
+            break;
+        }
+    }
+    best.ok_or(NoSetting::OutOfReach { best: least_error })
+}
+
+/// Whether the beginning of the orbit is finite and no larger than that with a quarter of ε.
+fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
+where
+    M: ExtendScalars<f64, N>,
+{
+    let eps = scene.setting(PLAIN, steps as u64).eps;
+    let count = steps.min(PILOT) as usize;
+    let coarse = size(map.orbit(*x0, eps).take(count + 1));
+    let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));
+    fine.is_finite() && coarse <= LARGER * fine
+}
+
+/// The largest coordinate of so many points.
+fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
+    orbit.fold(0.0, |size, x| norm(&x).max(size))
+}
+
+/// How fast the motion turns at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
+fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
+where
+    M: ExtendScalars<f64, N>,
+{
+    let slope = slope(map, x);
+    let (speed, size) = (norm(&map.field(x)), norm(x));
+    let rate = if size > 0.0 { slope.max(speed / size) } else { slope };
+    if rate.is_finite() { rate } else { 0.0 }
+}

@@ -1,0 +1,141 @@
+//! A setting run: every kind of orbit, chosen once before the first step.
+
+use kahan_core::nalgebra::SVector;
+
+use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF64};
+
+use super::{Precision, Scheme, Setting};
+
+/// What to do with an orbit of whatever type, whose points `widen` holds without a rounding.
+trait Task<const N: usize> {
+    type Output;
+
+    fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
+}
+
+/// The point after so many steps.
+struct Last(usize);
+
+/// Every point up to so many steps, until a visitor has seen enough.
+struct While<F>(u64, F);
+
+impl<const N: usize> Task<N> for Last {
+    type Output = Option<SVector<f64, N>>;
+
+    fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
+        // Not through `Iterator::map`, which would ask for every point.
+        orbit.nth(self.0).map(|x| rounded(&widen(x)))
+    }
+}
+
+impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> Task<N> for While<F> {
+    type Output = ();
+
+    fn run<X>(mut self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) {
+        for (step, x) in (0..=self.0).zip(orbit) {
+            if !self.1(step, &widen(x)) {
+                break;
+            }
+        }
+    }
+}
+
+fn rounded<const N: usize>(x: &[Dd; N]) -> SVector<f64, N> {
+    SVector::from(x.map(f64::from))
+}
+
+impl Setting {
+    /// The last point of the orbit that begins with `x0`, at the time 2ε·[`steps`](Self::steps);
+    /// not finite where the orbit met a pole.
+    ///
+    /// Parameters and `x0` are rounded to the setting's precision, the result is rounded or widened
+    /// to `f64`. It runs as the line that the setting prints would.
+    ///
+    /// Cost: as the setting says; no allocation, nothing decided within the orbit.
+    pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
+    where
+        M: ExtendScalars<f64, N>,
+    {
+        let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
+        match self.with_orbit(map, x0, Last(steps)) {
+            Some(last) => last,
+            // Orbits over floats have no end.
+            None => SVector::from_element(f64::NAN),
+        }
+    }
+
+    /// The same orbit, each of its points shown to `visit` with its number: x₀ as it was rounded
+    /// with 0, the last with [`steps`](Self::steps). The n-th belongs to the time 2ε·n.
+    pub fn visit<M, const N: usize>(
+        &self,
+        map: &M,
+        x0: SVector<f64, N>,
+        mut visit: impl FnMut(u64, &SVector<f64, N>),
+    ) where
+        M: ExtendScalars<f64, N>,
+    {
+        self.follow(map, x0, |step, x| {
+            visit(step, &rounded(x));
+            true
+        });
+    }
+
+    /// The same with all digits, as long as `go_on` says so.
+    pub(super) fn follow<M, const N: usize>(
+        &self,
+        map: &M,
+        x0: SVector<f64, N>,
+        go_on: impl FnMut(u64, &[Dd; N]) -> bool,
+    ) where
+        M: ExtendScalars<f64, N>,
+    {
+        self.with_orbit(map, x0, While(self.steps, go_on));
+    }
+
+    fn with_orbit<M, K, const N: usize>(&self, map: &M, x0: SVector<f64, N>, task: K) -> K::Output
+    where
+        M: ExtendScalars<f64, N>,
+        K: Task<N>,
+    {
+        let single = |x: f64| x as f32;
+        match self.scheme.precision {
+            Precision::Single => {
+                let map = map.extend_scalars::<f32>(|parameter| single(*parameter));
+                self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
+            }
+            Precision::SingleThroughDouble => {
+                let map = ThroughF64(map.extend_scalars::<f32>(|parameter| single(*parameter)));
+                self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
+            }
+            Precision::Double => self.with_mode(map, x0, self.eps, Dd::from, task),
+            Precision::DoubleDouble => {
+                let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
+                self.with_mode(&map, x0.map(Dd::from), Dd::from(self.eps), |x| x, task)
+            }
+        }
+    }
+
+    fn with_mode<M, T, K, const N: usize>(
+        &self,
+        map: &M,
+        x0: SVector<T, N>,
+        eps: T,
+        widen: impl Fn(T) -> Dd,
+        task: K,
+    ) -> K::Output
+    where
+        M: KahanMap<T, N>,
+        T: FloatScalar,
+        K: Task<N>,
+    {
+        let Scheme { composition, compensated, .. } = self.scheme;
+        let orbit = map.orbit(x0, eps);
+        let widen = |x: SVector<T, N>| <[T; N]>::from(x).map(&widen);
+        match (composition == Composition::KAHAN, compensated) {
+            (true, false) => task.run(orbit, widen),
+            (true, true) => task.run(orbit.compensated(), widen),
+            (false, false) => task.run(orbit.composed(composition), widen),
+            (false, true) => task.run(orbit.composed(composition).compensated(), widen),
+        }
+    }
+}

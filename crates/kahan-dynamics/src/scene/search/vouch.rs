@@ -1,0 +1,64 @@
+//! A second method for the flow.
+//!
+//! In: the trials so far. Out: an orbit in double-double, of the order that gets there with the
+//! fewest stages, which comes within a part of the tolerance of the flow; or the verdict that it is
+//! the flow that has roundings.
+
+use std::cmp::Reverse;
+
+use kahan_core::Composition;
+
+use super::super::{Scheme, Setting};
+use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
+
+/// Trials that may vouch for the flow.
+const VOUCHERS: usize = 16;
+
+impl<L: Trials> Search<L> {
+    /// Looks for an orbit in double-double that is so near to the flow that both must be right.
+    pub(super) fn vouch(&mut self) {
+        let wanted = self.tolerance / VOUCHING;
+        for _ in 0..VOUCHERS {
+            // Of the order that gets there with the fewest stages, by what its last trials showed.
+            let next = Composition::BEST
+                .into_iter()
+                .rev()
+                .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
+            let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
+            let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
+                // It is the flow that has roundings.
+                self.is_rough = true;
+                return;
+            };
+            if self.trial(scheme, steps, 1.0).is_none_or(|trial| trial.error <= wanted) {
+                return;
+            }
+        }
+    }
+
+    /// The steps at which an order may come so near: by the law, from its finest trial in
+    /// double-double, or its best in `f64`. `None` where trials come no nearer.
+    fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
+        let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
+        let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
+        let mut wide: Vec<&Setting> =
+            of_order().filter(|trial| trial.scheme == WIDE.composed(composition)).collect();
+        wide.sort_by_key(|trial| Reverse(trial.steps));
+        let Some(finest) = wide.first() else {
+            let useful = of_order().filter(|trial| trial.error < SMALL.max(self.tolerance));
+            return useful
+                .min_by(|a, b| a.error.total_cmp(&b.error))
+                .map(|best| by_law(best).ceil().max(1.0) as u64);
+        };
+        let stalls =
+            wide.windows(2).take_while(|pair| pair[0].error < SMALL && pair[0].error > STALL * pair[1].error);
+        if stalls.count() > 1 {
+            return None;
+        }
+        let steps = finest.steps as f64;
+        // The law tells the least; where it does not hold yet, more are needed.
+        let next =
+            if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
+        Some(next.ceil() as u64)
+    }
+}

@@ -1,0 +1,206 @@
+//! The cheapest setting that follows a trajectory.
+//!
+//! In: a map, a first point, a scene. Out: of all settings that were seen to serve, over the whole
+//! horizon, the one with the least price. The solution itself is computed once ([`Flow`]), each
+//! setting that comes into question is run and compared with it, and one that is ten times as
+//! accurate as asked vouches for the solution. First all of it in `f64`; where roundings cover what
+//! matters, in [`Dd`].
+
+use kahan_core::nalgebra::SVector;
+
+use crate::flow::{Digits, Flow, NoFlow};
+use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
+
+use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
+use super::{NoSetting, Scene, Scheme, Setting};
+
+/// The most steps of the map that a choice may cost, all of its trials together.
+const MOST_WORK: f64 = 1e6;
+/// Below this tolerance the roundings of `f64` are felt so soon that it is not begun with.
+const FINE: f64 = 1e-12;
+/// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each
+/// of its pieces, and in each of an orbit's steps; and by how much they must be below the
+/// tolerance.
+const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
+/// The relative distance of two beginnings that tells growth.
+const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
+/// The part of what is left that the solution may take.
+const SHARE: f64 = 0.4;
+/// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances:
+/// there they say nothing more.
+const LOST: f64 = 0.1;
+
+pub(super) fn choose<M, const N: usize>(
+    scene: &Scene,
+    map: &M,
+    x0: &SVector<f64, N>,
+) -> Result<Setting, NoSetting>
+where
+    M: ExtendScalars<f64, N>,
+{
+    let mut budget = Budget { left: MOST_WORK };
+    let start = *x0;
+    if scene.tolerance >= FINE
+        && let Some(flow) = budget.sure_flow(scene, map, start)
+    {
+        let choice = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
+        match choice.choose(&mut budget) {
+            Err(Refusal { is_rough: true, .. }) => {}
+            answer => return answer.map_err(|refusal| refusal.why),
+        }
+    }
+    let wide = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
+    let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
+    let choice = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
+    choice.choose(&mut budget).map_err(|refusal| refusal.why)
+}
+
+/// The steps of the map that may still be taken.
+struct Budget {
+    left: f64,
+}
+
+impl Budget {
+    /// The solution from `start` over the scene's horizon, in T, over which the field is.
+    fn flow<T, F, const N: usize>(
+        &mut self,
+        scene: &Scene,
+        field: &F,
+        start: SVector<T, N>,
+    ) -> Result<Flow<T>, NoSetting>
+    where
+        T: Digits,
+        F: QuadraticField<T, N>,
+    {
+        // A bilinear form takes about a third of a step.
+        let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
+        let most = (SHARE * self.left / piece) as usize;
+        let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
+            self.left -= piece;
+            pieces < most
+        });
+        flow.map_err(|why| match why {
+            NoFlow::Escapes { time } => NoSetting::Lost { time },
+            NoFlow::Stopped { reached } => NoSetting::TooLong { time: reached },
+        })
+    }
+
+    /// The solution in `f64`, where its roundings stay far below the tolerance: so far as a point
+    /// beside the first one stays beside it.
+    fn sure_flow<F, const N: usize>(
+        &mut self,
+        scene: &Scene,
+        field: &F,
+        start: SVector<f64, N>,
+    ) -> Option<Flow<f64>>
+    where
+        F: QuadraticField<f64, N>,
+    {
+        let flow = self.flow(scene, field, start).ok()?;
+        // Each component by another part of itself: roundings are relative, and differ.
+        let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
+        let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
+        let distance = |t: f64| {
+            let x: Vec<Dd> = beside.at(t.into()).into_iter().map(Dd::from).collect();
+            flow.distance(t.into(), &x)
+        };
+        let growth = flow.breaks().map(distance).fold(0.0, f64::max) / NEARBY;
+        (ROUNDINGS * growth <= scene.tolerance).then_some(flow)
+    }
+}
+
+/// A scene with a solution to compare with.
+struct Choice<'a, T, M, const N: usize> {
+    scene: &'a Scene,
+    map: &'a M,
+    x0: &'a SVector<f64, N>,
+    flow: &'a Flow<T>,
+    /// The numbers that may be chosen besides plain `f64`.
+    others: &'static [Scheme],
+}
+
+/// Why a choice found nothing.
+struct Refusal {
+    why: NoSetting,
+    /// Whether for roundings, so that a wider precision may find more.
+    is_rough: bool,
+}
+
+impl<T, M, const N: usize> Choice<'_, T, M, N>
+where
+    T: Digits,
+    M: ExtendScalars<f64, N>,
+{
+    fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
+        // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose
+        // stages are shorter, may be.
+        let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
+        let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
+        let mut search = Search::new(runs, self.scene.tolerance, self.others);
+        let verdict = search.run(coarsest);
+        let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
+        match verdict {
+            Verdict::Choice(setting) => Ok(setting),
+            Verdict::None { least_error, is_rough } => {
+                let why = if least_error < LOST {
+                    // As much again, as roundings differ from one ε to the next.
+                    NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() }
+                } else if is_short_of_work {
+                    NoSetting::TooLong { time: agreed_until }
+                } else {
+                    NoSetting::Lost { time: agreed_until }
+                };
+                Err(Refusal { why, is_rough: is_rough || !is_short_of_work })
+            }
+        }
+    }
+}
+
+/// Orbits of one scene, compared with the flow while there is work left.
+struct Runs<'a, T, M, const N: usize> {
+    choice: &'a Choice<'a, T, M, N>,
+    budget: &'a mut Budget,
+    /// The time until which some orbit stayed near the flow.
+    agreed_until: f64,
+    is_short_of_work: bool,
+}
+
+impl<T, M, const N: usize> Trials for Runs<'_, T, M, N>
+where
+    T: Digits,
+    M: ExtendScalars<f64, N>,
+{
+    fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
+        self.choice.scene.setting(scheme, steps)
+    }
+
+    fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
+        // A comparison counts as a step.
+        let work_of_step = setting.scheme.composition.stages() as f64 + 1.0;
+        if setting.steps as f64 * work_of_step > share * self.budget.left {
+            self.is_short_of_work = true;
+            return None;
+        }
+        let Choice { scene, map, x0, flow, .. } = *self.choice;
+        let lost = LOST.max(4.0 * scene.tolerance);
+        let dt = Dd::from(2.0 * setting.eps);
+        let mut along = flow.along::<N>();
+        let (mut worst, mut last) = (0.0_f64, 0);
+        setting.follow(map, *x0, |n, x| {
+            last = n;
+            worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
+            if n == setting.steps {
+                // The last point stands for the horizon.
+                worst = worst.max(flow.distance(scene.horizon.into(), x));
+            }
+            worst <= lost
+        });
+        self.budget.left -= last as f64 * work_of_step;
+        self.agreed_until = self.agreed_until.max(f64::from(dt) * last as f64);
+        Some(if worst <= lost { worst } else { f64::INFINITY })
+    }
+
+    fn price(&self, scheme: Scheme) -> f64 {
+        scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
+    }
+}
