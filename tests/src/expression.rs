@@ -47,7 +47,8 @@ impl Expression {
     #[must_use]
     pub fn at(&self, values: &[Q], eps: &Q) -> Option<Q> {
         let value = |index: usize| values.get(index).unwrap_or(eps).clone();
-        let results = self.plan.evaluate(&Exact, |variable| Rational::from(value(usize::from(variable.0))));
+        let results =
+            self.plan.evaluate(&Exact, |input| Some(value(usize::from(input.variable()?.0)).into()));
         results.into_iter().next().flatten().map(|value| value.to_big())
     }
 
@@ -58,7 +59,9 @@ impl Expression {
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
         let functions = Functions::new(Budget::unlimited());
-        let results = self.plan.evaluate(&functions, |variable| Some(Polynomial::variable(variable).into()));
+        let results = self
+            .plan
+            .evaluate(&functions, |input| Some(Some(Polynomial::variable(input.variable()?).into())));
         match results.into_iter().next().flatten().flatten() {
             Some(Function { numerator, denominator }) if denominator.is_empty() => numerator,
             other => panic!("not a polynomial: {other:?}"),

@@ -18,6 +18,9 @@ struct Trajectories;
 #[doc = include_str!("../../docs/how-to/lattices.md")]
 struct Lattices;
 
+#[doc = include_str!("../../crates/kahan-program/README.md")]
+struct Programs;
+
 #[doc = include_str!("../../crates/kahan-syntax/README.md")]
 struct Syntax;
 

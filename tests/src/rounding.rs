@@ -13,7 +13,7 @@ mod running_bound;
 use kahan_algebra::derive;
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
-use kahan_algebra::plan::{Plan, StepPlan};
+use kahan_algebra::plan::{StepPlan, plan_of};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -87,7 +87,7 @@ impl<'a> StepBound<'a> {
 
 /// The polynomials as the emitted plan computes them.
 fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Rounded> {
-    let plan = Plan::of(polynomials.iter().copied());
+    let plan = plan_of(polynomials.iter().copied());
     let results = running_bound::results(&plan, &[], unit, |variable| exact(values, variable));
     results.into_iter().map(|value| value.expect("a polynomial has a value")).collect()
 }

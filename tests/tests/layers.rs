@@ -59,7 +59,6 @@ const ALGEBRA: Layered = Layered {
     name: "kahan_algebra",
     module: None,
     layers: &[
-        "numbered",
         "prime_field",
         "poly",
         "rational_function",
@@ -88,12 +87,11 @@ const ALGEBRA: Layered = Layered {
 const PLAN: Layered = Layered {
     folder: "crates/kahan-algebra",
     name: "kahan_algebra",
-    module: Some(("plan", &["Node", "Plan"])),
+    module: Some(("plan", &["Cost", "Node"])),
     layers: &[
         "operation",
         "cost",
         "builder",
-        "include",
         "horner",
         "values",
         "dense",

@@ -78,7 +78,7 @@ impl Interpreter {
     ///
     /// # Errors
     /// Where a parameter makes the field divide by zero.
-    pub fn evaluate<A: Arithmetic>(
+    pub fn evaluate<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,
@@ -119,7 +119,7 @@ impl Interpreter {
     }
 
     /// Q(x, y).
-    pub fn bilinear<A: Arithmetic>(
+    pub fn bilinear<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         x: &Point<A::Value>,
@@ -129,7 +129,7 @@ impl Interpreter {
     }
 
     /// Q(x,y) + ½B(x+y) + c.
-    pub fn polarized<A: Arithmetic>(
+    pub fn polarized<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         x: &Point<A::Value>,
@@ -139,13 +139,17 @@ impl Interpreter {
     }
 
     /// A(x,ε), row by row.
-    fn matrix<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<Vec<A::Value>>> {
+    fn matrix<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<Vec<A::Value>>> {
         let entries = self.run(arithmetic, self.derived.matrix(), point, None)?;
         Some(entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 
     /// The results of a plan, if all have a value.
-    fn run<A: Arithmetic>(
+    fn run<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         plan: &Plan,
@@ -155,14 +159,14 @@ impl Interpreter {
         self.run_partly(arithmetic, plan, point, second).into_iter().collect()
     }
 
-    fn run_partly<A: Arithmetic>(
+    fn run_partly<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         plan: &Plan,
         point: &Point<A::Value>,
         second: Option<&[A::Value]>,
     ) -> Vec<Option<A::Value>> {
-        plan.evaluate(arithmetic, |variable| self.value_of(variable, point, second))
+        plan.evaluate(arithmetic, |input| Some(self.value_of(input.variable()?, point, second)))
     }
 
     fn value_of<V: Clone>(&self, variable: Variable, point: &Point<V>, second: Option<&[V]>) -> V {
@@ -174,7 +178,11 @@ impl Interpreter {
         }
     }
 
-    fn brackets<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Vec<NamedTensor<A::Value>> {
+    fn brackets<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Vec<NamedTensor<A::Value>> {
         let n = point.state.len();
         let full = |upper: &[A::Value]| -> Option<Vec<Vec<A::Value>>> {
             let zero = arithmetic.constant(&Rational::zero())?;

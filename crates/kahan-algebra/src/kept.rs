@@ -7,12 +7,12 @@
 //! divides by nothing. What holds: with the definitions of the values put in, the components are
 //! those of the [`Field`], which stays the one that is proved, reduced and printed.
 
+use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
 
 use crate::field::Field;
 use crate::kahan::SparseRows;
-use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;

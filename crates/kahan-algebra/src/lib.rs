@@ -12,8 +12,6 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 // Each needs those before it only, which a test guards.
-mod numbered;
-
 pub mod prime_field;
 
 pub mod poly;

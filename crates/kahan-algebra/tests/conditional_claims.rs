@@ -290,7 +290,7 @@ fn a_conditional_claim_is_evaluated_where_it_holds() {
         "r" => Rational::from(7),
         _ => Rational::from(2),
     };
-    assert_eq!(plan.evaluate(&Exact, value), [Some(Rational::from(-5))]);
+    assert_eq!(plan.evaluate(&Exact, |input| input.variable().map(value)), [Some(Rational::from(-5))]);
 }
 
 #[test]

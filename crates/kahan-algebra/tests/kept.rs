@@ -13,7 +13,7 @@ fn system(text: &str) -> System {
 
 /// f at a state and at values of the parameters in the order of their names' first use; `None`
 /// where the field divides by zero.
-fn field<A: Arithmetic>(
+fn field<A: Arithmetic<Constant = Rational>>(
     text: &str,
     arithmetic: &A,
     state: &[A::Value],

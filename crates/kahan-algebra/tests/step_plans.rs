@@ -7,6 +7,7 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::polarization;
 use kahan_algebra::lexer::lex;
+use kahan_algebra::plan::{Input, plan_of};
 use kahan_algebra::plan::{Node, Operation, Plan, StepPlan};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -74,8 +75,8 @@ impl Numbers {
 /// x̃ at a point (states, parameters, ε) by the plan; `None` at a pole.
 fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     let value = |variable: kahan_algebra::poly::Variable| Some(point[usize::from(variable.0)].clone());
-    let constants = step.constants.evaluate_prepared(&Exact, &[], value);
-    let results = step.kernel.plan.evaluate_prepared(&Exact, &constants, value);
+    let constants = step.constants.evaluate(&Exact, |input| input.value(&[], value));
+    let results = step.kernel.plan.evaluate(&Exact, |input| input.value(&constants, value));
     let results: Vec<Rational> = results.into_iter().collect::<Option<_>>()?;
     let component = |(x, (numerator, reciprocal)): (_, (&Rational, Option<&Rational>))| match reciprocal {
         Some(reciprocal) => x + &(numerator * reciprocal),
@@ -91,9 +92,12 @@ fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Ration
         Symbol::SecondState(i) => next[i].clone(),
         _ => point[usize::from(variable.0)].clone(),
     };
-    let run = |plan: Plan| plan.evaluate(&Exact, value).into_iter().map(Option::unwrap).collect::<Vec<_>>();
-    let polarized = run(Plan::of(polarization(field).iter()));
-    let denominators = run(Plan::of(field.denominators()));
+    let run = |plan: Plan| {
+        let results = plan.evaluate(&Exact, |input| input.variable().map(value)).into_iter();
+        results.map(Option::unwrap).collect::<Vec<_>>()
+    };
+    let polarized = run(plan_of(polarization(field).iter()));
+    let denominators = run(plan_of(field.denominators()));
     (0..next.len())
         .map(|i| &(&denominators[i] * &(&next[i] - &point[i])) - &(&(eps + eps) * &polarized[i]))
         .collect()
@@ -246,7 +250,7 @@ fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
             continue;
         }
         assert!(step.cycles() + 3 < step.for_any_step().cycles(), "{name}");
-        let eps = Operation::Input(field.symbols.epsilon());
+        let eps = Operation::Input(Input::Variable(field.symbols.epsilon()));
         let is_over_eps = |output: &Node| match &step.constants.operations[output.0] {
             Operation::Divide(above, below) => {
                 let is_literal = matches!(step.constants.operations[above.0], Operation::Constant(_));
@@ -268,7 +272,7 @@ fn only_eps_its_multiples_and_its_products_with_parameters_are_prepared_for_homo
         let mut degree = Vec::new();
         for operation in &step.constants.operations {
             degree.push(match operation {
-                Operation::Input(variable) => usize::from(*variable == epsilon),
+                Operation::Input(Input::Variable(variable)) => usize::from(*variable == epsilon),
                 Operation::Multiply(a, b) => degree[a.0] + degree[b.0],
                 _ => operation.operands().map(|operand| degree[operand.0]).max().unwrap_or(0),
             });

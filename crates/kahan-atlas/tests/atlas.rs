@@ -9,6 +9,7 @@ mod painting;
 use std::collections::BTreeSet;
 
 use kahan_algebra::lexer::lex;
+use kahan_algebra::plan::variables;
 use kahan_algebra::syntax::{ClaimBody, ClaimKind};
 use kahan_atlas::{Checked, Found, Making, Orbits, page};
 use kahan_paper::figures::{Figure, Measurement};
@@ -251,7 +252,7 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
             let words = text_of(block);
             let symbols = &system.field.symbols;
             for (i, state) in symbols.states.iter().enumerate().filter(|(_, state)| state.len() == 1) {
-                if claim.plan.inputs().contains(&symbols.state(i)) {
+                if variables(&claim.plan).contains(&symbols.state(i)) {
                     assert!(words.contains(state.as_str()), "{id} shows no {state}: {words}");
                 }
             }

@@ -162,7 +162,8 @@ impl<'a> Claims<'a> {
             own.map(|own| Polynomial::variable(own).into())
         };
         let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
-        let stated = system.claims.last()?.plan.evaluate(&functions, value).pop()??;
+        let stated =
+            system.claims.last()?.plan.evaluate(&functions, |input| input.variable().map(value)).pop()??;
         let [above, below] = [numerator, denominator].map(|side| Some(side.clone().into()));
         let meant = functions.divide(&above, &below)?;
         let is_stated = [functions.subtract(&stated, &meant), functions.add(&stated, &meant)]

@@ -22,7 +22,8 @@ pub(crate) fn claim<'a>(system: &'a System, name: &str) -> &'a Claim {
 /// What a claim states: one function, or the entries of a bracket above the diagonal.
 pub(crate) fn functions(claim: &Claim) -> Vec<RationalFunction> {
     let arithmetic = Functions::new(Budget::unlimited());
-    let values = claim.plan.evaluate(&arithmetic, |variable| Some(Polynomial::variable(variable).into()));
+    let values =
+        claim.plan.evaluate(&arithmetic, |input| Some(Some(Polynomial::variable(input.variable()?).into())));
     let reduced = |value: Option<Option<Function>>| {
         let Function { numerator, denominator } = value.flatten().expect("a value");
         let below =
@@ -40,6 +41,7 @@ pub(crate) fn function(claim: &Claim) -> RationalFunction {
 
 impl Arithmetic for Modulus {
     type Value = u64;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<u64> {
         self.rational(value)

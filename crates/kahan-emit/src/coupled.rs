@@ -11,7 +11,7 @@
 //! Nothing here grows faster than the couplings: no function holds a whole matrix.
 
 use kahan_algebra::elimination::{Couplings, Row};
-use kahan_algebra::plan::Plan;
+use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::symbols::Symbol;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -139,7 +139,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
 /// results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
-    let inputs = plan.inputs();
+    let inputs = variables(plan);
     let states = emit_pattern(&inputs, symbols, Symbol::State, symbols.dimension());
     let states = states.map(|states| quote! { let #states = x; });
     let own = symbols.parameters.len();

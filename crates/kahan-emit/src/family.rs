@@ -12,7 +12,7 @@
 
 use kahan_algebra::derived::Lines;
 use kahan_algebra::family::Family;
-use kahan_algebra::plan::Plan;
+use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::render::expression_text;
 use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_algebra::syntax::Boundary;
@@ -141,7 +141,7 @@ impl Context<'_> {
 
     fn emit_constants(&self) -> TokenStream {
         let (lines, line_scalar, scalar) = (&self.lines, &self.line_scalar, &self.this.scalar);
-        let inputs = lines.constants.inputs();
+        let inputs = variables(&lines.constants);
         let bindings = emit_bound_parameters(&inputs, &lines.given, |field| quote!(convert(&self.#field)));
         let Emitted { bindings: steps, results } =
             emit_kernel(&lines.constants, &lines.given, line_scalar, &[], false);
@@ -209,7 +209,7 @@ impl Context<'_> {
     fn emit_inputs(&self, plan: &Plan, symbols: &Symbols) -> TokenStream {
         let values = self.family.symbols.states.len();
         let (stencil, parameters) = (self.family.stencil(), self.family.site_parameters.len());
-        plan.inputs()
+        variables(plan)
             .into_iter()
             .map(|variable| {
                 let name = binding(symbols, variable);

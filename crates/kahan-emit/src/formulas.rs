@@ -6,7 +6,7 @@
 //!
 //! A step that several results need is written for each of them.
 
-use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -62,7 +62,7 @@ impl PostfixWriter<'_> {
     fn node(&mut self, node: Node) {
         let index = |k: usize| Literal::usize_unsuffixed(k);
         let step = match self.plan.operations[node.0] {
-            Operation::Input(variable) => match self.symbols.symbol(variable) {
+            Operation::Input(Input::Variable(variable)) => match self.symbols.symbol(variable) {
                 Symbol::State(k) => {
                     let k = index(k);
                     quote!(State(#k))
@@ -82,7 +82,7 @@ impl PostfixWriter<'_> {
                 let value = emit_exact(value);
                 quote!(Number(#value))
             }
-            Operation::Prepared(_) => unreachable!("formulas of a field prepare nothing"),
+            Operation::Input(Input::Prepared(_)) => unreachable!("formulas of a field prepare nothing"),
             Operation::Negate(a) => {
                 self.node(a);
                 quote!(Negate)
@@ -98,6 +98,7 @@ impl PostfixWriter<'_> {
             Operation::SubtractProduct(a, b, c) => {
                 self.two(Part::Of(a), Part::Product(b, c), ["Subtract", "SubtractFrom"])
             }
+            Operation::Call(ref function, ..) => match *function {},
         };
         self.steps.extend(quote!(#step,));
     }

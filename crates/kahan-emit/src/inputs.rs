@@ -1,6 +1,6 @@
 //! What a plan reads, bound to names.
 
-use kahan_algebra::plan::Plan;
+use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::symbols::{Symbol, Symbols};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -21,7 +21,7 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 /// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from
 /// `self`; ε stands in `eps`, the second point in `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    let inputs = plan.inputs();
+    let inputs = variables(plan);
     let mut bindings = TokenStream::new();
     let dimension = symbols.dimension();
     if let Some(states) = emit_pattern(&inputs, symbols, Symbol::State, dimension) {
@@ -56,7 +56,7 @@ pub(super) fn emit_bound_parameters(
 /// order in which compilers that pack scalar code into vectors pair them badly, at the cost of a
 /// tenth of a large step.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    let states = emit_pattern(&plan.inputs(), symbols, Symbol::State, symbols.dimension());
+    let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 

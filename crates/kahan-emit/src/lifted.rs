@@ -170,7 +170,7 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
                 Symbol::Parameter(k) => parameters[k],
                 Symbol::Epsilon => EPS,
             };
-            claim.plan.evaluate(&Float64, input).pop()?
+            claim.plan.evaluate(&Float64, |read| read.variable().map(input)).pop()?
         };
         Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
     };

@@ -2,7 +2,7 @@
 //! budget.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
-use kahan_algebra::plan::Plan;
+use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::symbols::Symbol;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
@@ -132,7 +132,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.carry()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
-    let inputs = plan.inputs();
+    let inputs = variables(plan);
     let point = |name: &str, symbol: &dyn Fn(usize) -> Symbol| {
         let (pattern, point) = (emit_pattern(&inputs, symbols, symbol, n)?, format_ident!("{name}"));
         Some(quote! { let #pattern = __kahan::components(#point).clone(); })

@@ -12,7 +12,7 @@
 //! rationals.
 
 use kahan_algebra::derived::ValueNames;
-use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
@@ -166,12 +166,12 @@ impl<'a> Emitter<'a> {
         let nested = self.operands(operation).filter(|operand| self.lets[operand.0].is_none());
         let depth = nested.map(|operand| self.depths[operand.0] + 1).max().unwrap_or(0);
         self.depths.push(depth);
-        if let (Operation::Input(variable), Some(_)) = (operation, self.constants) {
+        if let (Operation::Input(Input::Variable(variable)), Some(_)) = (operation, self.constants) {
             // A kernel has the states as values.
             self.lets[index] = Some(binding(self.symbols, *variable));
             return;
         }
-        let is_borrowed = matches!(operation, Operation::Input(_) | Operation::Prepared(_));
+        let is_borrowed = matches!(operation, Operation::Input(_));
         let is_quotient = self.constants.is_some() && matches!(operation, Operation::Divide(..));
         if is_borrowed || self.uses[index] == 0 {
             return;
@@ -195,11 +195,11 @@ impl<'a> Emitter<'a> {
     fn operation(&mut self, index: usize) -> Expression {
         let plan = self.plan;
         match plan.operations[index] {
-            Operation::Input(variable) => {
+            Operation::Input(Input::Variable(variable)) => {
                 let name = binding(self.symbols, variable);
                 Expression::atom(quote!(#name.clone()))
             }
-            Operation::Prepared(constant) => {
+            Operation::Input(Input::Prepared(constant)) => {
                 let name = self.constants.and_then(|constants| constants.get(constant));
                 let name = name.map(|name| format_ident!("__e_{name}"));
                 Expression::atom(quote!(#name.get()))
@@ -216,6 +216,7 @@ impl<'a> Emitter<'a> {
             Operation::MultiplyAdd(a, b, c) => self.fused([a, b, c], "multiply_add"),
             Operation::MultiplySubtract(a, b, c) => self.fused([a, b, c], "multiply_subtract"),
             Operation::SubtractProduct(a, b, c) => self.fused([a, b, c], "subtract_product"),
+            Operation::Call(ref function, ..) => match *function {},
         }
     }
 

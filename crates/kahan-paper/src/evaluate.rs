@@ -11,7 +11,7 @@ use super::formula::Formula;
 use super::model::Model;
 
 /// An arithmetic in which some functions have values.
-pub(super) trait Calculus: Arithmetic {
+pub(super) trait Calculus: Arithmetic<Constant = Rational> {
     /// The function with this name; the default knows none.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown(name.to_owned()))

@@ -78,7 +78,7 @@ impl Model {
 
     /// The entries of an object, row by row: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b` b(x,ε), `J`
     /// ∂x̃/∂x.
-    pub(super) fn entries<A: Arithmetic>(
+    pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
         arithmetic: &A,
@@ -100,7 +100,7 @@ impl Model {
     }
 
     /// x̃, by the reduced map where there is one, else by elimination.
-    pub(super) fn next<A: Arithmetic>(
+    pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         here: Values<'_, A::Value>,
@@ -117,7 +117,11 @@ impl Model {
     }
 
     /// ∂x̃/∂x, by dual numbers: no formula for it is presupposed.
-    fn jacobian<A: Arithmetic>(&self, arithmetic: &A, here: Values<'_, A::Value>) -> Option<Vec<A::Value>> {
+    fn jacobian<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        here: Values<'_, A::Value>,
+    ) -> Option<Vec<A::Value>> {
         let n = self.dimension();
         let dual = Dual { base: arithmetic, directions: n };
         let extended = here.iter().enumerate().map(|(index, value)| {
@@ -130,8 +134,12 @@ impl Model {
     }
 }
 
-fn run<A: Arithmetic>(arithmetic: &A, plan: &Plan, here: Values<'_, A::Value>) -> Option<Vec<A::Value>> {
-    plan.evaluate(arithmetic, |variable: Variable| here[usize::from(variable.0)].clone())
+fn run<A: Arithmetic<Constant = Rational>>(
+    arithmetic: &A,
+    plan: &Plan,
+    here: Values<'_, A::Value>,
+) -> Option<Vec<A::Value>> {
+    plan.evaluate(arithmetic, |input| input.variable().map(|Variable(k)| here[usize::from(k)].clone()))
         .into_iter()
         .collect()
 }

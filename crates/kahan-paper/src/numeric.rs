@@ -15,6 +15,7 @@ pub(super) struct Decimals;
 
 impl Arithmetic for Decimals {
     type Value = Precise;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Precise> {
         Some(Real::from_rational(&value.to_big()))

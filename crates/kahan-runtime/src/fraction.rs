@@ -66,6 +66,7 @@ pub(crate) struct Fractions;
 
 impl Arithmetic for Fractions {
     type Value = Fraction;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Fraction> {
         Some(Fraction::from(value))

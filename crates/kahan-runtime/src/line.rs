@@ -3,31 +3,109 @@
 //! The operations and their order are the plan's, and each is the call that generated code makes
 //! for it, so the bits are the same. Whoever runs a line brings its registers.
 
-use kahan_algebra::plan::{Node, Operation, Plan};
-use kahan_algebra::poly::Variable;
+use std::marker::PhantomData;
+
+use kahan_algebra::plan::{Input, Operation, Plan, variables};
 use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_core::Scalar;
+use kahan_program::{Arithmetic, Calls, Function, Node, Program};
 
 use crate::literal::Literal;
 
+/// An operation of a line: inputs are the numbers of the registers that its caller fills.
+type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
+
 /// A straight line of operations with several results.
 ///
-/// Registers are numbered in the order in which they are filled: with the constants (the parameters
-/// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states
-/// (those of a second point behind those of the first), and the result of each operation.
+/// Its workspace are registers, numbered as the operations are. The constants come first (the
+/// parameters and ε, or in a kernel what was prepared), then the numbers that the plan writes out,
+/// the states (those of a second point behind those of the first), and what is computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
+    program: Program<Vec<Instruction>>,
     constants: usize,
-    literals: Vec<Literal>,
-    /// Those of as many points as the line reads.
+    /// The number of constants and numbers of the plan.
+    given: usize,
+    /// The states of as many points as the line reads.
     states: usize,
-    /// What is computed; each operand is the node of a register.
-    operations: Vec<Operation>,
-    results: Vec<Node>,
-    /// Whether a division may have no value. One by which 1 is divided is a reciprocal then.
+    /// Whether a division may have no value.
     has_poles: bool,
-    /// The register of the number 1.
-    one: Option<Node>,
+}
+
+/// 1/a, of a line in which a division may have no value.
+#[derive(Clone, Copy, Debug)]
+struct Reciprocal;
+
+impl Function for Reciprocal {
+    fn arguments(&self) -> usize {
+        1
+    }
+}
+
+/// The operations of a scalar, as generated code calls them.
+struct Scalars<V> {
+    has_poles: bool,
+    scalar: PhantomData<V>,
+}
+
+impl<V: Scalar> Arithmetic for Scalars<V> {
+    type Value = V;
+    type Constant = Box<Literal>;
+
+    fn constant(&self, value: &Box<Literal>) -> Option<V> {
+        Some(V::constant(&value.as_constant()))
+    }
+
+    #[inline(always)]
+    fn add(&self, a: &V, b: &V) -> V {
+        a.clone() + b.clone()
+    }
+
+    #[inline(always)]
+    fn subtract(&self, a: &V, b: &V) -> V {
+        a.clone() - b.clone()
+    }
+
+    #[inline(always)]
+    fn multiply(&self, a: &V, b: &V) -> V {
+        a.clone() * b.clone()
+    }
+
+    #[inline(always)]
+    fn negate(&self, a: &V) -> V {
+        -a.clone()
+    }
+
+    #[inline(always)]
+    fn divide(&self, a: &V, b: &V) -> Option<V> {
+        if self.has_poles { a.clone().quotient(b.clone()) } else { Some(a.clone() / b.clone()) }
+    }
+
+    #[inline(always)]
+    fn multiply_add(&self, a: &V, b: &V, c: &V) -> V {
+        a.clone().multiply_add(b.clone(), c.clone())
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(&self, a: &V, b: &V, c: &V) -> V {
+        a.clone().multiply_subtract(b.clone(), c.clone())
+    }
+
+    #[inline(always)]
+    fn subtract_product(&self, a: &V, b: &V, c: &V) -> V {
+        a.clone().subtract_product(b.clone(), c.clone())
+    }
+
+    fn is_zero(&self, a: &V) -> bool {
+        a.is_zero()
+    }
+}
+
+impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
+    #[inline(always)]
+    fn call(&self, _: &Reciprocal, a: &V, _: &V) -> Option<V> {
+        a.reciprocal()
+    }
 }
 
 impl Line {
@@ -48,64 +126,82 @@ impl Line {
     }
 
     fn new(plan: &Plan, symbols: &Symbols, constants: usize, has_poles: bool) -> Self {
-        let points = |variable: &Variable| match symbols.symbol(*variable) {
+        let points = variables(plan).into_iter().map(|variable| match symbols.symbol(variable) {
             Symbol::State(_) => 1,
             Symbol::SecondState(_) => 2,
             Symbol::Parameter(_) | Symbol::Epsilon => 0,
-        };
-        let points = plan.inputs().iter().map(points).max().unwrap_or(0);
-        let numbers = plan.operations.iter().filter_map(|operation| match operation {
-            Operation::Constant(value) => Some(value),
-            _ => None,
         });
-        let one = numbers.clone().position(|value| value.as_i64() == Some(1));
-        let mut line = Line {
-            constants,
-            literals: numbers.map(Literal::from).collect(),
-            states: points * symbols.dimension(),
-            operations: Vec::new(),
-            results: Vec::new(),
-            has_poles,
-            one: one.map(|place| Node(constants + place)),
-        };
-        let (mut literals, states) = (constants.., line.given());
+        let states = points.max().unwrap_or(0) * symbols.dimension();
+        let mut operations: Vec<Instruction> = (0..constants).map(Instruction::Input).collect();
+        operations.extend(plan.operations.iter().filter_map(|operation| match operation {
+            Operation::Constant(value) => Some(Instruction::Constant(Box::new(Literal::from(value)))),
+            _ => None,
+        }));
+        let given = operations.len();
+        operations.extend((given..given + states).map(Instruction::Input));
+        let mut literals = (constants..given).map(Node);
+        let mut one = None;
         let mut registers: Vec<Node> = Vec::with_capacity(plan.operations.len());
         for operation in &plan.operations {
-            let register = match *operation {
-                Operation::Prepared(index) => Some(index),
-                Operation::Constant(_) => literals.next(),
-                Operation::Input(variable) => Some(match symbols.symbol(variable) {
-                    Symbol::Parameter(k) => k,
-                    Symbol::Epsilon => symbols.parameters.len(),
-                    Symbol::State(i) => states + i,
-                    Symbol::SecondState(i) => states + symbols.dimension() + i,
-                }),
-                _ => None,
+            let at = |node: Node| registers[node.0];
+            let computed = match *operation {
+                Operation::Input(input) => {
+                    registers.push(Node(match input {
+                        Input::Prepared(index) => index,
+                        Input::Variable(variable) => match symbols.symbol(variable) {
+                            Symbol::Parameter(k) => k,
+                            Symbol::Epsilon => symbols.parameters.len(),
+                            Symbol::State(i) => given + i,
+                            Symbol::SecondState(i) => given + symbols.dimension() + i,
+                        },
+                    }));
+                    continue;
+                }
+                Operation::Constant(ref value) => {
+                    let literal = literals.next().expect("a register for each constant");
+                    one = one.or((value.as_i64() == Some(1)).then_some(literal));
+                    registers.push(literal);
+                    continue;
+                }
+                Operation::Divide(a, b) if has_poles && one == Some(at(a)) => {
+                    Instruction::Call(Reciprocal, at(b), at(b))
+                }
+                Operation::Add(a, b) => Instruction::Add(at(a), at(b)),
+                Operation::Subtract(a, b) => Instruction::Subtract(at(a), at(b)),
+                Operation::Multiply(a, b) => Instruction::Multiply(at(a), at(b)),
+                Operation::Divide(a, b) => Instruction::Divide(at(a), at(b)),
+                Operation::Negate(a) => Instruction::Negate(at(a)),
+                Operation::MultiplyAdd(a, b, c) => Instruction::MultiplyAdd(at(a), at(b), at(c)),
+                Operation::MultiplySubtract(a, b, c) => Instruction::MultiplySubtract(at(a), at(b), at(c)),
+                Operation::SubtractProduct(a, b, c) => Instruction::SubtractProduct(at(a), at(b), at(c)),
+                Operation::Call(ref function, ..) => match *function {},
             };
-            registers.push(Node(register.unwrap_or_else(|| {
-                line.operations.push(operation.with_operands(|operand| registers[operand.0]));
-                line.registers() - 1
-            })));
+            registers.push(Node(operations.len()));
+            operations.push(computed);
         }
-        line.results = plan.outputs.iter().map(|output| registers[output.0]).collect();
-        line
+        let outputs = plan.outputs.iter().map(|output| registers[output.0]).collect();
+        Line { program: Program { operations, outputs }, constants, given, states, has_poles }
     }
 
-    /// Puts into the first registers what they hold whatever the state.
+    /// Writes the constants and the numbers of the plan into the first registers.
     pub(crate) fn give<V: Scalar>(&self, constants: impl IntoIterator<Item = V>, registers: &mut [V]) {
-        let literals = self.literals.iter().map(|literal| V::constant(&literal.as_constant()));
-        let given = constants.into_iter().take(self.constants).chain(literals);
-        registers.iter_mut().zip(given).for_each(|(register, given)| *register = given);
+        let mut constants = constants.into_iter();
+        for (register, operation) in registers.iter_mut().zip(&self.program.operations[..self.given]) {
+            *register = match operation {
+                Instruction::Constant(literal) => V::constant(&literal.as_constant()),
+                _ => constants.next().expect("as many constants as the line has"),
+            };
+        }
     }
 
     /// How much is [given](Self::give).
     pub(crate) fn given(&self) -> usize {
-        self.constants + self.literals.len()
+        self.given
     }
 
     /// How many registers it takes.
     pub(crate) fn registers(&self) -> usize {
-        self.given() + self.states + self.operations.len()
+        self.program.operations.len()
     }
 
     /// ε, which is the last of the constants outside of kernels.
@@ -121,33 +217,19 @@ impl Line {
         registers: &'a mut [V],
         state: &[V],
     ) -> Option<Results<'a, V>> {
-        let first = self.given() + self.states;
-        registers[self.given()..first].clone_from_slice(&state[..self.states]);
-        for (to, operation) in (first..).zip(&self.operations) {
-            let at = |operand: Node| registers[operand.0].clone();
-            registers[to] = match *operation {
-                Operation::Add(a, b) => at(a) + at(b),
-                Operation::Subtract(a, b) => at(a) - at(b),
-                Operation::Multiply(a, b) => at(a) * at(b),
-                Operation::Divide(a, b) if !self.has_poles => at(a) / at(b),
-                Operation::Divide(a, b) if self.one == Some(a) => registers[b.0].reciprocal()?,
-                Operation::Divide(a, b) => at(a).quotient(at(b))?,
-                Operation::Negate(a) => -at(a),
-                Operation::MultiplyAdd(a, b, c) => at(a).multiply_add(at(b), at(c)),
-                Operation::MultiplySubtract(a, b, c) => at(a).multiply_subtract(at(b), at(c)),
-                Operation::SubtractProduct(a, b, c) => at(a).subtract_product(at(b), at(c)),
-                Operation::Input(_) | Operation::Prepared(_) | Operation::Constant(_) => {
-                    unreachable!("these have registers of their own")
-                }
-            };
-        }
-        Some(Results { registers, places: &self.results })
+        let first = self.given + self.states;
+        registers[self.given..first].clone_from_slice(&state[..self.states]);
+        let scalars = Scalars { has_poles: self.has_poles, scalar: PhantomData };
+        self.program.compute(&scalars, first, registers)?;
+        Some(Results { registers, places: &self.program.outputs })
     }
 
     /// Whether the run that has filled these registers divides by zero.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V]) -> bool {
-        self.operations.iter().any(|operation| match *operation {
-            Operation::Divide(_, divisor) => registers[divisor.0].is_zero(),
+        self.program.operations.iter().any(|operation| match *operation {
+            Instruction::Divide(_, divisor) | Instruction::Call(Reciprocal, divisor, _) => {
+                registers[divisor.0].is_zero()
+            }
             _ => false,
         })
     }

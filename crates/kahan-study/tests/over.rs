@@ -176,7 +176,10 @@ fn who_watches_or_takes_rows_can_stop_them() {
     for threads in [1, 2] {
         let (some, end) = rows(&lv, &over, 0..4000, &Hands::of(threads, 7));
         assert!(end == End::Stopped(some.count() as u64) && some.count() < 4000, "{end:?}: {}", some.count());
-        assert_eq!(bits(&some, 0..some.count()), bits(&all, 0..some.count()));
+        // A table without rows has no columns.
+        if some.count() > 0 {
+            assert_eq!(bits(&some, 0..some.count()), bits(&all, 0..some.count()));
+        }
     }
     let mut few = Few(Table::default(), 300);
     let end = lv.rows(&Question::Over(over), 0..4000, &mut few, &Unwatched).expect("rows");

@@ -9,7 +9,7 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::derive;
 use kahan_algebra::interpret::{Evaluation, Interpreter, Point};
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
@@ -124,7 +124,9 @@ impl Interpreted {
         let claim = self.system.claims.iter().find(|claim| claim.name.text == name);
         let claim = claim.unwrap_or_else(|| panic!("{} has no claim {name}", self.system.name()));
         let values = inward(&self.values(x, eps));
-        let results = claim.plan.evaluate(&Exact, |variable| values[usize::from(variable.0)].clone());
+        let results = claim
+            .plan
+            .evaluate(&Exact, |input| input.variable().map(|Variable(k)| values[usize::from(k)].clone()));
         results.into_iter().map(|value| value.map(|value| value.to_big())).collect()
     }
 }
@@ -179,7 +181,8 @@ impl BackEnd for Interpreted {
         let constants = self.parameters.iter().cloned().chain([eps.clone().into()]);
         let values: Vec<Rational> =
             states.chain(constants).chain(next.iter().cloned().map(Rational::from)).collect();
-        let results = plan.evaluate(&Exact, |variable| values[usize::from(variable.0)].clone());
+        let results =
+            plan.evaluate(&Exact, |input| input.variable().map(|Variable(k)| values[usize::from(k)].clone()));
         results.into_iter().map(|value| value.map(|value| value.to_big())).collect()
     }
 

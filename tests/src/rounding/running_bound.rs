@@ -9,7 +9,7 @@
 //! assumed of the plan: a sum may cancel. A multiply-add counts two roundings, so the bound holds
 //! with and without fusing.
 
-use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 
@@ -72,8 +72,10 @@ pub(super) fn results(
     let mut values: Vec<Option<Rounded>> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
         let value = match operation {
-            Operation::Input(variable) => Some(Rounded { exact: input(*variable), error: 0.0 }),
-            Operation::Prepared(index) => prepared[*index].clone(),
+            Operation::Input(Input::Variable(variable)) => {
+                Some(Rounded { exact: input(*variable), error: 0.0 })
+            }
+            Operation::Input(Input::Prepared(index)) => prepared[*index].clone(),
             _ => result(operation, unit, |node| values[node.0].as_ref()),
         };
         values.push(value);
@@ -89,7 +91,7 @@ fn result<'a>(
 ) -> Option<Rounded> {
     let product = |a, b| Some(value(a)?.times(value(b)?).rounded(unit));
     let result = match *operation {
-        Operation::Input(_) | Operation::Prepared(_) => return None,
+        Operation::Input(_) => return None,
         Operation::Constant(ref constant) => {
             let is_exact = constant.as_i64().is_some_and(|integer| integer.abs() <= EXACT);
             let exact = Rounded { exact: constant.clone(), error: 0.0 };
@@ -103,6 +105,7 @@ fn result<'a>(
         Operation::MultiplyAdd(a, b, c) => product(a, b)?.plus(value(c)?),
         Operation::MultiplySubtract(a, b, c) => product(a, b)?.plus(&value(c)?.negated()),
         Operation::SubtractProduct(a, b, c) => value(a)?.plus(&product(b, c)?.negated()),
+        Operation::Call(function, ..) => match function {},
     };
     Some(result.rounded(unit))
 }

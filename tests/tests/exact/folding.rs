@@ -21,9 +21,8 @@ fn counts(plan: &Plan) -> [usize; 3] {
             Operation::MultiplyAdd(..) | Operation::MultiplySubtract(..) | Operation::SubtractProduct(..) => {
                 [1, 1, 0]
             }
-            Operation::Negate(_) | Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => {
-                [0, 0, 0]
-            }
+            Operation::Negate(_) | Operation::Input(_) | Operation::Constant(_) => [0, 0, 0],
+            Operation::Call(function, ..) => match *function {},
         };
         counts = [counts[0] + sums, counts[1] + products, counts[2] + quotients];
     }

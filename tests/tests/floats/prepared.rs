@@ -73,7 +73,7 @@ fn the_interpreter_steps_with_the_same_bits() {
 
 fn interpreter_agrees<A>(arithmetic: &A, seed: u64)
 where
-    A: Arithmetic,
+    A: Arithmetic<Constant = Rational>,
     A::Value: Pivot + Copy + From<f32> + Into<f64>,
 {
     let mut compared = 0;

@@ -22,7 +22,7 @@ pub struct DualNumber<V> {
     pub gradient: Vec<V>,
 }
 
-impl<A: Arithmetic> Dual<'_, A> {
+impl<A: Arithmetic<Constant = Rational>> Dual<'_, A> {
     /// A value that does not move.
     pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
         DualNumber { value, gradient: Vec::new() }
@@ -52,8 +52,9 @@ impl<A: Arithmetic> Dual<'_, A> {
     }
 }
 
-impl<A: Arithmetic> Arithmetic for Dual<'_, A> {
+impl<A: Arithmetic<Constant = Rational>> Arithmetic for Dual<'_, A> {
     type Value = DualNumber<A::Value>;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Self::Value> {
         self.base.constant(value).map(|value| self.fixed(value))

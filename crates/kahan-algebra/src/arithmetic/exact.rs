@@ -10,6 +10,7 @@ pub struct Exact;
 
 impl Arithmetic for Exact {
     type Value = Rational;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Rational> {
         Some(value.clone())

@@ -12,6 +12,7 @@ macro_rules! float {
 
         impl Arithmetic for $name {
             type Value = $float;
+            type Constant = Rational;
 
             fn constant(&self, value: &Rational) -> Option<$float> {
                 Some(value.$round())
@@ -38,7 +39,7 @@ macro_rules! float {
             }
 
             /// As generated code has it.
-            fn has_inverse_step(&self, eps: &$float) -> bool {
+            fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }
 

@@ -134,6 +134,7 @@ fn exponent_of(denominator: &[(Polynomial, u32)], factor: &Polynomial) -> u32 {
 /// A value is `None` where the budget did not suffice.
 impl Arithmetic for Functions {
     type Value = Option<Function>;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Option<Function>> {
         Some(Some(Polynomial::constant(value.clone()).into()))

@@ -14,7 +14,7 @@ pub struct Solved<V> {
 }
 
 /// Solves M X = R for the n×n matrix M and n rows R; `None` where det M = 0.
-pub fn solve<A: Arithmetic>(
+pub fn solve<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
     right: &[Vec<A::Value>],
@@ -56,7 +56,10 @@ pub fn solve<A: Arithmetic>(
 }
 
 /// det M.
-pub fn determinant<A: Arithmetic>(arithmetic: &A, matrix: &[Vec<A::Value>]) -> Option<A::Value> {
+pub fn determinant<A: Arithmetic<Constant = Rational>>(
+    arithmetic: &A,
+    matrix: &[Vec<A::Value>],
+) -> Option<A::Value> {
     let nothing = vec![Vec::new(); matrix.len()];
     match solve(arithmetic, matrix, &nothing) {
         Some(solved) => Some(solved.determinant),

@@ -12,6 +12,7 @@ pub struct Modular(pub PrimeField);
 
 impl Arithmetic for Modular {
     type Value = u64;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<u64> {
         self.0.reduce(value)

@@ -66,6 +66,7 @@ impl Sizes {
 
 impl Arithmetic for Sizes {
     type Value = Size;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Size> {
         Some(Size::constant(value))

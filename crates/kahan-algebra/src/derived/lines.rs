@@ -5,7 +5,7 @@ use kahan_syntax::table::distinct;
 
 use crate::field::Field;
 use crate::kept::WithConstants;
-use crate::plan::{Node, Operation, Plan, PlanBuilder};
+use crate::plan::{Input, Node, Operation, Plan, PlanBuilder, separated};
 use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
@@ -83,7 +83,7 @@ impl Family {
         let rows = field.len() + nodes.len();
         let outputs: Vec<Node> = field.iter().chain(&nodes).chain(&sums).copied().collect();
         let (constants, all) =
-            writer.builder.finish(&outputs).separated(|variable| symbols.is_state(variable));
+            separated(&writer.builder.finish(&outputs), |variable| symbols.is_state(variable));
         let part = |range: std::ops::Range<usize>| Plan {
             outputs: all.outputs[range].to_vec(),
             operations: all.operations.clone(),
@@ -100,7 +100,9 @@ impl Family {
         let names = constant_names(&constants, &given);
         let symbols = Symbols { states: given.states.clone(), parameters: names };
         let read = |operation: &Operation| match operation {
-            Operation::Prepared(place) => Operation::Input(symbols.parameter(*place)),
+            Operation::Input(Input::Prepared(place)) => {
+                Operation::Input(Input::Variable(symbols.parameter(*place)))
+            }
             other => other.clone(),
         };
         let needed = |plan: Plan| {

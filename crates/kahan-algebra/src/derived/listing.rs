@@ -70,23 +70,14 @@ impl StepListing {
 /// used.
 fn lines(plan: &Plan, names: &[String], hidden: impl Fn(usize) -> bool) -> Vec<String> {
     let is_literal = |node: Node| matches!(plan.operations[node.0], Operation::Constant(_));
-    let name = |node: Node| names[node.0].as_str();
     let lines = plan.operations.iter().zip(names).enumerate().filter_map(|(index, (operation, result))| {
         if hidden(index) {
             return None;
         }
-        let right = match *operation {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => return None,
-            Operation::Negate(a) if is_literal(a) => return None,
-            Operation::Negate(a) => format!("-{}", name(a)),
-            Operation::Add(a, b) => format!("{} + {}", name(a), name(b)),
-            Operation::Subtract(a, b) => format!("{} - {}", name(a), name(b)),
-            Operation::Multiply(a, b) => format!("{}*{}", name(a), name(b)),
-            Operation::Divide(a, b) => format!("{}/{}", name(a), name(b)),
-            Operation::MultiplyAdd(a, b, c) => format!("{}*{} + {}", name(a), name(b), name(c)),
-            Operation::MultiplySubtract(a, b, c) => format!("{}*{} - {}", name(a), name(b), name(c)),
-            Operation::SubtractProduct(a, b, c) => format!("{} - {}*{}", name(a), name(b), name(c)),
-        };
+        if matches!(*operation, Operation::Negate(a) if is_literal(a)) {
+            return None;
+        }
+        let right = operation.text(|node| &names[node.0])?;
         Some(format!("{result} = {right}"))
     });
     lines.collect()

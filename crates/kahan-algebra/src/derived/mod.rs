@@ -26,7 +26,7 @@ use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::field::Field;
 use crate::kahan::{RationalMap, SparseRows, bilinear_form, matrix_of, polarization, scaled_rhs};
 use crate::kept::{Values, WithConstants};
-use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan};
+use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan, plan_of, tangent_plan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
@@ -147,7 +147,7 @@ impl Planned {
     fn reduced_map(&self) -> Option<Plan> {
         let symbols = &self.with_constants.field.symbols;
         let reduced = &self.map.as_ref()?.reduced;
-        let plan = || Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator]));
+        let plan = || plan_of(reduced.numerators(symbols).iter().chain([&reduced.denominator]));
         symbols.has_state(&reduced.common_factor).then(|| self.with_constants.put_into(&plan()))
     }
 }
@@ -295,7 +295,7 @@ impl Derived {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
             let with = kept.with_constants(&field);
-            let plan = Plan::of_tangent(&with.field)?;
+            let plan = tangent_plan(&with.field)?;
             Some((field.symbols.clone(), with.put_into(&plan)))
         };
         let has_other_poles = self.reduced_map.is_some();
@@ -305,16 +305,16 @@ impl Derived {
 
     /// Whether all divisors of the field differ from 0 at this ε and these parameters, in their
     /// order.
-    pub fn is_defined_at<A: Arithmetic>(
+    pub fn is_defined_at<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         parameters: &[A::Value],
         eps: &A::Value,
     ) -> bool {
         let symbols = &self.system.field.symbols;
-        let divisors = self.divisors.evaluate(arithmetic, |variable| match symbols.symbol(variable) {
-            Symbol::Parameter(k) => parameters[k].clone(),
-            Symbol::Epsilon => eps.clone(),
+        let divisors = self.divisors.evaluate(arithmetic, |input| match symbols.symbol(input.variable()?) {
+            Symbol::Parameter(k) => Some(parameters[k].clone()),
+            Symbol::Epsilon => Some(eps.clone()),
             _ => unreachable!("divisors are free of states"),
         });
         divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))

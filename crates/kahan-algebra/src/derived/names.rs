@@ -6,7 +6,7 @@ use rustc_hash::FxHashSet;
 
 use kahan_syntax::table::Table;
 
-use crate::plan::{Node, Operation, Plan, descriptions, kind};
+use crate::plan::{Input, Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 
 /// What a value is called.
@@ -83,7 +83,7 @@ impl std::fmt::Display for ValueName {
 pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     let mut names = ValueNames::of(constants, symbols, &[]).without(symbol_names(symbols));
     let name = |output: &Node| match constants.operations[output.0] {
-        Operation::Input(variable) => symbols.name(variable),
+        Operation::Input(Input::Variable(variable)) => symbols.name(variable),
         _ => names.name_as(*output, "constant").to_string(),
     };
     constants.outputs.iter().map(name).collect()
@@ -107,7 +107,7 @@ pub(super) fn listed_kernel(
     let taken = symbol_names(symbols).chain(constants.iter().cloned());
     let values = ValueNames::of(plan, symbols, prepared).without(taken);
     listed(plan, symbols, values, |value| match plan.operations[value.0] {
-        Operation::Prepared(place) => Some(prepared[place].clone()),
+        Operation::Input(Input::Prepared(place)) => Some(prepared[place].clone()),
         _ => None,
     })
 }
@@ -122,7 +122,7 @@ fn listed(
     let mut names: Vec<String> = Vec::with_capacity(plan.operations.len());
     for (index, operation) in plan.operations.iter().enumerate() {
         let name = known(Node(index)).unwrap_or_else(|| match *operation {
-            Operation::Input(variable) => symbols.name(variable),
+            Operation::Input(Input::Variable(variable)) => symbols.name(variable),
             Operation::Constant(ref value) if value.is_integer() => value.to_string(),
             Operation::Constant(ref value) => format!("({value})"),
             Operation::Negate(a) if matches!(plan.operations[a.0], Operation::Constant(_)) => {

@@ -2,7 +2,7 @@
 
 use crate::field::Field;
 use crate::kahan::scaled_matrix;
-use crate::plan::Plan;
+use crate::plan::{Plan, plan_of};
 use crate::symbols::Symbols;
 
 /// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms
@@ -17,8 +17,8 @@ pub(crate) struct Scheme {
 
 impl Scheme {
     pub(crate) fn of(field: &Field) -> Self {
-        let numerators = Plan::of(field.numerators());
-        let matrix = Plan::of(scaled_matrix(field).iter().flatten());
+        let numerators = plan_of(field.numerators());
+        let matrix = plan_of(scaled_matrix(field).iter().flatten());
         let variables = usize::from(field.symbols.epsilon().0) + 1;
         Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
     }

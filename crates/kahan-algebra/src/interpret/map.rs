@@ -3,20 +3,26 @@
 use kahan_syntax::rational::Rational;
 
 use crate::arithmetic::{Arithmetic, Dual, solve};
-use crate::plan::{Operation, Plan, StepPlan};
+use kahan_program::Program;
+
+use crate::plan::{Node, Operation, StepPlan};
 
 use super::{Interpreter, Point};
 
 impl Interpreter {
     /// x̃ of the reduced map; `None` at a pole, where a float divides by zero, too.
-    pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
+    pub fn next<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<A::Value>> {
         match self.derived.step() {
             Some(step) => self.next_by(step.at(arithmetic, &point.eps), arithmetic, point),
             None => self.next_by_elimination(arithmetic, point),
         }
     }
 
-    fn next_by<A: Arithmetic>(
+    fn next_by<A: Arithmetic<Constant = Rational>>(
         &self,
         step: &StepPlan,
         arithmetic: &A,
@@ -28,10 +34,11 @@ impl Interpreter {
             Operation::Divide(_, divisor) => Some(divisor),
             _ => None,
         });
-        let outputs = plan.outputs.iter().copied().chain(divisors).collect();
-        let kernel_and_divisors = Plan { operations: plan.operations.clone(), outputs };
-        let values = kernel_and_divisors
-            .evaluate_prepared(arithmetic, &prepared, |variable| Some(self.value_of(variable, point, None)));
+        let outputs: Vec<Node> = plan.outputs.iter().copied().chain(divisors).collect();
+        let kernel_and_divisors = Program { operations: &plan.operations[..], outputs };
+        let values = kernel_and_divisors.evaluate(arithmetic, |input| {
+            input.value(&prepared, |variable| Some(self.value_of(variable, point, None)))
+        });
         let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
         let (results, divisors) = values.split_at(plan.outputs.len());
         // A float has a value where it divides by zero, and still that is a pole.
@@ -46,7 +53,7 @@ impl Interpreter {
     }
 
     /// A (x̃ − x)/(2ε) = f
-    fn next_by_elimination<A: Arithmetic>(
+    fn next_by_elimination<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,
@@ -62,7 +69,7 @@ impl Interpreter {
     }
 
     /// ∂x̃/∂x, where x̃ is `next`: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
-    pub fn jacobian<A: Arithmetic>(
+    pub fn jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,

@@ -1,204 +1,88 @@
-//! Building plans: hash-consed operations with the obvious simplifications.
-//!
-//! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what
-//! was asked over ℚ.
+//! Writing plans.
 
+use std::ops::{Deref, DerefMut};
+
+use kahan_program::{Builder, Node};
 use kahan_syntax::rational::Rational;
 
-use crate::numbered::Numbered;
-use crate::poly::Variable;
+use crate::poly::{Polynomial, Variable};
 
-use super::{Node, Operation, Plan};
+use super::{Input, Operation, Plan};
 
-/// A plan under construction.
+/// A plan under construction: a [`Builder`] that knows polynomials.
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
-    operations: Numbered<Operation>,
+    builder: Builder<Input, Rational>,
     /// How many terms of polynomials were looked at to nest them.
     pub(super) looked_at: usize,
 }
 
+impl Deref for PlanBuilder {
+    type Target = Builder<Input, Rational>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.builder
+    }
+}
+
+impl DerefMut for PlanBuilder {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.builder
+    }
+}
+
+/// Returns the plan that computes these polynomials, one result each.
+#[must_use]
+pub fn plan_of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let nodes: Vec<Node> = polynomials.into_iter().map(|polynomial| builder.polynomial(polynomial)).collect();
+    builder.finish(&nodes)
+}
+
 impl PlanBuilder {
-    /// Closes the plan with these results; operations that no result needs are dropped.
-    #[must_use]
-    pub fn finish(&self, outputs: &[Node]) -> Plan {
-        Plan::of_results(self.operations(), outputs)
-    }
-
-    /// Becomes the plan with these results, in the memory of its operations.
-    #[must_use]
-    pub fn into_plan(self, outputs: &[Node]) -> Plan {
-        Plan::into_results(self.operations.into_items(), outputs)
-    }
-
-    /// A prepared constant.
-    pub(super) fn prepared(&mut self, index: usize) -> Node {
-        self.intern(Operation::Prepared(index))
-    }
-
-    /// The operations so far.
-    pub(super) fn operations(&self) -> &[Operation] {
-        &self.operations
-    }
-
-    /// Forgets all operations but the first `length`.
-    pub(super) fn truncate(&mut self, length: usize) {
-        self.operations.truncate(length);
-    }
-
-    /// −a as a change of sign, for a whose value is needed, too.
-    pub(super) fn changed_sign(&mut self, a: Node) -> Node {
-        match *self.operation(a) {
-            Operation::Negate(inner) => inner,
-            _ => self.intern(Operation::Negate(a)),
-        }
-    }
-
-    /// Whether the product of two operations is an operation already.
-    pub(super) fn has_product(&self, a: Node, b: Node) -> bool {
-        self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
-    }
-
-    /// This very operation, without simplification; the same one as before, if it is an operation
-    /// already.
-    pub(super) fn intern(&mut self, operation: Operation) -> Node {
-        Node(self.operations.number(operation))
-    }
-
-    fn operation(&self, node: Node) -> &Operation {
-        &self.operations[node.0]
-    }
-
-    fn value(&self, node: Node) -> Option<&Rational> {
-        match self.operation(node) {
-            Operation::Constant(value) => Some(value),
-            _ => None,
-        }
-    }
-
-    /// |a| of a constant.
-    pub(crate) fn constant_size(&self, a: Node) -> Option<&Rational> {
-        match *self.operation(a) {
-            Operation::Negate(size) => self.value(size),
-            _ => self.value(a),
-        }
-    }
-
-    fn is_constant(&self, node: Node, value: i64) -> bool {
-        self.value(node).is_some_and(|constant| constant.as_i64() == Some(value))
-    }
-
-    /// Whether a node is the constant 0.
-    #[must_use]
-    pub fn is_zero(&self, node: Node) -> bool {
-        self.is_constant(node, 0)
-    }
-
-    /// A variable.
+    /// Returns a variable.
     pub fn input(&mut self, variable: Variable) -> Node {
-        self.intern(Operation::Input(variable))
+        self.push(Operation::Input(Input::Variable(variable)))
     }
 
-    /// A constant; a negative one is the negation of its size, so that signs can move.
-    pub fn constant(&mut self, value: &Rational) -> Node {
-        if value.is_negative() {
-            let size = self.intern(Operation::Constant(-value));
-            return self.intern(Operation::Negate(size));
-        }
-        self.intern(Operation::Constant(value.clone()))
+    /// Returns a prepared constant.
+    pub(super) fn prepared(&mut self, index: usize) -> Node {
+        self.push(Operation::Input(Input::Prepared(index)))
     }
 
-    /// −a
-    pub fn negate(&mut self, a: Node) -> Node {
-        match *self.operation(a) {
-            Operation::Negate(inner) => inner,
-            Operation::Subtract(x, y) => self.intern(Operation::Subtract(y, x)),
-            _ if self.is_constant(a, 0) => a,
-            _ => self.intern(Operation::Negate(a)),
-        }
-    }
-
-    /// a + b
-    pub fn add(&mut self, a: Node, b: Node) -> Node {
-        if self.is_constant(a, 0) {
-            return b;
-        }
-        if self.is_constant(b, 0) {
-            return a;
-        }
-        match (self.operation(a).clone(), self.operation(b).clone()) {
-            (_, Operation::Negate(b)) => self.subtract(a, b),
-            (Operation::Negate(a), _) => self.subtract(b, a),
-            _ => self.intern(Operation::Add(a, b)),
-        }
-    }
-
-    /// a − b
-    pub fn subtract(&mut self, a: Node, b: Node) -> Node {
-        if self.is_constant(b, 0) {
-            return a;
-        }
-        if self.is_constant(a, 0) {
-            return self.negate(b);
-        }
-        match *self.operation(b) {
-            Operation::Negate(b) => self.add(a, b),
-            _ => self.intern(Operation::Subtract(a, b)),
-        }
-    }
-
-    /// a · b
-    pub fn multiply(&mut self, a: Node, b: Node) -> Node {
-        if self.is_constant(a, 0) || self.is_constant(b, 1) {
-            return a;
-        }
-        if self.is_constant(b, 0) || self.is_constant(a, 1) {
-            return b;
-        }
-        // One order for both orders: a·b and b·a are the same operation.
-        self.with_sign_outside(a, b, Self::multiply)
-            .unwrap_or_else(|| self.intern(Operation::Multiply(a.min(b), a.max(b))))
-    }
-
-    /// The product or quotient of two values of which one is a negation, the sign in front.
-    fn with_sign_outside(
+    /// Adds the operations of another plan, `input` standing for its variables, and returns its
+    /// results here.
+    pub fn include_mapped(
         &mut self,
-        a: Node,
-        b: Node,
-        join: impl FnOnce(&mut Self, Node, Node) -> Node,
-    ) -> Option<Node> {
-        let size = |node: Node| match *self.operation(node) {
-            Operation::Negate(inner) => Some(inner),
-            _ => None,
-        };
-        let (own, other) = (size(a), size(b));
-        own.or(other)?;
-        let joined = join(self, own.unwrap_or(a), other.unwrap_or(b));
-        Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
+        plan: &Plan,
+        mut input: impl FnMut(&mut Self, Variable) -> Node,
+    ) -> Vec<Node> {
+        let nodes = self.include_with(plan, |builder, index, renamed| match plan.operations[index] {
+            Operation::Input(Input::Variable(variable)) => input(builder, variable),
+            ref operation => builder.push(operation.with_operands(|node| renamed[node.0])),
+        });
+        plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// a / b; a zero constant b stays, as a quotient without a value.
-    pub fn divide(&mut self, a: Node, b: Node) -> Node {
-        if self.is_constant(b, 1) {
-            return a;
+    /// Returns a node for every operation of another plan, by its index there: `make` makes it, given
+    /// those before it.
+    pub(super) fn include_with(
+        &mut self,
+        plan: &Plan,
+        mut make: impl FnMut(&mut Self, usize, &[Node]) -> Node,
+    ) -> Vec<Node> {
+        let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
+        for index in 0..plan.operations.len() {
+            let node = make(self, index, &renamed);
+            renamed.push(node);
         }
-        let quotient = self.value(a).zip(self.value(b)).and_then(|(a, b)| a.checked_div(b));
-        if let Some(quotient) = quotient {
-            return self.constant(&quotient);
-        }
-        self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.intern(Operation::Divide(a, b)))
+        renamed
     }
 
-    /// a^n by repeated squaring; a^0 is 1.
-    pub fn power(&mut self, a: Node, exponent: u32) -> Node {
-        match exponent {
-            0 => self.constant(&Rational::one()),
-            1 => a,
-            _ => {
-                let half = self.power(a, exponent / 2);
-                let square = self.multiply(half, half);
-                if exponent.is_multiple_of(2) { square } else { self.multiply(square, a) }
-            }
-        }
+    /// Returns a literal of another plan: a constant, or the negation of one.
+    pub(super) fn include_literal(&mut self, plan: &Plan, node: Node) -> Node {
+        let operation = &plan.operations[node.0];
+        let operand = operation.operands().next().map(|operand| self.include_literal(plan, operand));
+        self.push(operation.with_operands(|node| operand.unwrap_or(node)))
     }
 }

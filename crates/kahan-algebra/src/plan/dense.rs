@@ -118,7 +118,7 @@ impl DenseField {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> =
             self.components.iter().flatten().map(|coefficient| coefficient.node(&mut builder)).collect();
-        builder.into_plan(&outputs)
+        builder.finish(&outputs)
     }
 
     /// The coefficients, if all of them are numbers.

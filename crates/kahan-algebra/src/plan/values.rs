@@ -6,6 +6,7 @@
 use kahan_syntax::rational::Rational;
 
 use crate::kept::{Kept, Value, Values, WithConstants};
+use crate::plan::{Input, plan_of};
 use crate::poly::{Polynomial, Variable};
 use crate::symbols::Symbol;
 
@@ -29,7 +30,7 @@ impl<'a> Nodes<'a> {
             return node;
         }
         let value = &self.values.values[place];
-        let outputs = builder.include_mapped(&Plan::of([value.polynomial()]), |builder, variable| match self
+        let outputs = builder.include_mapped(&plan_of([value.polynomial()]), |builder, variable| match self
             .values
             .place(variable)
         {
@@ -52,7 +53,7 @@ impl Values {
     /// The same plan with each input that is a value replaced by what it is.
     pub(crate) fn put_into(&self, plan: Plan) -> Plan {
         let is_value = |operation: &Operation| match operation {
-            Operation::Input(variable) => self.place(*variable).is_some(),
+            Operation::Input(Input::Variable(variable)) => self.place(*variable).is_some(),
             _ => false,
         };
         if !plan.operations.iter().any(is_value) {
@@ -76,12 +77,12 @@ impl Values {
             Ok(place) => nodes.value(builder, place),
             Err(other) => builder.input(other),
         });
-        builder.into_plan(&outputs)
+        builder.finish(&outputs)
     }
 
     /// The plan of polynomials over the values, one result each.
     pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
-        self.put_into(Plan::of(polynomials))
+        self.put_into(plan_of(polynomials))
     }
 }
 

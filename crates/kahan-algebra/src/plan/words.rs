@@ -3,6 +3,8 @@
 
 use kahan_syntax::rational::Rational;
 
+use crate::plan::Input;
+use crate::plan::step::reciprocals::is_reciprocal;
 use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};
@@ -35,7 +37,7 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
         let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
         known.push(description.filter(|description| description.text.len() <= LONGEST));
     }
-    let eps = Operation::Input(symbols.epsilon());
+    let eps = Operation::Input(Input::Variable(symbols.epsilon()));
     let has_name = |operation: &Operation| match *operation {
         Operation::Divide(_, divisor) => plan.operations[divisor.0] == eps,
         _ => true,
@@ -53,7 +55,7 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
         Operation::Multiply(..) => "product",
-        Operation::Divide(..) if plan.is_reciprocal(node) => "reciprocal",
+        Operation::Divide(..) if is_reciprocal(plan, node) => "reciprocal",
         Operation::Divide(..) => "quotient",
         Operation::Negate(_) => "negative",
         Operation::Constant(_) => "constant",
@@ -73,8 +75,8 @@ fn describe<'a>(
     let sum = |text: String| Some(Description { text, kind: Kind::Sum });
     let atom = |text: String| Some(Description { text, kind: Kind::Product });
     match *operation {
-        Operation::Input(variable) => atom(symbols.name(variable).replace('\'', "_second")),
-        Operation::Prepared(index) => atom(prepared.get(index)?.clone()),
+        Operation::Input(Input::Variable(variable)) => atom(symbols.name(variable).replace('\'', "_second")),
+        Operation::Input(Input::Prepared(index)) => atom(prepared.get(index)?.clone()),
         Operation::Constant(ref value) => Some(Description { text: number(value)?, kind: Kind::Number }),
         Operation::Negate(a) => sum(format!("minus_{}", text(a)?)),
         Operation::Add(a, b) if a == b => atom(format!("two_{}", text(a)?)),
@@ -85,6 +87,7 @@ fn describe<'a>(
         Operation::MultiplyAdd(a, b, c) => sum(format!("{}_plus_{}", product(a, b)?.text, text(c)?)),
         Operation::MultiplySubtract(a, b, c) => sum(format!("{}_minus_{}", product(a, b)?.text, text(c)?)),
         Operation::SubtractProduct(a, b, c) => sum(format!("{}_minus_{}", text(a)?, product(b, c)?.text)),
+        Operation::Call(function, ..) => match function {},
     }
 }
 

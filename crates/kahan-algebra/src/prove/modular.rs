@@ -6,6 +6,7 @@ use kahan_syntax::syntax::ClaimKind;
 use crate::arithmetic::{Arithmetic, Exact};
 use crate::derived::Scheme;
 use crate::system::Claim;
+use kahan_syntax::rational::Rational;
 
 use super::Verdict;
 use super::refute::{Refutation, refute};
@@ -70,7 +71,7 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Option<
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 
-fn examine<A: Arithmetic>(
+fn examine<A: Arithmetic<Constant = Rational>>(
     claim: &Claim,
     arithmetic: &A,
     sample: &Sample<A::Value>,

@@ -6,7 +6,7 @@ use kahan_syntax::rational::Rational;
 use crate::arithmetic::{Arithmetic, Function, Functions};
 use crate::derived::Scheme;
 use crate::kahan::RationalMap;
-use crate::plan::Plan;
+use crate::plan::plan_of;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::relations::put_into;
 use crate::system::{Claim, System};
@@ -62,7 +62,7 @@ fn sample(
     }
     let mut back = there.clone();
     back[eps] = functions.negate(&here[eps]);
-    let determinant = Plan::of([&map.denominator]);
+    let determinant = plan_of([&map.denominator]);
     let matrix = rows(&run(functions, &scheme.matrix, &here)?, n);
     let back_matrix = rows(&run(functions, &scheme.matrix, &back)?, n);
     let above = run(functions, &determinant, &back)?.pop()?;

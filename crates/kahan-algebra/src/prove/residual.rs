@@ -38,7 +38,7 @@ pub enum Place {
 }
 
 /// All pairs of a claim at a sample; `None` where the claim has no value.
-pub(super) fn pairs<A: Arithmetic>(
+pub(super) fn pairs<A: Arithmetic<Constant = Rational>>(
     claim: &Claim,
     arithmetic: &A,
     sample: &Sample<A::Value>,
@@ -65,7 +65,7 @@ pub(super) fn pairs<A: Arithmetic>(
     }
 }
 
-fn invariance<A: Arithmetic>(
+fn invariance<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     here: &[A::Value],
     there: &[A::Value],
@@ -82,7 +82,7 @@ fn invariance<A: Arithmetic>(
 }
 
 /// The entries above the diagonal of M P Mᵀ, P given by its own: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ.
-pub(super) fn congruence<A: Arithmetic>(
+pub(super) fn congruence<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
     upper: &[A::Value],
@@ -112,7 +112,7 @@ pub(super) fn congruence<A: Arithmetic>(
     entries
 }
 
-fn jacobi<A: Arithmetic>(
+fn jacobi<A: Arithmetic<Constant = Rational>>(
     claim: &Claim,
     arithmetic: &A,
     sample: &Sample<A::Value>,
@@ -150,7 +150,7 @@ fn jacobi<A: Arithmetic>(
 }
 
 /// The claim's values with their gradients in the states.
-pub(super) fn gradients<A: Arithmetic>(
+pub(super) fn gradients<A: Arithmetic<Constant = Rational>>(
     claim: &Claim,
     arithmetic: &A,
     here: &[A::Value],

@@ -22,8 +22,12 @@ pub(super) struct Sample<V> {
 }
 
 /// Evaluates a plan whose variables have these values.
-pub(super) fn run<A: Arithmetic>(arithmetic: &A, plan: &Plan, values: &[A::Value]) -> Option<Vec<A::Value>> {
-    plan.evaluate(arithmetic, |variable: Variable| values[usize::from(variable.0)].clone())
+pub(super) fn run<A: Arithmetic<Constant = Rational>>(
+    arithmetic: &A,
+    plan: &Plan,
+    values: &[A::Value],
+) -> Option<Vec<A::Value>> {
+    plan.evaluate(arithmetic, |input| input.variable().map(|Variable(k)| values[usize::from(k)].clone()))
         .into_iter()
         .collect()
 }
@@ -34,7 +38,7 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
 }
 
 /// One step from `here`; `None` at a pole and where the arithmetic lacks a constant.
-pub(super) fn take_step<A: Arithmetic>(
+pub(super) fn take_step<A: Arithmetic<Constant = Rational>>(
     scheme: &Scheme,
     arithmetic: &A,
     here: Vec<A::Value>,
@@ -114,7 +118,7 @@ impl Samples {
 
 /// Gives the names that conditions are solved for their values at a point of all others; `None`
 /// where one has none.
-pub(super) fn impose<A: Arithmetic>(
+pub(super) fn impose<A: Arithmetic<Constant = Rational>>(
     conditions: &[Condition],
     arithmetic: &A,
     here: &mut [A::Value],

@@ -3,6 +3,7 @@
 use kahan_syntax::syntax::{Header, Reference};
 
 use crate::field::Field;
+use crate::plan::Input;
 use crate::rational_function::RationalFunction;
 use crate::system::{Claim, Condition, System};
 
@@ -17,7 +18,7 @@ fn used_parameters(system: &System) -> Vec<String> {
         let variable = symbols.parameter(k);
         let in_field = |component: &RationalFunction| component.contains(variable);
         let in_claim = |claim: &Claim| {
-            claim.plan.inputs().contains(&variable)
+            claim.plan.inputs().contains(&Input::Variable(variable))
                 || claim.conditions.iter().any(|condition| mentions(condition, &symbols.name(variable)))
         };
         system.field.components.iter().any(in_field) || system.claims.iter().any(in_claim)

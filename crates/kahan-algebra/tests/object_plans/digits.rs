@@ -70,6 +70,7 @@ impl Random {
 
 impl Arithmetic for Random {
     type Value = f64;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<f64> {
         let mut literals = self.literals.borrow_mut();
@@ -114,7 +115,7 @@ impl Arithmetic for Random {
 const OBJECTS: [&str; 5] = ["f", "f'", "A", "b", "step"];
 
 /// The objects at a point, each from the text; `None` where something has no value.
-fn of_text<A: Arithmetic>(
+fn of_text<A: Arithmetic<Constant = Rational>>(
     written: &Written,
     arithmetic: &A,
     point: &Point<A::Value>,
@@ -148,7 +149,7 @@ fn of_text<A: Arithmetic>(
 }
 
 /// M⁻¹v by elimination with the best pivot of each column, and substitution backwards.
-fn eliminated<A: Arithmetic>(
+fn eliminated<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
     right: &[A::Value],
@@ -311,7 +312,11 @@ impl<'a> Subject<'a> {
         (0..OBJECTS.len()).map(ratio).collect()
     }
 
-    fn integrals<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
+    fn integrals<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<A::Value>> {
         let claims = self.written.claims(arithmetic, ClaimKind::Integral, point).into_iter();
         Some(claims.map(|(_, value)| value).collect::<Option<Vec<_>>>()?.concat())
     }

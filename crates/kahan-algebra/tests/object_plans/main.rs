@@ -68,14 +68,15 @@ impl Place {
     /// Values of the results, `prepared` being those of the prepared constants.
     fn run(&self, plan: &Plan, symbols: &Symbols, prepared: &[Rational]) -> Vec<Option<Rational>> {
         let prepared: Vec<Option<Rational>> = prepared.iter().cloned().map(Some).collect();
-        plan.evaluate_prepared(&Exact, &prepared, |variable| {
+        let value = |variable| {
             Some(match symbols.symbol(variable) {
                 Symbol::State(i) => self.point.state[i].clone(),
                 Symbol::Parameter(k) => self.point.parameters[k].clone(),
                 Symbol::Epsilon => self.point.eps.clone(),
                 Symbol::SecondState(i) => self.second[i].clone(),
             })
-        })
+        };
+        plan.evaluate(&Exact, |input| input.value(&prepared, value))
     }
 
     /// A polynomial, term by term.
@@ -318,7 +319,7 @@ fn broken(plan: &Plan, index: usize) -> Option<Plan> {
     let mut plan = plan.clone();
     let operation = &mut plan.operations[index];
     *operation = match operation.clone() {
-        Operation::Input(_) | Operation::Prepared(_) => return None,
+        Operation::Input(_) => return None,
         Operation::Constant(value) => Operation::Constant(&value + &Rational::one()),
         Operation::Add(a, b) => Operation::Subtract(a, b),
         Operation::Subtract(a, b) => Operation::Add(a, b),

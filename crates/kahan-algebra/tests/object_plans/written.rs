@@ -28,7 +28,7 @@ impl Written {
     }
 
     /// f(x), equation by equation; `None` where one divides by zero.
-    pub(crate) fn field<A: Arithmetic>(
+    pub(crate) fn field<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,
@@ -40,7 +40,7 @@ impl Written {
     }
 
     /// f′(x), row by row: the text differentiated by the rules for sums, products and quotients.
-    pub(crate) fn field_jacobian<A: Arithmetic>(
+    pub(crate) fn field_jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,
@@ -60,7 +60,7 @@ impl Written {
 
     /// The claims of one kind that hold for all parameters, by name: a function's value, or the
     /// entries of a bracket that are written, each with the two states it stands for.
-    pub(crate) fn claims<A: Arithmetic>(
+    pub(crate) fn claims<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         kind: ClaimKind,
@@ -81,7 +81,7 @@ impl Written {
     }
 
     /// {xᵢ,xⱼ}, i < j, row by row; what is not written is 0.
-    fn above_the_diagonal<A: Arithmetic>(
+    fn above_the_diagonal<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         body: &ClaimBody,
@@ -108,7 +108,12 @@ impl Written {
     }
 
     /// The value of an expression, from left to right.
-    fn value<A: Arithmetic>(&self, arithmetic: &A, expr: &Expr, point: &Point<A::Value>) -> Option<A::Value> {
+    fn value<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        expr: &Expr,
+        point: &Point<A::Value>,
+    ) -> Option<A::Value> {
         let value = |expr: &Expr| self.value(arithmetic, expr, point);
         match &expr.kind {
             ExprKind::Number(number) => arithmetic.constant(number),
@@ -157,7 +162,12 @@ impl Written {
     }
 
     /// The value of a state, a parameter, ε, a constant, or an earlier claim.
-    fn named<A: Arithmetic>(&self, arithmetic: &A, name: &str, point: &Point<A::Value>) -> Option<A::Value> {
+    fn named<A: Arithmetic<Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        name: &str,
+        point: &Point<A::Value>,
+    ) -> Option<A::Value> {
         let position = |names: &[String]| names.iter().position(|known| known == name);
         if let Some(i) = position(&self.symbols.states) {
             return Some(point.state[i].clone());

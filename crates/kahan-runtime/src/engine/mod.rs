@@ -206,7 +206,7 @@ impl Engine {
     /// The integrals, each by itself, where a division by zero may have no value.
     pub(crate) fn single_integrals(&self) -> &[Line] {
         let Derived { integrals, integral_names, system, .. } = &self.derived;
-        let line = |index| Line::with_poles(&integrals.result(index), &system.field.symbols);
+        let line = |k| Line::with_poles(&integrals.part(k..k + 1), &system.field.symbols);
         self.single_integrals.get_or_init(|| (0..integral_names.len()).map(line).collect())
     }
 

@@ -12,6 +12,7 @@ pub(crate) struct Integers;
 
 impl Arithmetic for Integers {
     type Value = IBig;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<IBig> {
         value.is_integer().then(|| numerator(value))

@@ -9,7 +9,7 @@
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
-use kahan_algebra::plan::Plan;
+use kahan_algebra::plan::{Plan, plan_of};
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -94,9 +94,9 @@ impl ProjectiveMap {
                     *denominator = denominator.div_monomial(&monomial).expect("all terms have it");
                 }
                 forms.extend(behind.forms(map).pop());
-                Formula::Reduced { plan: Plan::of(&forms), monomial, split }
+                Formula::Reduced { plan: plan_of(&forms), monomial, split }
             }
-            None => Formula::Elimination(Plan::of(&ahead.linear_system())),
+            None => Formula::Elimination(plan_of(&ahead.linear_system())),
         };
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
@@ -127,7 +127,9 @@ impl ProjectiveMap {
     /// Cost: a few products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         let run = |plan: &Plan| {
-            let values = plan.evaluate(&Integers, |variable| point[usize::from(variable.0)].clone());
+            let values = plan.evaluate(&Integers, |input| {
+                input.variable().map(|Variable(k)| point[usize::from(k)].clone())
+            });
             values
                 .into_iter()
                 .map(|value| value.expect("a polynomial divides by nothing"))

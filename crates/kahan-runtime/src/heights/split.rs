@@ -13,8 +13,8 @@
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
-use kahan_algebra::plan::Plan;
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::plan::{Plan, plan_of};
+use kahan_algebra::poly::{Polynomial, Variable};
 
 use super::integers::{Integers, bits, short_gcd};
 
@@ -81,7 +81,7 @@ impl Split {
         }
         let least = degrees.iter().flatten().copied().min().unwrap_or(0);
         degrees.iter_mut().flatten().for_each(|degree| *degree -= least);
-        Split { is_short, plan: Plan::of(&parts), degrees }
+        Split { is_short, plan: plan_of(&parts), degrees }
     }
 
     fn apply(&self, point: &[IBig], g: &UBig) -> Vec<IBig> {
@@ -90,7 +90,9 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        let values = self.plan.evaluate(&Integers, |variable| scaled[usize::from(variable.0)].clone());
+        let values = self
+            .plan
+            .evaluate(&Integers, |input| input.variable().map(|Variable(k)| scaled[usize::from(k)].clone()));
         // The quotients by g of the parts of degree 0, and the remainders; all else remains of the
         // others.
         let divisor = IBig::from(g.clone());

@@ -5,7 +5,7 @@
 //! once for [`ROOM`] numbers, those of several sites one behind the other; it is compiled once, and
 //! not into each kernel that asks for lines.
 
-use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_core::__private::chain::{Gathered, SiteLine};
 use kahan_core::__private::{InLanes, Lanes, OverLanes};
@@ -104,7 +104,7 @@ impl Program {
         let mut free = Vec::new();
         for (k, operation) in plan.operations.iter().enumerate() {
             let kind = match operation {
-                Operation::Input(variable) => {
+                Operation::Input(Input::Variable(variable)) => {
                     values.push(numbering.operand(numbering.symbols.symbol(*variable)));
                     continue;
                 }
@@ -113,7 +113,7 @@ impl Program {
                     literals.push(Literal::from(value));
                     continue;
                 }
-                Operation::Prepared(_) => unreachable!("constants are inputs of a line"),
+                Operation::Input(Input::Prepared(_)) => unreachable!("constants are inputs of a line"),
                 Operation::Add(..) => Kind::Add,
                 Operation::Subtract(..) => Kind::Subtract,
                 Operation::Multiply(..) => Kind::Multiply,
@@ -122,6 +122,7 @@ impl Program {
                 Operation::MultiplyAdd(..) => Kind::MultiplyAdd,
                 Operation::MultiplySubtract(..) => Kind::MultiplySubtract,
                 Operation::SubtractProduct(..) => Kind::SubtractProduct,
+                Operation::Call(function, ..) => match *function {},
             };
             let place = places.iter().find(|(_, node)| node.0 == k).map(|(place, _)| *place);
             let to = place.or_else(|| free.pop()).unwrap_or_else(|| {

@@ -94,10 +94,12 @@ impl ExactOrbit {
     fn integrals(&self, state: &[Fraction]) -> Vec<Option<Fraction>> {
         let derived = self.map.field().derived();
         let symbols = &derived.system.field.symbols;
-        derived.integrals.evaluate(&Fractions, |variable| match symbols.symbol(variable) {
-            Symbol::State(i) | Symbol::SecondState(i) => state[i].clone(),
-            Symbol::Parameter(k) => Fraction::from(&self.map.parameters()[k]),
-            Symbol::Epsilon => Fraction::from(&self.eps),
+        derived.integrals.evaluate(&Fractions, |input| {
+            Some(match symbols.symbol(input.variable()?) {
+                Symbol::State(i) | Symbol::SecondState(i) => state[i].clone(),
+                Symbol::Parameter(k) => Fraction::from(&self.map.parameters()[k]),
+                Symbol::Epsilon => Fraction::from(&self.eps),
+            })
         })
     }
 }

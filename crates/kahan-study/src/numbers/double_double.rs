@@ -16,6 +16,7 @@ pub struct DoubleDouble;
 
 impl Arithmetic for DoubleDouble {
     type Value = Dd;
+    type Constant = Rational;
 
     fn constant(&self, value: &Rational) -> Option<Dd> {
         Some(Self::round(value))

@@ -49,7 +49,7 @@ impl ScalarKind {
 }
 
 /// An arithmetic over one of the scalars.
-pub trait Printable: Arithmetic {
+pub trait Printable: Arithmetic<Constant = Rational> {
     /// Which one.
     const KIND: ScalarKind;
 

@@ -13,7 +13,7 @@ use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64, solve};
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::scaled_matrix;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::plan::{LARGEST_SIZE, Plan, StepPlan};
+use kahan_algebra::plan::{LARGEST_SIZE, Plan, StepPlan, plan_of};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -47,17 +47,19 @@ struct Linear<'a> {
 
 impl<'a> Linear<'a> {
     fn of(field: &'a Field) -> Self {
-        let right = Plan::of(field.numerators());
-        Linear { field, matrix: Plan::of(scaled_matrix(field).iter().flatten()), right }
+        let right = plan_of(field.numerators());
+        Linear { field, matrix: plan_of(scaled_matrix(field).iter().flatten()), right }
     }
 
-    fn system<A: Arithmetic>(
+    fn system<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
         values: &[A::Value],
     ) -> (Vec<Vec<A::Value>>, Vec<A::Value>) {
         let run = |plan: &Plan| -> Vec<A::Value> {
-            let results = plan.evaluate(arithmetic, |variable| values[usize::from(variable.0)].clone());
+            let results = plan.evaluate(arithmetic, |input| {
+                input.variable().map(|Variable(k)| values[usize::from(k)].clone())
+            });
             results.into_iter().map(|result| result.expect("polynomials have values")).collect()
         };
         let n = self.field.dimension();
@@ -116,8 +118,8 @@ impl<'a> Linear<'a> {
 /// The step of a plan, in the order of its operations.
 fn fast(step: &StepPlan, values: &[f64]) -> Vec<f64> {
     let value = |variable: Variable| Some(values[usize::from(variable.0)]);
-    let constants = step.constants.evaluate_prepared(&Float64, &[], value);
-    let results = step.kernel.plan.evaluate_prepared(&Float64, &constants, value);
+    let constants = step.constants.evaluate(&Float64, |input| input.value(&[], value));
+    let results = step.kernel.plan.evaluate(&Float64, |input| input.value(&constants, value));
     let results: Vec<f64> = results.into_iter().map(|result| result.expect("floats have values")).collect();
     let next = |(x, (numerator, reciprocal)): (_, (&f64, Option<&f64>))| {
         x + reciprocal.map_or(*numerator, |by| numerator * by)

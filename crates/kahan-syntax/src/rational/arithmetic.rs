@@ -187,3 +187,25 @@ macro_rules! forward_by_value {
     )*};
 }
 forward_by_value!(Add add, Sub sub, Mul mul);
+
+impl kahan_program::Exact for Rational {
+    fn one() -> Self {
+        Rational::one()
+    }
+
+    fn is(&self, n: i64) -> bool {
+        self.as_i64() == Some(n)
+    }
+
+    fn is_negative(&self) -> bool {
+        Rational::is_negative(self)
+    }
+
+    fn negated(&self) -> Self {
+        -self
+    }
+
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        self.checked_div(divisor)
+    }
+}

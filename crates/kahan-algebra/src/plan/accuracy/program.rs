@@ -1,7 +1,11 @@
 //! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which
 //! is compiled without optimisation: hence plain loops over plain floats.
 
+use kahan_program::Arithmetic;
+use kahan_syntax::rational::Rational;
+
 use super::super::{Operation, Plan};
+use crate::plan::Input;
 
 /// u of floats of 30 bits.
 pub(super) const SHORT_UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -28,33 +32,59 @@ impl<'a> Program<'a> {
         Program { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// The results, everything being rounded by `round`; `inputs` by the index of their variable, a
-    /// multiply-add rounds twice.
+    /// Returns the results, everything being rounded by `round`; `inputs` by the index of their
+    /// variable. A multiply-add rounds twice.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
-        let mut all = self.start.clone();
-        // A slice is indexed by the compiler, a vector by calls.
-        let (values, operations): (&mut [f64], &[Operation]) = (&mut all, &self.plan.operations);
-        let mut index = 0;
-        while index < operations.len() {
-            values[index] = match operations[index] {
-                Operation::Input(variable) => inputs[variable.0 as usize],
-                Operation::Constant(_) => round(values[index]),
-                Operation::Prepared(place) => prepared[place],
-                Operation::Negate(a) => -values[a.0],
-                Operation::Add(a, b) => round(values[a.0] + values[b.0]),
-                Operation::Subtract(a, b) => round(values[a.0] - values[b.0]),
-                Operation::Multiply(a, b) => round(values[a.0] * values[b.0]),
-                Operation::Divide(a, b) => round(values[a.0] / values[b.0]),
-                Operation::MultiplyAdd(a, b, c) => round(round(values[a.0] * values[b.0]) + values[c.0]),
-                Operation::MultiplySubtract(a, b, c) => round(round(values[a.0] * values[b.0]) - values[c.0]),
-                Operation::SubtractProduct(a, b, c) => round(values[a.0] - round(values[b.0] * values[c.0])),
-            };
-            index += 1;
+        let mut values = self.start.clone();
+        for (value, operation) in values.iter_mut().zip(&self.plan.operations) {
+            match *operation {
+                Operation::Input(Input::Variable(variable)) => *value = inputs[variable.0 as usize],
+                Operation::Input(Input::Prepared(place)) => *value = prepared[place],
+                Operation::Constant(_) => *value = round(*value),
+                _ => {}
+            }
         }
+        self.plan.compute(&Rounded(round), 0, &mut values).expect("floats have quotients by zero");
         let mut results = Vec::with_capacity(self.plan.outputs.len());
         for output in &self.plan.outputs {
             results.push(values[output.0]);
         }
         results
+    }
+}
+
+/// Floats whose results are rounded once more.
+struct Rounded<R>(R);
+
+impl<R: Fn(f64) -> f64> Arithmetic for Rounded<R> {
+    type Value = f64;
+    type Constant = Rational;
+
+    fn constant(&self, value: &Rational) -> Option<f64> {
+        Some((self.0)(value.to_f64()))
+    }
+
+    fn add(&self, a: &f64, b: &f64) -> f64 {
+        (self.0)(a + b)
+    }
+
+    fn subtract(&self, a: &f64, b: &f64) -> f64 {
+        (self.0)(a - b)
+    }
+
+    fn multiply(&self, a: &f64, b: &f64) -> f64 {
+        (self.0)(a * b)
+    }
+
+    fn negate(&self, a: &f64) -> f64 {
+        -a
+    }
+
+    fn divide(&self, a: &f64, b: &f64) -> Option<f64> {
+        Some((self.0)(a / b))
+    }
+
+    fn is_zero(&self, a: &f64) -> bool {
+        *a == 0.0
     }
 }

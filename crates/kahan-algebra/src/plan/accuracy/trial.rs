@@ -2,6 +2,7 @@
 
 use crate::field::Field;
 use crate::kahan::field_jacobian;
+use crate::plan::plan_of;
 use crate::prime_field::SplitMix64;
 
 use super::super::Plan;
@@ -90,7 +91,7 @@ impl<'a> Elimination<'a> {
     /// The plan of its values.
     pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
-        Plan::of(jacobian.iter().flatten().chain(field.numerators()).chain(field.denominators()))
+        plan_of(jacobian.iter().flatten().chain(field.numerators()).chain(field.denominators()))
     }
 
     pub(super) fn of(field: &Field, plan: &'a Plan) -> Self {

@@ -3,6 +3,7 @@
 use kahan_syntax::table::distinct;
 
 use crate::plan::cost::DERIVED;
+use crate::plan::step::split::{derived_constants, split};
 use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::writer::Writer;
@@ -74,8 +75,8 @@ impl Parts {
     fn of(writer: &Writer, outputs: &[Node]) -> Self {
         let plan = writer.draft.builder.finish(outputs);
         let epsilon = writer.scaling.epsilon();
-        let (constants, kernel) = plan.split(epsilon, |variable| writer.scaling.ready(variable).is_some());
-        let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
+        let (constants, kernel) = split(&plan, epsilon, |variable| writer.scaling.ready(variable).is_some());
+        let derived = if writer.scaling.folds { 0 } else { derived_constants(&constants, epsilon) };
         Parts { kernel, derived }
     }
 }

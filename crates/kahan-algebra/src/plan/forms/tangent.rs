@@ -25,26 +25,24 @@ const ORDERS: usize = 3;
 /// The most operations of Cramer's rule in one block; numbers along a line take no more beyond.
 const MOST_OPERATIONS: usize = 300;
 
-impl Plan {
-    /// ṽ, a component a result, from x, v and x̃, whose components are the first half of the second
-    /// states: the form of the fewest operations that keeps its digits in long steps. `None` where
-    /// there is none.
-    pub(crate) fn of_tangent(variational: &Field) -> Option<Plan> {
-        let blocks = Blocks::of_tangent(variational);
-        let accuracy = Accuracy::of(variational);
-        let empty = Writer::empty(variational);
-        let cheapest = |arrangements: &[Arrangement], turns: usize| {
-            let forms = empty.iter().flat_map(|empty| {
-                arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
-            });
-            forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
-        };
-        let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
-        let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);
-        let forms = [eliminating, whole].into_iter().flatten();
-        let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
-        cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
-    }
+/// ṽ, a component a result, from x, v and x̃, whose components are the first half of the second
+/// states: the form of the fewest operations that keeps its digits in long steps. `None` where
+/// there is none.
+pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
+    let blocks = Blocks::of_tangent(variational);
+    let accuracy = Accuracy::of(variational);
+    let empty = Writer::empty(variational);
+    let cheapest = |arrangements: &[Arrangement], turns: usize| {
+        let forms = empty.iter().flat_map(|empty| {
+            arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
+        });
+        forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
+    };
+    let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
+    let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);
+    let forms = [eliminating, whole].into_iter().flatten();
+    let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
+    cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
 }
 
 /// v and its increment.

@@ -14,7 +14,7 @@ impl PlanBuilder {
         let is_negative = dividend.is_negative();
         let dividend = match dividend.abs().as_i64()? {
             1 => numerator,
-            2 => self.intern(Operation::Add(numerator, numerator)),
+            2 => self.push(Operation::Add(numerator, numerator)),
             _ => return None,
         };
         let quotient = self.divide(dividend, divisor);

@@ -2,11 +2,10 @@
 //! computed for each state.
 //!
 //! - `split` separates prepared constants from the `kernel`.
-//! - `fuse`, `signs` and `reciprocals` rewrite the kernel: multiply-adds, signs.
+//! - `signs` and `reciprocals` rewrite the kernel, which has multiply-adds by then.
 //! - `increment` divides the increment of a single variable at once.
 //! - `recurrence` measures the way from a state to the next.
 
-pub(in crate::plan) mod fuse;
 mod increment;
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
@@ -18,9 +17,11 @@ use crate::arithmetic::Arithmetic;
 use crate::field::Field;
 use crate::symbols::Symbols;
 
+use self::split::split;
 use crate::plan::step::reciprocals::with_signs_of_reciprocals;
 use crate::plan::step::signs::with_signs;
-use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
+use crate::plan::{Input, Kernel, Node, Operation, Plan, PlanBuilder};
+use kahan_syntax::rational::Rational;
 
 /// The largest ‖εf′‖∞ at which the planner looks at what a step loses.
 pub const LARGEST_SIZE: u32 = 1000;
@@ -59,8 +60,8 @@ pub struct StepPlan {
 impl StepPlan {
     /// The plan that serves this arithmetic at this ε.
     #[must_use]
-    pub fn at<A: Arithmetic>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
-        if arithmetic.has_inverse_step(eps) { self } else { self.for_any_step() }
+    pub fn at<A: Arithmetic<Constant = Rational>>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
+        if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 
     /// The plan that serves every scalar and every ε.
@@ -100,7 +101,7 @@ impl StepPlan {
         };
         let mut outputs = Vec::with_capacity(self.kernel.dimension());
         for (i, (&numerator, reciprocal)) in self.kernel.factors(&self.kernel.plan.outputs).enumerate() {
-            let state = push(Operation::Input(symbols.state(i)));
+            let state = push(Operation::Input(Input::Variable(symbols.state(i))));
             let negated = match self.kernel.plan.operations[numerator.0] {
                 Operation::Negate(inner) => Some(inner),
                 _ => None,
@@ -151,9 +152,9 @@ impl StepPlan {
         });
         let places: Vec<Option<usize>> = places.collect();
         let outputs: Vec<Node> = numerators.iter().chain(&distinct).copied().collect();
-        let (constants, kernel) = builder
-            .finish(&outputs)
-            .split(field.symbols.epsilon(), |variable| field.symbols.is_state(variable));
+        let (constants, kernel) = split(&builder.finish(&outputs), field.symbols.epsilon(), |variable| {
+            field.symbols.is_state(variable)
+        });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
         // Reciprocals of parameters are still inputs here; `mapped` puts them in later. So a

@@ -43,9 +43,9 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
             && is_turned_base(Node(index))
             && let Some(literal) = dividend_of(plan, Node(index))
         {
-            *dividend = builder.intern(Operation::Constant(-literal));
+            *dividend = builder.push(Operation::Constant(-literal));
         }
-        builder.intern(turned)
+        builder.push(turned)
     });
     let mut outputs: Vec<Node> = plan.outputs.iter().map(|output| renamed[output.0]).collect();
     for (output, _) in outputs.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
@@ -54,11 +54,9 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     Kernel { plan: builder.finish(&outputs), ..kernel }
 }
 
-impl Plan {
-    /// Whether an operation is a literal divided by something, once or several times.
-    pub(in crate::plan) fn is_reciprocal(&self, node: Node) -> bool {
-        base(self, node).is_some()
-    }
+/// Whether an operation is a literal divided by something, once or several times.
+pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
+    base(plan, node).is_some()
 }
 
 /// The division of a literal that a reciprocal c/d/d′ begins with.

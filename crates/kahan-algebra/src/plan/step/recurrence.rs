@@ -5,8 +5,8 @@
 
 use crate::poly::Variable;
 
-use crate::plan::cost::{ADD, FUSED, MULTIPLY};
-use crate::plan::{Node, Operation, PlanBuilder, StepPlan};
+use crate::plan::{Input, Node, Operation, PlanBuilder, StepPlan};
+use kahan_program::cost::{ADD, FUSED, MULTIPLY};
 
 impl StepPlan {
     /// Cycles from one state to the next in a long orbit, rounded up.
@@ -43,7 +43,7 @@ impl StepPlan {
         for operation in &plan.operations {
             let operands = operation.operands().filter_map(|Node(index)| arrival[index]).max();
             arrival.push(match operation {
-                Operation::Input(Variable(index)) => (usize::from(*index) == j).then_some(0),
+                Operation::Input(Input::Variable(Variable(index))) => (usize::from(*index) == j).then_some(0),
                 _ => operands.map(|ready| ready + operation.latency()),
             });
         }
@@ -78,7 +78,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {
         let ready = match *operation {
-            Operation::Input(input) => (input == variable).then_some(0),
+            Operation::Input(Input::Variable(input)) => (input == variable).then_some(0),
             // Signs move.
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {

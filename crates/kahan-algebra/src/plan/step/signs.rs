@@ -8,7 +8,7 @@
 //! vectors save a fifth of a large step's instructions rather than shuffle. Kernels without such a
 //! constant are left as the draft has written them.
 
-use crate::plan::{Node, Operation, Plan, PlanBuilder};
+use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
 /// A negation costs an operation; a subtraction none, but it is not what its neighbours do.
 const NEGATION: usize = 4;
@@ -62,7 +62,7 @@ impl<'a> Search<'a> {
         let mut prepared = vec![None; constants.outputs.len()];
         let mut is_free = vec![false; kernel.operations.len()];
         for (index, operation) in kernel.operations.iter().enumerate() {
-            if let Operation::Prepared(place) = *operation {
+            if let Operation::Input(Input::Prepared(place)) = *operation {
                 let source = &constants.operations[constants.outputs[place].0];
                 if matches!(source, Operation::Subtract(..)) {
                     prepared[place] = Some(Node(index));
@@ -149,8 +149,10 @@ impl<'a> Search<'a> {
         for (index, operation) in self.kernel.operations.iter().enumerate() {
             let of = |node: Node| signs.negative[node.0];
             let (negative, is_choice) = match *operation {
+                Operation::Input(Input::Prepared(_)) => {
+                    (self.is_free[index] && reversed[index], self.is_free[index])
+                }
                 Operation::Input(_) | Operation::Constant(_) => (false, false),
-                Operation::Prepared(_) => (self.is_free[index] && reversed[index], self.is_free[index]),
                 Operation::Negate(a) => (!of(a), false),
                 Operation::Multiply(a, b) | Operation::Divide(a, b) => (of(a) != of(b), false),
                 _ => {
@@ -196,7 +198,7 @@ impl<'a> Search<'a> {
                 }
                 _ => operation.with_operands(new),
             };
-            builder.intern(operation)
+            builder.push(operation)
         });
         let carried = |output: &Node| match signs.negative[output.0] {
             true => builder.changed_sign(renamed[output.0]),
@@ -223,13 +225,13 @@ fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
 /// The constants, those differences turned round that are wanted with the other sign.
 fn turn_constants(constants: &Plan, turned: &[bool]) -> Plan {
     let mut builder = PlanBuilder::default();
-    let all = builder.include_all(constants);
+    let all = builder.include_all(&constants.operations);
     let outputs: Vec<Node> = constants
         .outputs
         .iter()
         .zip(turned)
         .map(|(output, turned)| match constants.operations[output.0] {
-            Operation::Subtract(a, b) if *turned => builder.intern(Operation::Subtract(all[b.0], all[a.0])),
+            Operation::Subtract(a, b) if *turned => builder.push(Operation::Subtract(all[b.0], all[a.0])),
             _ => all[output.0],
         })
         .collect();

@@ -2,99 +2,101 @@
 
 use crate::poly::Variable;
 
-use crate::plan::{Node, Operation, Plan, PlanBuilder};
+use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-impl Plan {
-    /// How many results are products of two values that both contain ε: constants rounded more than
-    /// once.
-    pub(in crate::plan) fn derived_constants(&self, epsilon: Variable) -> usize {
-        let mut contains = vec![false; self.operations.len()];
-        let mut derived = vec![false; self.operations.len()];
-        for (index, operation) in self.operations.iter().enumerate() {
-            let operands: Vec<Node> = operation.operands().collect();
-            contains[index] = matches!(operation, Operation::Input(variable) if *variable == epsilon)
-                || operands.iter().any(|operand| contains[operand.0]);
-            let both = operands.len() > 1 && operands.iter().all(|operand| contains[operand.0]);
-            derived[index] = (both && matches!(operation, Operation::Multiply(..)))
-                || operands.iter().any(|operand| derived[operand.0]);
-        }
-        self.outputs.iter().filter(|output| derived[output.0]).count()
+/// How many results are products of two values that both contain ε: constants rounded more than
+/// once.
+pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
+    let mut contains = vec![false; plan.operations.len()];
+    let mut derived = vec![false; plan.operations.len()];
+    for (index, operation) in plan.operations.iter().enumerate() {
+        let operands: Vec<Node> = operation.operands().collect();
+        contains[index] = matches!(operation, Operation::Input(Input::Variable(variable)) if *variable == epsilon)
+            || operands.iter().any(|operand| contains[operand.0]);
+        let both = operands.len() > 1 && operands.iter().all(|operand| contains[operand.0]);
+        derived[index] = (both && matches!(operation, Operation::Multiply(..)))
+            || operands.iter().any(|operand| derived[operand.0]);
     }
+    plan.outputs.iter().filter(|output| derived[output.0]).count()
+}
 
-    /// Separates what depends on no variable that `varies` from the rest: the results of the first
-    /// plan are the prepared constants of the second. Exact literals are not prepared; they cost
-    /// nothing.
-    #[must_use]
-    pub(in crate::plan) fn split(
-        &self,
-        epsilon: Variable,
-        varies: impl Fn(Variable) -> bool,
-    ) -> (Plan, Plan) {
-        // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but
-        // where a form contains 1/ε, whoever prepares it has looked at ε.
-        self.split_where(|divisor| self.operations[divisor.0] == Operation::Input(epsilon), varies)
-    }
+/// Separates what depends on no variable that `varies` from the rest: the results of the first
+/// plan are the prepared constants of the second. Exact literals are not prepared; they cost
+/// nothing.
+#[must_use]
+pub(in crate::plan) fn split(
+    plan: &Plan,
+    epsilon: Variable,
+    varies: impl Fn(Variable) -> bool,
+) -> (Plan, Plan) {
+    // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but
+    // where a form contains 1/ε, whoever prepares it has looked at ε.
+    split_where(
+        plan,
+        |divisor| plan.operations[divisor.0] == Operation::Input(Input::Variable(epsilon)),
+        varies,
+    )
+}
 
-    /// The same for a line without poles: quotients are prepared, too.
-    #[must_use]
-    pub(crate) fn separated(&self, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
-        self.split_where(|_| true, varies)
-    }
+/// Splits the plan of a line without poles: quotients are prepared, too.
+#[must_use]
+pub(crate) fn separated(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
+    split_where(plan, |_| true, varies)
+}
 
-    fn split_where(
-        &self,
-        may_divide_by: impl Fn(Node) -> bool,
-        varies: impl Fn(Variable) -> bool,
-    ) -> (Plan, Plan) {
-        let mut fixed = vec![true; self.operations.len()];
-        for (index, operation) in self.operations.iter().enumerate() {
-            fixed[index] = match operation {
-                Operation::Input(variable) => !varies(*variable),
-                Operation::Divide(_, divisor) if !may_divide_by(*divisor) => false,
-                _ => operation.operands().all(|operand| fixed[operand.0]),
-            };
-        }
-        let is_literal = |node: Node| match &self.operations[node.0] {
-            Operation::Constant(_) => true,
-            Operation::Negate(a) => matches!(self.operations[a.0], Operation::Constant(_)),
-            _ => false,
+fn split_where(
+    plan: &Plan,
+    may_divide_by: impl Fn(Node) -> bool,
+    varies: impl Fn(Variable) -> bool,
+) -> (Plan, Plan) {
+    let mut fixed = vec![true; plan.operations.len()];
+    for (index, operation) in plan.operations.iter().enumerate() {
+        fixed[index] = match operation {
+            Operation::Input(Input::Variable(variable)) => !varies(*variable),
+            Operation::Divide(_, divisor) if !may_divide_by(*divisor) => false,
+            _ => operation.operands().all(|operand| fixed[operand.0]),
         };
-        let mut prepared: Vec<Node> = Vec::new();
-        let mut kernel = PlanBuilder::default();
-        let mut renamed: Vec<Option<Node>> = vec![None; self.operations.len()];
-        let mut needed: Vec<bool> = fixed.iter().map(|fixed| !fixed).collect();
-        for output in &self.outputs {
-            needed[output.0] = true;
-        }
-        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
-            let mut prepare = |node: Node| {
-                if renamed[node.0].is_none() {
-                    renamed[node.0] = Some(if is_literal(node) {
-                        kernel.include_node(self, node)
-                    } else {
-                        prepared.push(node);
-                        kernel.prepared(prepared.len() - 1)
-                    });
-                }
-            };
-            if fixed[index] {
-                prepare(Node(index));
-                continue;
-            }
-            for operand in operation.operands() {
-                if fixed[operand.0] {
-                    prepare(operand);
-                }
-            }
-            let operation = operation
-                .with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
-            renamed[index] = Some(kernel.intern(operation));
-        }
-        let outputs: Vec<Node> = self
-            .outputs
-            .iter()
-            .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
-            .collect();
-        (Plan::of_results(&self.operations, &prepared), kernel.finish(&outputs))
     }
+    let is_literal = |node: Node| match &plan.operations[node.0] {
+        Operation::Constant(_) => true,
+        Operation::Negate(a) => matches!(plan.operations[a.0], Operation::Constant(_)),
+        _ => false,
+    };
+    let mut prepared: Vec<Node> = Vec::new();
+    let mut kernel = PlanBuilder::default();
+    let mut renamed: Vec<Option<Node>> = vec![None; plan.operations.len()];
+    let mut needed: Vec<bool> = fixed.iter().map(|fixed| !fixed).collect();
+    for output in &plan.outputs {
+        needed[output.0] = true;
+    }
+    for (index, operation) in plan.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
+        let mut prepare = |node: Node| {
+            if renamed[node.0].is_none() {
+                renamed[node.0] = Some(if is_literal(node) {
+                    kernel.include_literal(plan, node)
+                } else {
+                    prepared.push(node);
+                    kernel.prepared(prepared.len() - 1)
+                });
+            }
+        };
+        if fixed[index] {
+            prepare(Node(index));
+            continue;
+        }
+        for operand in operation.operands() {
+            if fixed[operand.0] {
+                prepare(operand);
+            }
+        }
+        let operation =
+            operation.with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
+        renamed[index] = Some(kernel.push(operation));
+    }
+    let outputs: Vec<Node> = plan
+        .outputs
+        .iter()
+        .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
+        .collect();
+    (Plan::of_results(&plan.operations, &prepared), kernel.finish(&outputs))
 }

@@ -11,7 +11,7 @@ use kahan_syntax::table::sorted_by_key;
 use crate::poly::Variable;
 
 use crate::plan::writing::scaling::Scaling;
-use crate::plan::{Node, Operation, PlanBuilder};
+use crate::plan::{Input, Node, Operation, PlanBuilder};
 
 /// A builder with the cycle in which each operation's result can be used.
 #[derive(Clone, Debug)]
@@ -47,9 +47,11 @@ impl Draft {
     fn settle(&mut self) {
         for operation in &self.builder.operations()[self.ready.len()..] {
             let fixed = match operation {
-                Operation::Input(variable) => (self.states..=self.epsilon.0).contains(&variable.0),
+                Operation::Input(Input::Variable(variable)) => {
+                    (self.states..=self.epsilon.0).contains(&variable.0)
+                }
                 Operation::Divide(_, divisor) => {
-                    self.builder.operations()[divisor.0] == Operation::Input(self.epsilon)
+                    self.builder.operations()[divisor.0] == Operation::Input(Input::Variable(self.epsilon))
                 }
                 _ => operation.operands().all(|operand| self.fixed[operand.0]),
             };

@@ -14,8 +14,10 @@ use kahan_syntax::table::sorted_by_key;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 
-use crate::numbered::Numbered;
-use crate::plan::cost::{DERIVED, MULTIPLY, gathered, multiplied};
+use kahan_program::Numbered;
+use kahan_program::cost::MULTIPLY;
+
+use crate::plan::cost::{DERIVED, gathered, multiplied};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 

@@ -12,7 +12,7 @@ use kahan_syntax::rational::Rational;
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 
-use crate::plan::cost::{DIVIDE, MULTIPLY};
+use kahan_program::cost::{DIVIDE, MULTIPLY};
 
 /// Coefficients are variables from here on; there are fewer symbols than that.
 const COEFFICIENTS: u16 = 1 << 15;

@@ -14,11 +14,11 @@ use kahan_syntax::table::sorted_by_key;
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 
-use crate::numbered::Numbered;
 use crate::plan::Node;
 use crate::plan::writing::draft::{Draft, Signed};
 use crate::plan::writing::nesting::{Goal, Nesting, Summand};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
+use kahan_program::Numbered;
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows
 /// with its square.

@@ -2,8 +2,7 @@
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_algebra::plan::Operation::{self, Add, Divide, Multiply, MultiplyAdd};
-use kahan_algebra::plan::{LARGEST_SIZE, Node, Plan};
+use kahan_algebra::plan::{Input, LARGEST_SIZE, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
 use kahan_study::{Costs, Listing, Planned};
 
@@ -113,8 +112,18 @@ const ALONG_COUPLINGS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination a
 /// What the columns mean.
 fn notes() -> Vec<String> {
     let [a, b] = [Node(0), Node(1)];
-    let cycles = [Add(a, b), Multiply(a, b), MultiplyAdd(a, b, a), Divide(a, b)].map(|operation| {
-        let operations = vec![Operation::Input(Variable(0)), Operation::Input(Variable(1)), operation];
+    let cycles = [
+        Operation::Add(a, b),
+        Operation::Multiply(a, b),
+        Operation::MultiplyAdd(a, b, a),
+        Operation::Divide(a, b),
+    ]
+    .map(|operation| {
+        let operations = vec![
+            Operation::Input(Input::Variable(Variable(0))),
+            Operation::Input(Input::Variable(Variable(1))),
+            operation,
+        ];
         Plan { operations, outputs: vec![Node(2)] }.cost().critical_path
     });
     let [add, multiply, fused, divide] = cycles;

@@ -46,11 +46,11 @@ impl<A: Moving> Explicit<'_, A> {
     /// The results of a plan at a point.
     fn values(&self, plan: &Plan, x: &[A::Value]) -> Vec<Option<A::Value>> {
         let symbols = &self.derived.system.field.symbols;
-        plan.evaluate(self.arithmetic, |variable| match symbols.symbol(variable) {
-            Symbol::State(i) | Symbol::SecondState(i) => x[i].clone(),
-            Symbol::Parameter(k) => self.parameters[k].clone(),
+        plan.evaluate(self.arithmetic, |input| match symbols.symbol(input.variable()?) {
+            Symbol::State(i) | Symbol::SecondState(i) => Some(x[i].clone()),
+            Symbol::Parameter(k) => Some(self.parameters[k].clone()),
             // The field has none, and the integrals are those of the flow.
-            Symbol::Epsilon => A::round(&Rational::zero()),
+            Symbol::Epsilon => Some(A::round(&Rational::zero())),
         })
     }
 

@@ -8,14 +8,14 @@ use crate::poly::Variable;
 fn constants() -> Plan {
     let mut builder = PlanBuilder::default();
     let [a, b] = [2, 3].map(|v| builder.input(Variable(v)));
-    let difference = builder.intern(Operation::Subtract(a, b));
+    let difference = builder.push(Operation::Subtract(a, b));
     builder.finish(&[difference, a])
 }
 
 fn values(constants: &Plan, kernel: &Plan) -> Vec<Option<Rational>> {
     let input = |Variable(v): Variable| Rational::from([3, -5, 7, 11][usize::from(v)]);
-    let prepared = constants.evaluate(&Exact, input);
-    kernel.evaluate_prepared(&Exact, &prepared, |variable| Some(input(variable)))
+    let prepared = constants.evaluate(&Exact, |read| read.variable().map(input));
+    kernel.evaluate(&Exact, |read| read.value(&prepared, |variable| Some(input(variable))))
 }
 
 /// 1 − cx, −cy and −cxy become sums and products without a sign once c is prepared as b − a.
@@ -26,7 +26,7 @@ fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     let c = builder.prepared(0);
     let (cx, cy) = (builder.multiply(c, x), builder.multiply(c, y));
     let one = builder.constant(&Rational::one());
-    let sum = builder.intern(Operation::Subtract(one, cx));
+    let sum = builder.push(Operation::Subtract(one, cx));
     let (product, both) = (builder.changed_sign(cy), builder.multiply(cx, y));
     let both = builder.changed_sign(both);
     let kernel = builder.finish(&[sum, product, both]);
@@ -45,10 +45,10 @@ fn fused_operations_keep_their_values() {
     let [x, y] = [0, 1].map(|v| builder.input(Variable(v)));
     let (c, a) = (builder.prepared(0), builder.prepared(1));
     let cx = builder.multiply(c, x);
-    let first = builder.intern(Operation::SubtractProduct(y, a, cx));
-    let second = builder.intern(Operation::MultiplySubtract(cx, y, first));
-    let third = builder.intern(Operation::MultiplyAdd(c, second, x));
-    let quotient = builder.intern(Operation::Divide(third, cx));
+    let first = builder.push(Operation::SubtractProduct(y, a, cx));
+    let second = builder.push(Operation::MultiplySubtract(cx, y, first));
+    let third = builder.push(Operation::MultiplyAdd(c, second, x));
+    let quotient = builder.push(Operation::Divide(third, cx));
     let outputs = [first, second, third, quotient].map(|node| builder.changed_sign(node));
     let kernel = builder.finish(&outputs);
     let (turned, chosen) = with_signs(constants(), kernel.clone());

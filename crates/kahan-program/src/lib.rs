@@ -1,0 +1,37 @@
+//! Straight-line programs: instructions without branches, each on the results of earlier ones.
+//!
+//! A [`Builder`] writes a [`Program`], with each common subexpression once. A program runs in any
+//! [`Arithmetic`], prints itself as text, and is what others compile.
+//!
+//! In: operations. Out: their results. The crate must not know polynomials, fields or targets:
+//! inputs, constants and functions have the types that its user gives them.
+//!
+//! | a program of | inputs `I` | constants `C` | functions `F` |
+//! |---|---|---|---|
+//! | a field, its map, a claim | variables, prepared constants | exact rationals | none |
+//! | the interpreter | places of a slice | rationals with their nearest floats | reciprocals |
+//! | machine code | entries of two arrays | floats | maximum, minimum, roundings |
+//! | a formula of the command | numbers of variables | floats | sin, exp, powers, … |
+
+#![no_std]
+
+extern crate alloc;
+
+mod arithmetic;
+mod builder;
+pub mod cost;
+mod numbered;
+mod operation;
+mod program;
+mod run;
+mod text;
+
+pub use arithmetic::{Arithmetic, Calls};
+pub use builder::{Builder, Exact};
+pub use cost::Cost;
+pub use numbered::Numbered;
+pub use operation::{Float, Function, Node, Operation};
+pub use program::Program;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,140 @@
+//! One operation of a program.
+
+use core::convert::Infallible;
+
+/// The result of an operation: its index in the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Node(pub usize);
+
+/// One operation; its operands are earlier operations.
+///
+/// `I` is what an input is named by, `C` the type of constants, and `F` the functions that may be
+/// called beside the four operators; a program without functions has [`Infallible`] for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operation<I, C, F = Infallible> {
+    /// A number that is given when the program runs.
+    Input(I),
+    /// A number that the program contains.
+    Constant(C),
+    /// a + b
+    Add(Node, Node),
+    /// a − b
+    Subtract(Node, Node),
+    /// a · b
+    Multiply(Node, Node),
+    /// a / b
+    Divide(Node, Node),
+    /// −a
+    Negate(Node),
+    /// a · b + c, rounded once where the arithmetic can
+    MultiplyAdd(Node, Node, Node),
+    /// a · b − c, rounded once where the arithmetic can
+    MultiplySubtract(Node, Node, Node),
+    /// a − b · c, rounded once where the arithmetic can
+    SubtractProduct(Node, Node, Node),
+    /// f(a, b); a function of one argument has it twice
+    Call(F, Node, Node),
+}
+
+/// A double as a constant: two are equal where all their bits are, so 0 and −0 differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Float(u64);
+
+impl Float {
+    /// Returns this double as a constant.
+    #[must_use]
+    pub const fn of(value: f64) -> Self {
+        Float(value.to_bits())
+    }
+
+    /// Returns the double.
+    #[inline]
+    #[must_use]
+    pub const fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// The functions that operations may call.
+pub trait Function {
+    /// The number of arguments, 1 or 2.
+    fn arguments(&self) -> usize;
+}
+
+impl Function for Infallible {
+    fn arguments(&self) -> usize {
+        match *self {}
+    }
+}
+
+impl<I, C, F: Function> Operation<I, C, F> {
+    /// Returns the operands, at most three, in order.
+    pub fn operands(&self) -> impl Iterator<Item = Node> + use<I, C, F> {
+        let (nodes, count) = match *self {
+            Operation::Input(_) | Operation::Constant(_) => ([Node(0); 3], 0),
+            Operation::Negate(a) => ([a; 3], 1),
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b) => ([a, b, b], 2),
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(a, b, c) => ([a, b, c], 3),
+            Operation::Call(ref function, a, b) => ([a, b, b], function.arguments()),
+        };
+        Operands { nodes, next: 0, count }
+    }
+
+    /// Whether the operation computes nothing: an input or a constant.
+    #[inline]
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        matches!(self, Operation::Input(_) | Operation::Constant(_))
+    }
+}
+
+impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
+    /// Returns this operation on other operands.
+    #[must_use]
+    pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
+        self.renamed(&mut rename)
+    }
+
+    fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
+        let mut renamed = self.clone();
+        match &mut renamed {
+            Operation::Input(_) | Operation::Constant(_) => {}
+            Operation::Negate(a) => *a = rename(*a),
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b)
+            | Operation::Call(_, a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(a, b, c) => (*a, *b, *c) = (rename(*a), rename(*b), rename(*c)),
+        }
+        renamed
+    }
+}
+
+/// The operands of one operation. All passes ask for them, and adapters of the standard library
+/// would be a dozen calls for each where nothing is optimised.
+struct Operands {
+    nodes: [Node; 3],
+    next: usize,
+    count: usize,
+}
+
+impl Iterator for Operands {
+    type Item = Node;
+
+    fn next(&mut self) -> Option<Node> {
+        if self.next == self.count {
+            return None;
+        }
+        let node = self.nodes[self.next];
+        self.next += 1;
+        Some(node)
+    }
+}

@@ -1,0 +1,147 @@
+//! A program, and what can be asked of it without running it.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::ops::{Deref, Range};
+
+use crate::Builder;
+use crate::operation::{Function, Node, Operation};
+
+/// A straight-line program: operations, each on the results of earlier ones, of which some are the
+/// outputs.
+///
+/// `O` holds the operations and `N` the outputs: vectors in a program that owns them, slices in one
+/// that borrows them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Program<O, N = Vec<Node>> {
+    /// The operations, operands before their uses, no operation twice.
+    pub operations: O,
+    /// The results.
+    pub outputs: N,
+}
+
+impl<I, C, F, O, N> Program<O, N>
+where
+    F: Function,
+    O: Deref<Target = [Operation<I, C, F>]>,
+    N: Deref<Target = [Node]>,
+{
+    /// Returns this program with its operations and outputs borrowed.
+    pub fn borrowed(&self) -> Program<&[Operation<I, C, F>], &[Node]> {
+        Program { operations: &self.operations, outputs: &self.outputs }
+    }
+
+    /// Returns how many times each operation is used, as an operand or as an output.
+    #[must_use]
+    pub fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.operations.len()];
+        for operation in &*self.operations {
+            for operand in operation.operands() {
+                uses[operand.0] += 1;
+            }
+        }
+        for output in &*self.outputs {
+            uses[output.0] += 1;
+        }
+        uses
+    }
+
+    /// Returns whether each operation is needed for an output.
+    #[must_use]
+    pub fn needed(&self) -> Vec<bool> {
+        let operations: &[Operation<I, C, F>] = &self.operations;
+        let mut needed = vec![false; operations.len()];
+        for output in &*self.outputs {
+            needed[output.0] = true;
+        }
+        for (index, operation) in operations.iter().enumerate().rev() {
+            if needed[index] {
+                for operand in operation.operands() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        needed
+    }
+
+    /// Whether every operand stands before its use, and every output is an operation.
+    #[must_use]
+    pub fn is_well_formed(&self) -> bool {
+        let mut operations = self.operations.iter().enumerate();
+        operations.all(|(index, operation)| operation.operands().all(|operand| operand.0 < index))
+            && self.outputs.iter().all(|output| output.0 < self.operations.len())
+    }
+
+    /// Returns the inputs that the program reads, each once.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<I>
+    where
+        I: Clone,
+    {
+        let mut inputs = Vec::new();
+        for operation in &*self.operations {
+            if let Operation::Input(input) = operation {
+                inputs.push(input.clone());
+            }
+        }
+        inputs
+    }
+}
+
+impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
+    /// Returns the program of these results, with the operations that they need.
+    #[must_use]
+    pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
+        let places = places_of_needed(operations, outputs);
+        let mut kept = Vec::new();
+        for (operation, place) in operations.iter().zip(&places) {
+            if place.is_some() {
+                kept.push(operation.with_operands(|node| place_of(&places, node)));
+            }
+        }
+        Program { operations: kept, outputs: outputs.iter().map(|node| place_of(&places, *node)).collect() }
+    }
+
+    /// Returns the program of these outputs of this one.
+    #[must_use]
+    pub fn part(&self, outputs: Range<usize>) -> Self {
+        Program::of_results(&self.operations, &self.outputs[outputs])
+    }
+}
+
+impl<I, C, F> Program<Vec<Operation<I, C, F>>>
+where
+    I: Clone + core::hash::Hash + Eq,
+    C: Clone + core::hash::Hash + Eq,
+    F: Function + Clone + core::hash::Hash + Eq,
+{
+    /// Returns several programs as one, their outputs one after another; operations that they share
+    /// are computed once.
+    #[must_use]
+    pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
+    where
+        Self: 'a,
+    {
+        let mut builder = Builder::default();
+        let outputs: Vec<Node> = programs.into_iter().flat_map(|program| builder.include(program)).collect();
+        builder.finish(&outputs)
+    }
+}
+
+/// The place of each operation among those that the outputs need; `None` for the others.
+fn places_of_needed<I, C, F: Function>(
+    operations: &[Operation<I, C, F>],
+    outputs: &[Node],
+) -> Vec<Option<Node>> {
+    let needed = Program { operations, outputs }.needed();
+    let mut count = 0;
+    let place = |is_needed: bool| {
+        count += usize::from(is_needed);
+        is_needed.then(|| Node(count - 1))
+    };
+    needed.into_iter().map(place).collect()
+}
+
+fn place_of(places: &[Option<Node>], node: Node) -> Node {
+    places[node.0].expect("operands of an operation that is needed are needed")
+}

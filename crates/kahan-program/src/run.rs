@@ -1,0 +1,136 @@
+//! Running programs.
+
+use alloc::vec::Vec;
+use core::ops::Deref;
+
+use crate::operation::{Function, Node, Operation};
+use crate::{Arithmetic, Calls, Program};
+
+impl<C, F, O, N> Program<O, N>
+where
+    F: Function,
+    O: Deref<Target = [Operation<usize, C, F>]>,
+    N: Deref<Target = [Node]>,
+{
+    /// Runs a program whose inputs are the numbers of entries of `inputs`.
+    ///
+    /// `workspace` has at least one entry an operation and `outputs` one an output; what they held
+    /// is overwritten. `None` where a constant or a quotient has no value in this arithmetic. Costs
+    /// the program's operations, and no memory.
+    ///
+    /// # Panics
+    /// If a slice is too short.
+    pub fn run<A: Calls<F, Constant = C>>(
+        &self,
+        arithmetic: &A,
+        inputs: &[A::Value],
+        workspace: &mut [A::Value],
+        outputs: &mut [A::Value],
+    ) -> Option<()> {
+        self.load(arithmetic, |number| Some(inputs[*number].clone()), workspace)?;
+        self.compute(arithmetic, 0, workspace)?;
+        for (output, node) in outputs.iter_mut().zip(&*self.outputs) {
+            output.clone_from(&workspace[node.0]);
+        }
+        Some(())
+    }
+}
+
+impl<I, C, F, O, N> Program<O, N>
+where
+    F: Function,
+    O: Deref<Target = [Operation<I, C, F>]>,
+    N: Deref<Target = [Node]>,
+{
+    /// Writes inputs and constants into their places of the workspace.
+    ///
+    /// `None` where one has no value. An input that `input` leaves without a value where the
+    /// arithmetic has one for it ends the call, too.
+    pub fn load<A: Arithmetic<Constant = C>>(
+        &self,
+        arithmetic: &A,
+        mut input: impl FnMut(&I) -> Option<A::Value>,
+        workspace: &mut [A::Value],
+    ) -> Option<()> {
+        for (place, operation) in workspace.iter_mut().zip(&*self.operations) {
+            match operation {
+                Operation::Input(name) => *place = input(name)?,
+                Operation::Constant(value) => *place = arithmetic.constant(value)?,
+                _ => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Computes all operations from number `first` on. Inputs, constants and the results of earlier
+    /// operations stand in the workspace already.
+    ///
+    /// `None` at the first quotient without a value.
+    #[inline(always)]
+    pub fn compute<A: Calls<F, Constant = C>>(
+        &self,
+        arithmetic: &A,
+        first: usize,
+        workspace: &mut [A::Value],
+    ) -> Option<()> {
+        for (to, operation) in (first..).zip(&self.operations[first..]) {
+            let at = |node: Node| &workspace[node.0];
+            workspace[to] = match *operation {
+                Operation::Input(_) | Operation::Constant(_) => continue,
+                Operation::Add(a, b) => arithmetic.add(at(a), at(b)),
+                Operation::Subtract(a, b) => arithmetic.subtract(at(a), at(b)),
+                Operation::Multiply(a, b) => arithmetic.multiply(at(a), at(b)),
+                Operation::Divide(a, b) => arithmetic.divide(at(a), at(b))?,
+                Operation::Negate(a) => arithmetic.negate(at(a)),
+                Operation::MultiplyAdd(a, b, c) => arithmetic.multiply_add(at(a), at(b), at(c)),
+                Operation::MultiplySubtract(a, b, c) => arithmetic.multiply_subtract(at(a), at(b), at(c)),
+                Operation::SubtractProduct(a, b, c) => arithmetic.subtract_product(at(a), at(b), at(c)),
+                Operation::Call(ref function, a, b) => arithmetic.call(function, at(a), at(b))?,
+            };
+        }
+        Some(())
+    }
+
+    /// Returns the outputs; `input` gives the value of each input. An output that needs an input
+    /// without a value, or divides by zero on its way, is `None`, and the others have their values.
+    /// Costs one operation of the arithmetic for each of the program's own.
+    pub fn evaluate<A: Calls<F, Constant = C>>(
+        &self,
+        arithmetic: &A,
+        mut input: impl FnMut(&I) -> Option<A::Value>,
+    ) -> Vec<Option<A::Value>> {
+        let mut values: Vec<Option<A::Value>> = Vec::with_capacity(self.operations.len());
+        for operation in &*self.operations {
+            let value = match operation {
+                Operation::Input(name) => input(name),
+                operation => value(operation, arithmetic, &values),
+            };
+            values.push(value);
+        }
+        self.outputs.iter().map(|output| values[output.0].clone()).collect()
+    }
+}
+
+/// The value of an operation from those of all operations before it; `None` where it, or one of its
+/// operands, has none.
+#[inline(always)]
+fn value<I, F, A: Calls<F>>(
+    operation: &Operation<I, A::Constant, F>,
+    arithmetic: &A,
+    values: &[Option<A::Value>],
+) -> Option<A::Value> {
+    let at = |node: Node| values[node.0].as_ref();
+    match *operation {
+        Operation::Input(_) => None,
+        Operation::Constant(ref constant) => arithmetic.constant(constant),
+        Operation::Negate(a) => Some(arithmetic.negate(at(a)?)),
+        Operation::Add(a, b) => Some(arithmetic.add(at(a)?, at(b)?)),
+        Operation::Subtract(a, b) => Some(arithmetic.subtract(at(a)?, at(b)?)),
+        Operation::Multiply(a, b) => Some(arithmetic.multiply(at(a)?, at(b)?)),
+        Operation::Divide(a, b) => arithmetic.divide(at(a)?, at(b)?),
+        Operation::MultiplyAdd(a, b, c) => Some(arithmetic.multiply_add(at(a)?, at(b)?, at(c)?)),
+        Operation::MultiplySubtract(a, b, c) => Some(arithmetic.multiply_subtract(at(a)?, at(b)?, at(c)?)),
+        Operation::SubtractProduct(a, b, c) => Some(arithmetic.subtract_product(at(a)?, at(b)?, at(c)?)),
+        Operation::Call(ref function, a, b) => arithmetic.call(function, at(a)?, at(b)?),
+    }
+}
