@@ -1,10 +1,12 @@
 //! Formulas in floats: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the variables of a
 //! state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a value at each
-//! site or state. The module must not know how the text is read, only what its names and functions
-//! mean.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a straight-line
+//! program in doubles, without simplifications: each operation is rounded as written, and a common
+//! subexpression is computed once. The module must not know how the text is read, only what its
+//! names and functions mean.
 
+use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -14,12 +16,10 @@ use kahan_algebra::parse::{parse_formula, parse_formulas};
 use kahan_algebra::render::report;
 use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Span, Token};
-
-/// A function of one number.
-pub type Function = fn(f64) -> f64;
+use kahan_program::{Arithmetic, Calls, Float, Function, Node, Program};
 
 /// What can be called, by name.
-const FUNCTIONS: [(&str, Function); 15] = [
+const FUNCTIONS: [(&str, fn(f64) -> f64); 15] = [
     ("sin", f64::sin),
     ("cos", f64::cos),
     ("tan", f64::tan),
@@ -37,72 +37,136 @@ const FUNCTIONS: [(&str, Function); 15] = [
     ("floor", f64::floor),
 ];
 
-/// A formula, read.
+/// A function that a formula calls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Called {
+    /// A function of one number: an index of [`FUNCTIONS`].
+    Named(usize),
+    /// a^b, by multiplications where b is an integer of moderate size.
+    Power,
+}
+
+impl Function for Called {
+    fn arguments(&self) -> usize {
+        match self {
+            Self::Named(_) => 1,
+            Self::Power => 2,
+        }
+    }
+}
+
+/// Doubles, in which every operation and every function has a value.
+struct Doubles;
+
+impl Arithmetic for Doubles {
+    type Value = f64;
+    type Constant = Float;
+
+    fn constant(&self, value: &Float) -> Option<f64> {
+        Some(value.value())
+    }
+
+    fn add(&self, a: &f64, b: &f64) -> f64 {
+        a + b
+    }
+
+    fn subtract(&self, a: &f64, b: &f64) -> f64 {
+        a - b
+    }
+
+    fn multiply(&self, a: &f64, b: &f64) -> f64 {
+        a * b
+    }
+
+    fn negate(&self, a: &f64) -> f64 {
+        -a
+    }
+
+    fn divide(&self, a: &f64, b: &f64) -> Option<f64> {
+        Some(a / b)
+    }
+
+    fn is_zero(&self, a: &f64) -> bool {
+        *a == 0.0
+    }
+}
+
+impl Calls<Called> for Doubles {
+    fn call(&self, function: &Called, a: &f64, b: &f64) -> Option<f64> {
+        Some(match *function {
+            Called::Named(index) => FUNCTIONS[index].1(*a),
+            Called::Power if b.fract() == 0.0 && b.abs() <= 1024.0 => a.powi(*b as i32),
+            Called::Power => a.powf(*b),
+        })
+    }
+}
+
+/// An operation of a formula; inputs are the numbers of its variables.
+type Operation = kahan_program::Operation<usize, Float, Called>;
+
+/// The operations of a formula that is being read.
+type Builder = kahan_program::Builder<usize, Float, Called>;
+
+/// A formula, read into a program with one output.
 #[derive(Clone, Debug)]
-pub enum Formula {
-    /// A number.
-    Number(f64),
-    /// The variable with this index.
-    Variable(usize),
-    /// Terms, each with whether it is subtracted.
-    Sum(Vec<(bool, Formula)>),
-    /// Factors, each with whether it divides.
-    Product(Vec<(bool, Formula)>),
-    /// What is after a minus sign.
-    Negation(Box<Formula>),
-    /// A base and its exponent.
-    Power(Box<[Formula; 2]>),
-    /// A function of a number.
-    Call(Function, Box<Formula>),
+pub struct Formula {
+    program: Program<Vec<Operation>>,
+    /// The variables that occur, each with the place of its value in the workspace.
+    variables: Vec<(usize, usize)>,
 }
 
 impl Formula {
-    /// The value at a site, whose index is the only variable.
+    fn new(program: Program<Vec<Operation>>) -> Self {
+        let mut variables = Vec::new();
+        for (place, operation) in program.operations.iter().enumerate() {
+            if let Operation::Input(variable) = operation {
+                variables.push((*variable, place));
+            }
+        }
+        Formula { program, variables }
+    }
+
+    /// Returns the value at a site, whose index is the only variable.
     #[must_use]
     pub fn at(&self, site: usize) -> f64 {
         self.of(&[site as f64])
     }
 
-    /// The value at these variables.
+    /// Returns the value at these variables. Takes memory on each call, which
+    /// [`function`](Self::function) does once.
     #[must_use]
     pub fn of(&self, variables: &[f64]) -> f64 {
-        match self {
-            Self::Number(value) => *value,
-            Self::Variable(k) => variables[*k],
-            // Of the two zeros, −0 changes no sum.
-            Self::Sum(terms) => terms.iter().fold(-0.0, |sum, (is_subtracted, term)| {
-                let term = term.of(variables);
-                if *is_subtracted { sum - term } else { sum + term }
-            }),
-            Self::Product(factors) => factors.iter().fold(1.0, |product, (divides, factor)| {
-                let factor = factor.of(variables);
-                if *divides { product / factor } else { product * factor }
-            }),
-            Self::Negation(of) => -of.of(variables),
-            Self::Power(parts) => {
-                let [base, exponent] = [parts[0].of(variables), parts[1].of(variables)];
-                if exponent.fract() == 0.0 && exponent.abs() <= 1024.0 {
-                    base.powi(exponent as i32)
-                } else {
-                    base.powf(exponent)
-                }
-            }
-            Self::Call(function, of) => function(of.of(variables)),
-        }
+        self.run(variables, &mut self.workspace())
     }
 
-    /// The last of the variables that it names; `None` where it is one number everywhere.
+    /// Returns the formula as a function of its variables, for many calls: it keeps the memory that
+    /// it computes in.
+    pub fn function(self) -> impl Fn(&[f64]) -> f64 {
+        let workspace = RefCell::new(self.workspace());
+        move |variables| self.run(variables, &mut workspace.borrow_mut())
+    }
+
+    /// Returns the last of the variables that the formula names; `None` where it is one number
+    /// everywhere.
     #[must_use]
     pub fn last_variable(&self) -> Option<usize> {
-        match self {
-            Self::Number(_) => None,
-            Self::Variable(k) => Some(*k),
-            Self::Sum(parts) | Self::Product(parts) => {
-                parts.iter().filter_map(|(_, part)| part.last_variable()).max()
-            }
-            Self::Negation(of) | Self::Call(_, of) => of.last_variable(),
-            Self::Power(parts) => parts.iter().filter_map(Self::last_variable).max(),
+        self.variables.iter().map(|(variable, _)| *variable).max()
+    }
+
+    /// Returns a workspace with the constants in their places.
+    fn workspace(&self) -> Vec<f64> {
+        let mut workspace = vec![0.0; self.program.operations.len()];
+        let loaded = self.program.load(&Doubles, |_| Some(0.0), &mut workspace);
+        loaded.expect("a double is a constant");
+        workspace
+    }
+
+    fn run(&self, variables: &[f64], workspace: &mut [f64]) -> f64 {
+        for (variable, place) in &self.variables {
+            workspace[*place] = variables[*variable];
         }
+        self.program.compute(&Doubles, 0, workspace).expect("doubles have quotients by zero");
+        workspace[self.program.outputs[0].0]
     }
 }
 
@@ -149,7 +213,7 @@ pub fn formula(text: &str, known: &Known) -> Result<Formula, NoFormula> {
 /// # Errors
 /// The first mistake.
 pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formula, NoFormula> {
-    read(text, |tokens| Names { variables, known }.lower(&parse_formula(tokens)?))
+    read(text, |tokens| Names { variables, known }.formula(&parse_formula(tokens)?))
 }
 
 /// Formulas of the index of a site by name: `a = 1; b = i/n`.
@@ -160,7 +224,7 @@ pub fn formulas(text: &str, known: &Known) -> Result<Vec<(String, Formula)>, NoF
     read(text, |tokens| {
         let names = Names { variables: &OF_SITES, known };
         let formulas = parse_formulas(tokens)?.into_iter();
-        formulas.map(|(name, formula)| Ok((name.text, names.lower(&formula)?))).collect()
+        formulas.map(|(name, formula)| Ok((name.text, names.formula(&formula)?))).collect()
     })
 }
 
@@ -175,41 +239,72 @@ struct Names<'a> {
 }
 
 impl Names<'_> {
-    fn lower(&self, expr: &Expr<InFormula>) -> Result<Formula, Diagnostic> {
-        let lower = |expr: &Expr<InFormula>| self.lower(expr);
-        Ok(match &expr.kind {
-            ExprKind::Number(value) => Formula::Number(value.to_f64()),
+    fn formula(&self, expr: &Expr<InFormula>) -> Result<Formula, Diagnostic> {
+        let mut builder = Builder::default();
+        let value = self.lower(&mut builder, expr)?;
+        Ok(Formula::new(builder.finish(&[value])))
+    }
+
+    /// Adds the operations of an expression, and returns its value.
+    fn lower(&self, builder: &mut Builder, expr: &Expr<InFormula>) -> Result<Node, Diagnostic> {
+        let operation = match &expr.kind {
+            ExprKind::Number(value) => number(value.to_f64()),
             ExprKind::Name(name) => self.named(name, expr.span)?,
             ExprKind::Sum(terms) => {
-                let terms = terms.iter().map(|term| Ok((term.negative, lower(&term.expr)?)));
-                Formula::Sum(terms.collect::<Result<_, Diagnostic>>()?)
+                let terms = terms.iter().map(|term| (term.negative, &term.expr));
+                return self.chain(builder, terms, Operation::Add, Operation::Subtract);
             }
             ExprKind::Product(factors) => {
-                let factors = factors.iter().map(|factor| Ok((factor.divides, lower(&factor.expr)?)));
-                Formula::Product(factors.collect::<Result<_, Diagnostic>>()?)
+                let factors = factors.iter().map(|factor| (factor.divides, &factor.expr));
+                return self.chain(builder, factors, Operation::Multiply, Operation::Divide);
             }
-            ExprKind::Negation(inner) => Formula::Negation(Box::new(lower(inner)?)),
+            ExprKind::Negation(inner) => Operation::Negate(self.lower(builder, inner)?),
             ExprKind::Power(base, exponent) => {
-                Formula::Power(Box::new([lower(base)?, Formula::Number(*exponent as f64)]))
+                let base = self.lower(builder, base)?;
+                Operation::Call(Called::Power, base, builder.push(number(*exponent as f64)))
             }
             ExprKind::Special(InFormula::Power(parts)) => {
-                Formula::Power(Box::new([lower(&parts[0])?, lower(&parts[1])?]))
+                let [base, exponent] = &**parts;
+                let base = self.lower(builder, base)?;
+                Operation::Call(Called::Power, base, self.lower(builder, exponent)?)
             }
             ExprKind::Special(InFormula::Call { function, arguments }) => {
                 let (function, argument) = self.call(function, arguments, expr.span)?;
-                Formula::Call(function, Box::new(lower(argument)?))
+                let argument = self.lower(builder, argument)?;
+                Operation::Call(function, argument, argument)
             }
-        })
+        };
+        Ok(builder.push(operation))
+    }
+
+    /// Adds operands joined from left to right, each with whether `inverse` joins it. The first one
+    /// stands behind no operator.
+    fn chain<'a>(
+        &self,
+        builder: &mut Builder,
+        operands: impl Iterator<Item = (bool, &'a Expr<InFormula>)>,
+        operator: fn(Node, Node) -> Operation,
+        inverse: fn(Node, Node) -> Operation,
+    ) -> Result<Node, Diagnostic> {
+        let mut joined = None;
+        for (is_inverse, operand) in operands {
+            let operand = self.lower(builder, operand)?;
+            joined = Some(match joined {
+                None => operand,
+                Some(joined) => builder.push(if is_inverse { inverse } else { operator }(joined, operand)),
+            });
+        }
+        Ok(joined.expect("a sum has terms, and a product factors"))
     }
 
     /// The value or the variable of this name.
-    fn named(&self, name: &str, span: Span) -> Result<Formula, Diagnostic> {
+    fn named(&self, name: &str, span: Span) -> Result<Operation, Diagnostic> {
         let variable = self.variables.iter().position(|variable| *variable == name);
         let known = self.known.iter().find(|(known, _)| known == name);
         match (variable, known) {
-            (Some(variable), _) => Ok(Formula::Variable(variable)),
-            (None, Some((_, value))) => Ok(Formula::Number(*value)),
-            (None, None) if name == "pi" => Ok(Formula::Number(PI)),
+            (Some(variable), _) => Ok(Operation::Input(variable)),
+            (None, Some((_, value))) => Ok(number(*value)),
+            (None, None) if name == "pi" => Ok(number(PI)),
             (None, None) if FUNCTIONS.iter().any(|(function, _)| *function == name) => Err(mistake(
                 span,
                 format!("`{name}` is a function, and its argument is missing"),
@@ -230,8 +325,8 @@ impl Names<'_> {
         name: &str,
         arguments: &'a [Expr<InFormula>],
         span: Span,
-    ) -> Result<(Function, &'a Expr<InFormula>), Diagnostic> {
-        let Some((_, function)) = FUNCTIONS.iter().find(|(known, _)| *known == name) else {
+    ) -> Result<(Called, &'a Expr<InFormula>), Diagnostic> {
+        let Some(index) = FUNCTIONS.iter().position(|(known, _)| *known == name) else {
             let help = match self.named(name, span) {
                 Ok(_) => format!("for a product write `{name}*(…)`"),
                 Err(_) => format!("there are {}", functions()),
@@ -239,13 +334,17 @@ impl Names<'_> {
             return Err(mistake(span, format!("`{name}(…)` calls no function that is known here"), help));
         };
         match arguments {
-            [argument] => Ok((*function, argument)),
+            [argument] => Ok((Called::Named(index), argument)),
             _ => {
                 let message = format!("`{name}` is a function of one number, not of {}", arguments.len());
                 Err(mistake(span, message, format!("write `{name}(…)` without a comma")))
             }
         }
     }
+}
+
+fn number(value: f64) -> Operation {
+    Operation::Constant(Float::of(value))
 }
 
 /// The mistake of a name that means something else here, or nothing.
@@ -304,6 +403,25 @@ mod tests {
         ] {
             let found = formula(text, &[]).expect(text).at(3);
             assert_eq!(found.to_bits(), value.to_bits(), "{text}: {found}, not {value}");
+        }
+    }
+
+    #[test]
+    fn a_common_subexpression_is_computed_once() {
+        let once = formula("sin(i/2)", &[]).expect("a formula").program.operations.len();
+        let twice = formula("sin(i/2)*sin(i/2) - sin(i/2)", &[]).expect("a formula");
+        assert_eq!(twice.program.operations.len(), once + 2);
+        // 0 and −0 are two numbers, though they compare as equal.
+        let zeros = formula("m*i + z*i", &[("m".to_owned(), -0.0), ("z".to_owned(), 0.0)]);
+        assert_eq!(zeros.expect("a formula").at(1).to_bits(), 0_f64.to_bits());
+    }
+
+    #[test]
+    fn a_function_has_the_values_of_its_formula() {
+        let wave = formula("1 + 1/2*cos(2*pi*i/7)^3", &[]).expect("a formula");
+        let function = wave.clone().function();
+        for site in 0..7 {
+            assert_eq!(function(&[site as f64]).to_bits(), wave.at(site).to_bits(), "site {site}");
         }
     }
 

@@ -9,7 +9,7 @@ use kahan_lift::Lift;
 use kahan_runtime::Follow;
 
 use crate::error::StudyError;
-use crate::formula::{Formula, formula_of};
+use crate::formula::formula_of;
 use crate::lifted::{Fate, LiftFound, RelationFound};
 use crate::study::Study;
 use crate::subject::{Catalog, Subject};
@@ -29,7 +29,7 @@ enum Error {
     /// The distance of a new variable from its function, relative to functions above 1.
     Defined(usize),
     /// The function that is 0 where the relation holds, of all variables.
-    Function(Formula),
+    Function(Box<dyn Fn(&[f64]) -> f64>),
 }
 
 impl Error {
@@ -39,7 +39,7 @@ impl Error {
             Error::Defined(place) => {
                 (functions[*place] - point[states + place]).abs() / functions[*place].abs().max(1.0)
             }
-            Error::Function(formula) => formula.of(point).abs(),
+            Error::Function(function) => function(point).abs(),
         };
         if size.is_nan() { f64::INFINITY } else { size }
     }
@@ -94,7 +94,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
         Some(place) => Error::Defined(place),
         None => {
             let formula = formula_of(&names, &relation.text, known);
-            Error::Function(formula.expect("a relation is a formula of the variables"))
+            let formula = formula.expect("a relation is a formula of the variables");
+            Error::Function(Box::new(formula.function()))
         }
     };
     lift.relations.iter().map(error).collect()

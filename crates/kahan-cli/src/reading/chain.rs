@@ -78,7 +78,8 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     }
     let formula = formula(value, known, &option)?;
     let places = if formula.last_variable().is_some() { sites } else { 1 };
-    Ok((name, (0..places).map(|site| formula.at(site)).collect()))
+    let value = formula.function();
+    Ok((name, (0..places).map(|site| value(&[site as f64])).collect()))
 }
 
 /// The first state, all of it numbers.
@@ -87,7 +88,8 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
         of_file(start, arrays, sites)?
     } else {
         let formulas = in_order(formulas(start, known, "--start")?, arrays)?;
-        (0..sites).flat_map(|site| formulas.iter().map(move |formula| formula.at(site))).collect()
+        let values: Vec<_> = formulas.into_iter().map(Formula::function).collect();
+        (0..sites).flat_map(|site| values.iter().map(move |value| value(&[site as f64]))).collect()
     };
     match state.iter().position(|value| !value.is_finite()) {
         Some(place) => {

@@ -159,12 +159,13 @@ impl Plane {
     /// How far a point is from the section, as the formula measures it.
     pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
         let integrals = at.map().field().integrals().len();
+        let formula = self.0.clone().function();
         move |x| {
             let mut known: RuntimePoint<f64> = x.iter().copied().collect();
             known.resize(x.len() + integrals, 0.0);
             // The state is as long as the field has variables.
             let _ = at.integrals(x, &mut known[x.len()..]);
-            self.0.of(&known)
+            formula(&known)
         }
     }
 }
