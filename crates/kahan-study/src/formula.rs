@@ -18,8 +18,11 @@ use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Span, Token};
 use kahan_program::{Arithmetic, Calls, Float, Function, Node, Program};
 
+/// A function of one number.
+type Unary = fn(f64) -> f64;
+
 /// What can be called, by name.
-const FUNCTIONS: [(&str, fn(f64) -> f64); 15] = [
+const FUNCTIONS: [(&str, Unary); 15] = [
     ("sin", f64::sin),
     ("cos", f64::cos),
     ("tan", f64::tan),

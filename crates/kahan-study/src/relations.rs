@@ -24,12 +24,15 @@ pub struct RelationErrors {
     pub steps: u64,
 }
 
+/// A function of all variables.
+type OfPoint = Box<dyn Fn(&[f64]) -> f64>;
+
 /// The error of a relation at a point.
 enum Error {
     /// The distance of a new variable from its function, relative to functions above 1.
     Defined(usize),
     /// The function that is 0 where the relation holds, of all variables.
-    Function(Box<dyn Fn(&[f64]) -> f64>),
+    Function(OfPoint),
 }
 
 impl Error {
