@@ -87,7 +87,7 @@ const ALGEBRA: Layered = Layered {
 const PLAN: Layered = Layered {
     folder: "crates/kahan-algebra",
     name: "kahan_algebra",
-    module: Some(("plan", &["Cost", "Node"])),
+    module: Some(("plan", &[])),
     layers: &[
         "operation",
         "cost",

@@ -1,6 +1,7 @@
 //! Plans as programs: what their inputs and constants are.
 
 use kahan_program::Program;
+pub use kahan_program::{Cost, Node};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
 
