@@ -1,7 +1,7 @@
 //! Straight lines: which operations are computed in which order, every common subexpression once.
 //!
 //! A plan is data. The emitter turns it into Rust, and [`evaluate`](kahan_program::Program::evaluate) runs the same operations
-//! in the same order in any [`Arithmetic`]: rationals, a prime field, dual numbers, degree bounds,
+//! in the same order in any [`Arithmetic`](kahan_program::Arithmetic): rationals, a prime field, dual numbers, degree bounds,
 //! rational functions, floats.
 //!
 //! For most plans `horner` nests polynomials, and that is all. A step is computed billions of
