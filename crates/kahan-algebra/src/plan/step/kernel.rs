@@ -3,7 +3,7 @@
 use crate::plan::{Node, Plan};
 
 /// From the states and the prepared constants
-/// ([`Operation::Prepared`](crate::plan::Input::Prepared)) to the factors of the increments:
+/// ([`Input::Prepared`](crate::plan::Input::Prepared)) to the factors of the increments:
 /// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
