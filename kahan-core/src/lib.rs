@@ -7,8 +7,8 @@
 //!
 //! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories
 //! at once. It must not know syntax, polynomials or claims: these are `kahan-algebra`'s, while
-//! compiling. The setting that reaches a tolerance, periodic points and the solution of the equation
-//! itself are found by the crate `kahan-dynamics`.
+//! compiling. The crate `kahan-dynamics` finds the setting that reaches a tolerance, periodic
+//! points and the solution of the equation itself.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -60,8 +60,8 @@
 //! | tangent vectors, an observer of one's own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
 //! | what is inside: modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
-//! With the feature `serde` numbers, points, crossings and reports can be stored; `serde_json` reads
-//! back every bit with its feature `float_roundtrip`. Without default features the crate is
+//! With the feature `serde` numbers, points, crossings and reports can be stored; `serde_json`
+//! reads back every bit with its feature `float_roundtrip`. Without default features the crate is
 //! `no_std`; float scalars never allocate in any configuration.
 
 #![no_std]

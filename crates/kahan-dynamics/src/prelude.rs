@@ -1,5 +1,6 @@
-//! What a file that asks about orbits wants in scope beside `kahan_core::prelude::*`:
-//! `use kahan_dynamics::prelude::*;`.
+//! Names for files that search settings, follow the flow or find cycles.
+//!
+//! `use kahan_dynamics::prelude::*;` stands beside `use kahan_core::prelude::*;`.
 
 pub use crate::periodic::{Stability, branch, periodic_point};
 pub use crate::{Flow, Need, Scene, Setting};

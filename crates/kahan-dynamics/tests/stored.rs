@@ -24,8 +24,8 @@ fn comes_back<T>(value: &T)
 where
     T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug,
 {
-    // By way of a `Value`, which the workspace's serde_json keeps as text: floats read from a text at
-    // once take its feature `float_roundtrip`.
+    // A `Value` of the workspace's serde_json keeps numbers as text. Reading floats from JSON
+    // directly needs the feature `float_roundtrip`.
     let text = to_string(value).unwrap();
     assert_eq!(read::<T>(&text), *value, "{text}");
 }

@@ -125,8 +125,8 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim: `density`, `bracket_NAME`, `drift_NAME`; of one that is made `when`
-/// something holds `density_NAME`, or the name of an integral.
+/// Expands to the method of a claim: `density`, `bracket_NAME` or `drift_NAME`. A claim with `when`
+/// has `density_NAME`, or the name of its integral.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

@@ -177,8 +177,8 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`:
-    /// the results of a plan, written to these places of these slices.
+    /// Expands to a function that writes the results of a plan to these places of these slices:
+    /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
         let inputs = self.emit_inputs(plan, &self.lines.symbols);

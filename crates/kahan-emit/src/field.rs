@@ -66,8 +66,8 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`: those of the plans, or calls of `__Coupled`'s, which
-/// take ε where coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`: the plans, or calls of `__Coupled`'s methods,
+/// which take ε where coefficients depend on it.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

@@ -1,4 +1,4 @@
-//! What a program runs in.
+//! Arithmetics, in which programs run: field operations on values, and functions of them.
 
 use core::convert::Infallible;
 

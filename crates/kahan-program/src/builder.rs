@@ -11,7 +11,7 @@ use crate::operation::{Function, Node, Operation};
 use crate::{Numbered, Program};
 
 /// Constants that a [`Builder`] simplifies with.
-pub trait Exact: Clone + Eq + Hash {
+pub trait ExactConstant: Clone + Eq + Hash {
     /// The number 1.
     fn one() -> Self;
     /// Whether this is the integer n.
@@ -128,7 +128,7 @@ where
 impl<I, C, F> Builder<I, C, F>
 where
     I: Clone + Eq + Hash,
-    C: Exact,
+    C: ExactConstant,
     F: Function + Clone + Eq + Hash,
 {
     fn is_constant(&self, node: Node, n: i64) -> bool {

@@ -1,9 +1,9 @@
-//! What a program costs: operations counted, and the length of the critical path to a result; and
+//! The cost of a program: its operations, and the length of the critical path to a result. Also
 //! multiply-adds, where they do not make that path longer.
 //!
 //! The latencies are those of the x86-64 cores of the last ten years, in cycles; others differ by
-//! one or two, which changes no choice between programs by much. They serve to compare programs, and
-//! never enter a promise.
+//! one or two, which changes no choice between programs by much. They serve to compare programs,
+//! and never enter a promise.
 //!
 //! A multiply-add saves an instruction and takes 4 cycles from the last of its operands, where an
 //! addition takes 3. So it is right unless the addend comes late on the critical path that
@@ -154,8 +154,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// Returns the latest cycle in which each operation may be ready without making the critical path
-    /// longer.
+    /// Returns the latest cycle in which each operation may be ready without lengthening the
+    /// critical path.
     #[must_use]
     pub fn required(&self) -> Vec<u32> {
         let critical_path = self.cost().critical_path;

@@ -27,7 +27,7 @@ mod run;
 mod text;
 
 pub use arithmetic::{Arithmetic, Calls};
-pub use builder::{Builder, Exact};
+pub use builder::{Builder, ExactConstant};
 pub use cost::Cost;
 pub use numbered::Numbered;
 pub use operation::{Float, Function, Node, Operation};

@@ -26,11 +26,6 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns this program with its operations and outputs borrowed.
-    pub fn borrowed(&self) -> Program<&[Operation<I, C, F>], &[Node]> {
-        Program { operations: &self.operations, outputs: &self.outputs }
-    }
-
     /// Returns how many times each operation is used, as an operand or as an output.
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
@@ -62,14 +57,6 @@ where
             }
         }
         needed
-    }
-
-    /// Whether every operand stands before its use, and every output is an operation.
-    #[must_use]
-    pub fn is_well_formed(&self) -> bool {
-        let mut operations = self.operations.iter().enumerate();
-        operations.all(|(index, operation)| operation.operands().all(|operand| operand.0 < index))
-            && self.outputs.iter().all(|output| output.0 < self.operations.len())
     }
 
     /// Returns the inputs that the program reads, each once.

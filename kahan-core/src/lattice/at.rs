@@ -64,8 +64,8 @@ impl<T: LatticeScalar> Memory<T> {
         }
     }
 
-    /// So many steps at the ε of these constants, in place. An exact scalar stops at a pole, with
-    /// the state before.
+    /// Takes `steps` steps in place, at the ε that the constants were prepared for. An exact scalar
+    /// stops at a pole and leaves the state before it.
     fn advance<M: Family<T>>(
         &mut self,
         map: &M,

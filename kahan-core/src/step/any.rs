@@ -88,8 +88,9 @@ pub trait Step {
     /// ε, half the time step.
     fn eps(&self) -> &Self::Scalar;
 
-    /// Replaces `x` by the state so many steps later: [`advance`](Self::advance) in a workspace of
-    /// its own.
+    /// Replaces `x` by the state after `steps` steps.
+    ///
+    /// Each call makes a workspace; [`advance`](Self::advance) takes one from its caller.
     ///
     /// # Errors
     /// # Panics
@@ -98,8 +99,9 @@ pub trait Step {
         self.advance(x, steps, &mut Workspace::new())
     }
 
-    /// Replaces `x` by the state one step at another ε later: [`part`](Self::part) in a workspace
-    /// of its own.
+    /// Replaces `x` by the state after one step at another ε.
+    ///
+    /// Each call makes a workspace; [`part`](Self::part) takes one from its caller.
     ///
     /// # Errors
     /// # Panics
@@ -108,8 +110,9 @@ pub trait Step {
         self.part(eps, x, &mut Workspace::new())
     }
 
-    /// Replaces `x` by the state so many steps later, computing in `workspace`: for loops, whose
-    /// calls share one. Others call [`run`](Self::run).
+    /// Replaces `x` by the state after `steps` steps, and computes in `workspace`.
+    ///
+    /// Loops share one workspace among their calls; [`run`](Self::run) needs none.
     ///
     /// Its steps do not allocate. A call may, once: a chain where it finds no memory of its own in
     /// the workspace, and what wraps a map whose states are vectors.

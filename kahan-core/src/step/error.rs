@@ -68,7 +68,7 @@ impl SingularStep {
         Self::new(0.0, eps)
     }
 
-    /// Why there is no step.
+    /// Returns the reason why there is no step.
     ///
     /// ```
     /// use kahan_core::Reason;

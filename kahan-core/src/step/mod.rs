@@ -70,7 +70,7 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
 
 /// A prepared step whose constants can be spread over the lanes of a vector register.
 pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
-    /// The same step over another scalar; `NoLanes` where `HAS_LANES` is false.
+    /// This step over another scalar; `NoLanes` where `HAS_LANES` is false.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// Each constant spread over the lanes of `L`.

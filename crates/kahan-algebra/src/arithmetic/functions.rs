@@ -2,7 +2,7 @@
 //! that a value is zero exactly when its numerator has no terms. No gcd is taken; common
 //! denominators and quotients share their factors.
 //!
-//! Work is bounded: once the budget is spent every further value is `None`, and nothing can be said.
+//! Work is bounded: once the budget is spent, every further value is `None`.
 
 use std::cell::RefCell;
 

@@ -12,7 +12,7 @@
 //! A form whose errors are beyond the limits is refused if another form stays well within them.
 //! Every form says up to which size its errors are certain to be within the limits.
 
-mod program;
+mod float_plan;
 mod trial;
 
 use std::cell::OnceCell;
@@ -23,7 +23,7 @@ use crate::field::Field;
 use crate::prime_field::SplitMix64;
 
 use super::{LARGEST_SIZE, Plan, StepPlan};
-use program::{Program, short};
+use float_plan::{FloatPlan, short};
 use trial::{Elimination, Trial};
 
 /// All sizes ‖εf′‖∞ that are looked at.
@@ -99,7 +99,7 @@ impl<'a> Accuracy<'a> {
     /// Whether a form that carries tangent vectors from x to x̃ stays within the limits that a step
     /// is refused beyond; this is the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
-        let program = Program::of(carry);
+        let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
         let error = |trial: &Trial| {
             let inputs: Vec<f64> = trial.inputs.iter().chain(&trial.next[..n]).copied().collect();
@@ -148,13 +148,13 @@ impl Loss {
 /// A step made ready to be run in short floats.
 struct Runner<'a> {
     step: &'a StepPlan,
-    constants: Program<'a>,
-    kernel: Program<'a>,
+    constants: FloatPlan<'a>,
+    kernel: FloatPlan<'a>,
 }
 
 impl<'a> Runner<'a> {
     fn of(step: &'a StepPlan) -> Self {
-        Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel.plan) }
+        Runner { step, constants: FloatPlan::of(&step.constants), kernel: FloatPlan::of(&step.kernel.plan) }
     }
 
     /// The ratios of its errors to what they may be.

@@ -64,8 +64,8 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Returns a node for every operation of another plan, by its index there: `make` makes it, given
-    /// those before it.
+    /// Returns a node for every operation of another plan, by its index there. `make` makes a node
+    /// from the index and the nodes before it.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

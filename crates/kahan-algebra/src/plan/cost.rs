@@ -1,4 +1,5 @@
-//! What plans are compared by, beside their [cost](kahan_program::cost).
+//! When sums and products of several values are ready: estimates that compare plans, beside their
+//! [cost](kahan_program::cost).
 
 use std::cmp::Reverse;
 

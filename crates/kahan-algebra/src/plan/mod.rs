@@ -1,8 +1,12 @@
 //! Straight lines: which operations are computed in which order, every common subexpression once.
 //!
-//! A plan is data. The emitter turns it into Rust, and [`evaluate`](kahan_program::Program::evaluate) runs the same operations
-//! in the same order in any [`Arithmetic`](kahan_program::Arithmetic): rationals, a prime field, dual numbers, degree bounds,
-//! rational functions, floats.
+//! A plan is data, a [`Program`] with exact constants. The emitter turns it into Rust, and
+//! [`Program::evaluate`] runs its operations in their order in any [`Arithmetic`]:
+//! rationals, a prime field, dual numbers, degree bounds, rational functions, floats.
+//!
+//! [`Program`]: kahan_program::Program
+//! [`Program::evaluate`]: kahan_program::Program::evaluate
+//! [`Arithmetic`]: kahan_program::Arithmetic
 //!
 //! For most plans `horner` nests polynomials, and that is all. A step is computed billions of
 //! times, so five modules take more care of its plan, each of which needs those before it only:

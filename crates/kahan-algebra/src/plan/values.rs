@@ -62,9 +62,9 @@ impl Values {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Puts values into a plan in the place of some variables: `value` is the place of the value that a
-    /// variable of the plan stands for, or what the variable is called in the new plan. `rename` is
-    /// what a variable in a value is called there.
+    /// Replaces variables of a plan by values. `value` returns the place of the value that replaces a
+    /// variable, or the variable's name in the new plan. `rename` returns the name there of a
+    /// variable that occurs in a value.
     fn put_in(
         &self,
         plan: &Plan,

@@ -115,8 +115,8 @@ impl Scene {
     /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole
     /// horizon, and settings are run and compared with it at every one of their steps: the one that
     /// is chosen was seen to err by at most 0.85 of the tolerance, roundings among it. An orbit in
-    /// [`Dd`](kahan_core::Dd) that came to within a tenth of the tolerance vouches for the flow. All of
-    /// this is deterministic, so the choice run again from the same point errs by the same. What is
+    /// [`Dd`](kahan_core::Dd) that came to within a tenth of the tolerance vouches for the flow. All
+    /// of this is deterministic, so the choice run again from the same point errs by the same. What is
     /// known of it ends with the horizon, and with the point.
     ///
     /// For [`Need::Integrals`] no composition is considered. ε‖f′‖∞ is at most 1 at the start, and

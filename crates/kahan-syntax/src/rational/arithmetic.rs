@@ -188,7 +188,7 @@ macro_rules! forward_by_value {
 }
 forward_by_value!(Add add, Sub sub, Mul mul);
 
-impl kahan_program::Exact for Rational {
+impl kahan_program::ExactConstant for Rational {
     fn one() -> Self {
         Rational::one()
     }

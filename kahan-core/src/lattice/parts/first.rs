@@ -50,8 +50,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let First { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // What is left of a part is small and dense: the last interior columns, the separator to
-        // the right, the one to the left, right-hand sides.
+        // The rest of a part is small and dense: the last interior columns, the separator to the
+        // right, the one to the left, right-hand sides.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(joints::size(s));

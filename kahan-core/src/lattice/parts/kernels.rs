@@ -1,4 +1,4 @@
-//! The kernels of a pass over all groups, chosen by the sizes of a family, and divided among threads.
+//! The kernels of a pass over all groups, which the sizes of a family choose, and threads share.
 //!
 //! In: a pass. Out: what its kernel makes of it, on the lanes of a level. A group's numbers depend
 //! on no other group, so threads change no bit.
@@ -115,8 +115,7 @@ pub(super) fn batches(
     })
 }
 
-/// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that
-/// AVX2 has.
+/// Whether two sets of `rows` rows with `numbers` numbers each fit the sixteen registers of AVX2.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

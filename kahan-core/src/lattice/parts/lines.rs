@@ -104,7 +104,8 @@ impl<
         row
     }
 
-    /// A row of site r of the separator to the left, which no part before this one sees to the left.
+    /// Returns a row of site r of the left separator, without its entries to the left, which belong
+    /// to the part before.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

@@ -103,7 +103,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // What the unknowns after the current one gain, beginning with the right separator's.
+            // The increments of the unknowns after the current one, beginning with the right separator's.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {

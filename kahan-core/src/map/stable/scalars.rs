@@ -35,7 +35,7 @@ impl Promised for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// Steps in more variables multiply so many factors that products of ordinary numbers leave the
+    /// In more variables a step multiplies many factors. Products of ordinary numbers then leave the
     /// range of `f32`, and nearly every step would be computed in `f64` after all.
     const MOST_VARIABLES: usize = 4;
 

@@ -33,8 +33,8 @@ fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
 
 /// eˣ, off by at most 12u² relatively.
 ///
-/// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r is off by 6u²|r|, the last sum rounds by 3u², and eʳ − 1,
-/// which is off by 14u² relatively besides, is at most 0.42 of the value.
+/// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r is off by 6u²|r|, the last sum rounds by 3u², and
+/// eʳ − 1, which is off by 14u² relatively besides, is at most 0.42 of the value.
 pub(super) fn exp(x: Dd) -> Dd {
     // Beyond, the value is 0 or infinite, or not a number.
     if x.is_nan() || x.high.abs() > 800.0 {
@@ -64,8 +64,8 @@ pub(super) fn ln(x: Dd) -> Dd {
     (twice * tail + twice + Dd::from(k) * REST_OF_LN_2) + Dd::from(k * LN_2)
 }
 
-/// sin x and cos x, each off by at most 16u² relatively and 2⁻¹⁵⁵|x| besides; not a number beyond
-/// |x| = 2⁴⁰.
+/// sin x and cos x, each off by at most 16u² relatively and 2⁻¹⁵⁵|x| besides; NaN where
+/// |x| > 2⁴⁰.
 ///
 /// With x = k·π/2 + r and |r| ≤ π/4, r is off by 6u²|r|, and, where x is cancelled, by 6u² of the
 /// second part of k·π/2. The last sum rounds by 3u²; the terms behind it are off by 38u² of at most

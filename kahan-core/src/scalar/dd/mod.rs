@@ -32,7 +32,7 @@ mod traits;
 /// | `*` | 5u² | DWTimesDW2, or 1 without fused multiply-adds: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
 /// | `/`, `recip` | 14u² | one correction of the quotient; the terms stand beside the code |
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
-/// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument; the terms stand beside the code |
+/// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument |
 /// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | likewise |
 /// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 16u² of the product and 5u² of the result | not normalised between the two |
 ///
@@ -142,8 +142,8 @@ impl Dd {
         elementary::ln(self)
     }
 
-    /// sin self and cos self, each off by at most 16u² relatively and by 2⁻¹⁵⁵·|self| besides; not a
-    /// number beyond 2⁴⁰ in size.
+    /// Returns sin self and cos self, each off by at most 16u² relatively and by 2⁻¹⁵⁵·|self|
+    /// besides; NaN where |self| > 2⁴⁰.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         elementary::sin_cos(self)

@@ -100,7 +100,7 @@ fn arguments(most: i32, period: f64) -> Vec<Dd> {
 fn exponentials_are_within_their_bound() {
     for x in arguments(6, core::f64::consts::LN_2 / 2.0) {
         let exact = exp(&fixed(x));
-        // What is small has lost digits at 700 bits after the point.
+        // Small values have fewer significant digits at 700 bits after the point.
         assert_within(x.exp(), &exact, 12, 500, x);
     }
     assert_eq!(Dd::from(0.0).exp(), Dd::from(1.0));

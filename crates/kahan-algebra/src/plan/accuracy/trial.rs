@@ -6,7 +6,7 @@ use crate::plan::plan_of;
 use crate::prime_field::SplitMix64;
 
 use super::super::Plan;
-use super::program::{Program, SHORT_UNIT, short};
+use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 
 /// A point with its next one.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
     /// f′ row by row, then f, both over the denominators that come last.
-    values: Program<'a>,
+    values: FloatPlan<'a>,
 }
 
 impl Trial {
@@ -96,7 +96,7 @@ impl<'a> Elimination<'a> {
 
     pub(super) fn of(field: &Field, plan: &'a Plan) -> Self {
         let (states, parameters) = (field.dimension(), field.symbols.parameters.len());
-        Elimination { states, parameters, values: Program::of(plan) }
+        Elimination { states, parameters, values: FloatPlan::of(plan) }
     }
 
     /// The rows of f′, with f as their last column.

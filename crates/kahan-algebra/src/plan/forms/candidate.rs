@@ -34,8 +34,8 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Makes a form from its numerators, each with the reciprocal that it is multiplied by and whether
-    /// that changes its sign. A numerator that is 0 has no reciprocal.
+    /// Makes a form from its numerators. Each comes with the reciprocal that multiplies it, and with
+    /// whether the product changes its sign. A numerator that is 0 has no reciprocal.
     pub(in crate::plan) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,

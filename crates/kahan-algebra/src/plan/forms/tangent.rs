@@ -25,9 +25,9 @@ const ORDERS: usize = 3;
 /// The most operations of Cramer's rule in one block; numbers along a line take no more beyond.
 const MOST_OPERATIONS: usize = 300;
 
-/// ṽ, a component a result, from x, v and x̃, whose components are the first half of the second
-/// states: the form of the fewest operations that keeps its digits in long steps. `None` where
-/// there is none.
+/// Returns the plan of ṽ from x, v and x̃, one result a component; the components of x̃ are the first
+/// half of the second states. Of the forms that keep their digits in long steps it is the one with
+/// the fewest operations; `None` if every form loses digits.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

@@ -17,19 +17,19 @@ pub(super) fn short(value: f64) -> f64 {
 }
 
 /// A plan with its constants as floats.
-pub(super) struct Program<'a> {
+pub(super) struct FloatPlan<'a> {
     plan: &'a Plan,
     /// A value an operation, those of constants being known.
     start: Vec<f64>,
 }
 
-impl<'a> Program<'a> {
+impl<'a> FloatPlan<'a> {
     pub(super) fn of(plan: &'a Plan) -> Self {
         let value = |operation: &Operation| match operation {
             Operation::Constant(value) => value.to_f64(),
             _ => 0.0,
         };
-        Program { plan, start: plan.operations.iter().map(value).collect() }
+        FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
     /// Returns the results, everything being rounded by `round`; `inputs` by the index of their
