@@ -45,17 +45,17 @@ def size(values: Range | Array) -> int | None:
     return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
 
 
-def axes_of(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> list[dict[str, Any]]:
+def axes_of(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> dict[str, str | list[str]]:
     """The axes of a question, exactly."""
-    def axis(name: str, values: Range | Array) -> dict[str, Any]:
+    def axis(name: str, values: Range | Array) -> str | list[str]:
         if isinstance(values, str):
-            return {"name": name, "range": values}
+            return values
         if not isinstance(values, tuple) and has_lists:
-            return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
+            return [exact(value, name) for value in np.asarray(values).ravel()]
         if not isinstance(values, tuple) or len(values) != 3:
             lists = "an array, " if has_lists else ""
             raise TypeError(f'over: {name} is (low, high, count), {lists}or text as "0:1:+1/10"')
         low, high, count = values
-        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{whole(count, name)}"}
+        return f"{exact(low, name)}:{exact(high, name)}:{whole(count, name)}"
 
-    return [axis(name, values) for name, values in (over or {}).items()]
+    return {name: axis(name, values) for name, values in (over or {}).items()}

@@ -550,7 +550,7 @@ class System(Formulas):
             observe = (observe,)
         of = None if observe is None else [choice(name, "observable") for name in observe]
         found = self._ask("observe", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
-                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, reembed=reembed, of=of)
+                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, reembed=reembed, observe=of)
         names = [name for name in ("spectrum", "spectrum_errors") if name in found]
         spectrum = {name: np.array(found[name], dtype=float) for name in names}
         return Answer(found | spectrum)
@@ -571,7 +571,7 @@ class System(Formulas):
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         found = self._ask("section", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                          plane=plane, side=choice(direction, "direction"), points=whole(points, "points"), reembed=reembed)
+                          plane=plane, direction=choice(direction, "direction"), points=whole(points, "points"), reembed=reembed)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
                        int(found["jumps"]), nearest(eps, "eps"))
@@ -599,17 +599,15 @@ class System(Formulas):
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
-        if eps is None:
-            eps = axes[list(over).index("eps")].get("values", [1])[0]
         seen, column = observable(color)
         if seen not in CHOICES["observable"]:
             raise ValueError(f"color: {unknown('column', color, colors(self.variables, self.integrals))}")
         self._has_drift("color", [seen])
-        question = {"ask": "observe", "at": self._point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
-                    "order": whole(order, "order"), "escape": escape, "reembed": reembed,
-                    "of": [seen]}
-        columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
-                                    threads=_whole(threads, "threads"), listener=listener(progress))
+        question = {"ask": "observe", "at": self._point(x), "steps": whole(steps, "steps"), "order": whole(order, "order"),
+                    "escape": escape, "reembed": reembed, "observe": [seen], "over": axes}
+        if eps is not None:
+            question["eps"] = exact(eps, "eps")
+        columns, _, _ = self._table(json.dumps(question), threads=_whole(threads, "threads"), listener=listener(progress))
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
@@ -639,13 +637,13 @@ class System(Formulas):
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
         return Answer(self._ask("periodic", at=self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"), period=whole(period, "period"),
-                                over=axes[0] if axes else None))
+                                over=axes))
 
     def heights(self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
-                max_digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:
+                digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:
         """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
         return Answer(self._ask("heights", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
-                                max_digits=_whole(max_digits, "max_digits"), seconds=seconds))
+                                digits=_whole(digits, "digits"), seconds=seconds))
 
     def poles(self, eps: Number | None = None, *, dt: Number | None = None, steps: int | None = None, seconds: float | None = None,
               progress: bool = False) -> Answer:
@@ -674,7 +672,7 @@ class System(Formulas):
         ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
         ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
         """
-        return Answer(self._ask("scan", progress, axes=axes_of(over, has_lists=False), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
+        return Answer(self._ask("scan", progress, over=axes_of(over, has_lists=False), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
                                 degree=_whole(degree, "degree"), seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,

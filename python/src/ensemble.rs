@@ -77,8 +77,13 @@ impl Field {
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
-        let observe =
-            Observe { every, escape, reembed, of, ..Observe::new(Rational::zero(), Vec::new(), steps) };
+        let observe = Observe {
+            every,
+            escape,
+            reembed,
+            observe: of,
+            ..Observe::new(Rational::zero(), Vec::new(), steps)
+        };
         observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
@@ -293,7 +298,7 @@ impl Many<f64> {
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
         // Turns are counted by a second run.
-        let runs = if asked.of.contains(&Observable::Rotation) { 2 } else { 1 };
+        let runs = if asked.observe.contains(&Observable::Rotation) { 2 } else { 1 };
         // Few enough that all threads have some.
         let together = (AT_ONCE / self.steps.max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();

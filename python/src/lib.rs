@@ -23,7 +23,7 @@ use std::ffi::OsString;
 
 use kahan_draw::picture::Chart;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{Catalog, Method, Observable, Side, Systems};
+use kahan_study::{Catalog, Direction, Method, Observable, Systems};
 use pyo3::prelude::*;
 
 /// The border; its names are those of the package `kahan`.
@@ -56,7 +56,7 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     let (system, family) =
         known.partition(|name| Systems.find(name).is_some_and(|known| known.type_name.is_some()));
     [
-        ("direction", Side::ALL.map(Side::name).to_vec()),
+        ("direction", Direction::ALL.map(Side::name).to_vec()),
         ("method", Method::ALL.map(Method::name).to_vec()),
         ("observable", Observable::ALL.iter().map(|one| one.name()).collect()),
         ("scalar", ScalarKind::ALL.map(ScalarKind::name).to_vec()),

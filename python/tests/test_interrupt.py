@@ -19,7 +19,7 @@ LONG = [
     "o = s.orbit([1, 2, 3], 0.01, 2*10**8, every=10**8); o.gradient(o.x)",
     # Steps of these numbers take seconds each.
     "lorenz.orbit([1, 2, 3], '1/70', 30, scalar='exact')",
-    "lorenz.heights([1, 2, 3], '1/70', 30, max_digits=10**9, seconds=1000)",
+    "lorenz.heights([1, 2, 3], '1/70', 30, digits=10**9, seconds=1000)",
     "while True: s.step(many, 0.01)",
     "while True: s.try_step(many, 0.01)",
     "s.ensemble(many, 0.001, 10**9)",

@@ -520,7 +520,7 @@ function wire() {
   for (const made of document.querySelectorAll('[data-copy]')) made.onclick = () => copy(made.dataset.copy, made)
   for (const made of document.querySelectorAll('[data-found]')) made.onclick = () => copyFound(made.dataset.found)
   $('search').onclick = search
-  $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at.at(-1)?.split(',') || [], steps: 60, max_digits: 20000, seconds: 10 }, ({ answer, html }) => {
+  $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at.at(-1)?.split(',') || [], steps: 60, digits: 20000, seconds: 10 }, ({ answer, html }) => {
     set('heights-shown', html)
     $('heights-stage').textContent = `Growth is ${answer.growth}, over ${answer.steps} steps.`
   })

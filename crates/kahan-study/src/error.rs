@@ -72,6 +72,11 @@ pub enum StudyError {
         /// How many coordinates were given.
         given: usize,
     },
+    /// Variables of a question over axes have no first values.
+    MissingCoordinates {
+        /// Which ones.
+        names: Vec<String>,
+    },
     /// A new variable of a lifted field has no value at a point.
     NotEmbedded {
         /// The new variable.
@@ -269,6 +274,10 @@ impl fmt::Display for StudyError {
             Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
                 write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
+            }
+            Self::MissingCoordinates { names } => {
+                let (names, first) = (names.join("`, `"), &names[0]);
+                write!(f, "`{names}` has no first value; give it one in `over`, as {first} = 1 or {first} = \"0:1:11\"")
             }
             Self::NotEmbedded { variable, expression } => write!(
                 f,

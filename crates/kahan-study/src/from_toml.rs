@@ -1,8 +1,13 @@
 //! Questions and subjects as TOML, which has the names and the values that JSON has.
 
+use std::ops::Range;
+
 use serde::de::DeserializeOwned;
-use serde_json::{Number, Value};
+use serde_json::{Map, Number, Value};
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+use crate::misread;
 
 /// Reads from TOML what reads itself from JSON: a [`Question`](crate::Question), a
 /// [`Subject`](crate::Subject). A number is taken from its text, so that 0.1 is one tenth.
@@ -16,31 +21,103 @@ use toml::de::{DeTable, DeValue};
 /// ```
 ///
 /// # Errors
-/// The mistake in words: one of TOML with its place, one of a value with what is expected.
+/// The mistake in words: one of TOML with its line, one of a value with what is expected.
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    let table = DeTable::parse(text).map_err(|mistake| mistake.to_string())?;
-    T::deserialize(of_table(table.get_ref())?).map_err(|mistake| mistake.to_string())
+    let document = TomlDocument::parse(text);
+    let object = document.and_then(|document| document.to_json());
+    let object = object.map_err(|(line, why)| format!("line {line}: {why}"))?;
+    misread::read(Value::Object(object)).map_err(|mistake| mistake.to_string())
 }
 
-fn of_table(table: &DeTable<'_>) -> Result<Value, String> {
-    table.iter().map(|(key, value)| Ok((key.get_ref().to_string(), json(value.get_ref())?))).collect()
+/// A text in TOML that knows the line of each of its values.
+#[derive(Debug)]
+pub struct TomlDocument<'t> {
+    text: &'t str,
+    root: Spanned<DeTable<'t>>,
 }
 
-fn json(value: &DeValue<'_>) -> Result<Value, String> {
-    Ok(match value {
+/// A mistake behind its line, from 1 on.
+type Misplaced = (usize, String);
+
+impl<'t> TomlDocument<'t> {
+    /// Reads a text.
+    ///
+    /// # Errors
+    /// The first mistake in the grammar of TOML, behind its line.
+    pub fn parse(text: &'t str) -> Result<Self, Misplaced> {
+        let root = DeTable::parse(text).map_err(|mistake| {
+            (line_of(text, mistake.span().unwrap_or_default()), mistake.message().to_owned())
+        })?;
+        Ok(TomlDocument { text, root })
+    }
+
+    /// Returns the object of JSON with the same values, in the order of the text.
+    ///
+    /// # Errors
+    /// A value that JSON does not have, behind its line.
+    pub fn to_json(&self) -> Result<Map<String, Value>, Misplaced> {
+        of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
+    }
+
+    /// Returns the line, from 1 on, of the value at a path of names and of numbers from 0 on; of the
+    /// last value on the way where the path leads out of the document.
+    #[must_use]
+    pub fn line(&self, path: &[String]) -> usize {
+        let place = in_table(self.root.get_ref(), path);
+        line_of(self.text, place.unwrap_or_else(|| self.root.span()))
+    }
+}
+
+/// Returns the place of the last value on a path that begins with a name of a table.
+fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
+    let (name, rest) = path.split_first()?;
+    let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
+    Some(inside(value, rest).unwrap_or_else(|| key.span()))
+}
+
+/// Returns the place of the last value on a path that leads into a value.
+fn inside(value: &Spanned<DeValue<'_>>, path: &[String]) -> Option<Range<usize>> {
+    match value.get_ref() {
+        DeValue::Table(table) => in_table(table, path),
+        DeValue::Array(list) => {
+            let (place, rest) = path.split_first()?;
+            let value = list.get(place.parse::<usize>().ok()?)?;
+            Some(inside(value, rest).unwrap_or_else(|| value.span()))
+        }
+        _ => None,
+    }
+}
+
+fn line_of(text: &str, span: Range<usize>) -> usize {
+    let before = &text.as_bytes()[..span.start.min(text.len())];
+    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// A value that JSON does not have, with its place.
+type NoJson = (Range<usize>, String);
+
+fn of_table(table: &DeTable<'_>) -> Result<Map<String, Value>, NoJson> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries.into_iter().map(|(key, value)| Ok((key.get_ref().to_string(), json(value)?))).collect()
+}
+
+fn json(value: &Spanned<DeValue<'_>>) -> Result<Value, NoJson> {
+    let refused = |why: String| (value.span(), why);
+    Ok(match value.get_ref() {
         DeValue::String(text) => Value::String(text.to_string()),
-        DeValue::Integer(whole) if whole.radix() == 10 => number(whole.as_str())?,
+        DeValue::Integer(whole) if whole.radix() == 10 => number(whole.as_str()).map_err(refused)?,
         DeValue::Integer(whole) => match u64::from_str_radix(whole.as_str(), whole.radix()) {
             Ok(number) => Value::from(number),
-            Err(_) => return Err(format!("`{whole}` is too large")),
+            Err(_) => return Err(refused(format!("`{whole}` is too large"))),
         },
-        DeValue::Float(float) => number(float.as_str())?,
+        DeValue::Float(float) => number(float.as_str()).map_err(refused)?,
         DeValue::Boolean(flag) => Value::Bool(*flag),
-        DeValue::Datetime(date) => return Err(format!("`{date}` is a date, for which nothing asks")),
-        DeValue::Array(values) => {
-            values.iter().map(|value| json(value.get_ref())).collect::<Result<_, _>>()?
+        DeValue::Datetime(date) => {
+            return Err(refused(format!("`{date}` is a date, for which nothing asks")));
         }
-        DeValue::Table(table) => of_table(table)?,
+        DeValue::Array(values) => values.iter().map(json).collect::<Result<_, _>>()?,
+        DeValue::Table(table) => Value::Object(of_table(table)?),
     })
 }
 

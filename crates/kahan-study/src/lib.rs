@@ -20,6 +20,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+mod axes;
 #[cfg(feature = "catalog")]
 mod catalog;
 pub mod columns;
@@ -33,6 +34,7 @@ mod lifted;
 mod lifted_step;
 mod list;
 mod map;
+mod misread;
 mod named;
 #[cfg(feature = "files")]
 pub mod number_file;
@@ -53,13 +55,15 @@ pub use catalog::Systems;
 pub use count::Count;
 pub use error::StudyError;
 #[cfg(feature = "toml")]
-pub use from_toml::from_toml;
+pub use from_toml::{TomlDocument, from_toml};
+pub use kahan_core::observe::Direction;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use kahan_lift::{Lift, Which};
 pub use kahan_runtime::End;
 pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound, Watched};
 pub use lifted_step::{LiftEnds, LiftedStep};
 pub use list::{FamilyListed, Listed, SystemListed, list};
+pub use misread::{Misread, read};
 pub use named::Names;
 pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};

@@ -12,8 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::numbers::{number, whole};
 
 /// A parameter, a variable or `eps`, with the values that it goes through.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// What goes through them.
     pub name: String,
@@ -54,8 +53,8 @@ pub enum Spacing {
 
 /// The most values of a range that a text gives.
 const MOST: usize = 100_000;
-/// The most of one that no text gives.
-const MANY: u64 = 1 << 40;
+/// The most values of an axis of a table.
+const MANY: usize = 1 << 40;
 
 impl Range {
     /// Reads FROM:TO:COUNT, FROM:TO:+STEP or FROM:TO:/CELLS.
@@ -63,6 +62,19 @@ impl Range {
     /// # Errors
     /// [`NoRange`] says what is wrong with the text.
     pub fn read(text: &str) -> Result<Self, NoRange> {
+        Self::up_to(MOST, text)
+    }
+
+    /// Reads a range of the axis of a table, which may have up to 2^40 values.
+    ///
+    /// # Errors
+    /// [`NoRange`] says what is wrong with the text.
+    pub fn of_table(text: &str) -> Result<Self, NoRange> {
+        Self::up_to(MANY, text)
+    }
+
+    /// Reads a range of at most so many values.
+    fn up_to(most: usize, text: &str) -> Result<Self, NoRange> {
         let [from, to, third] = text.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
             return Err(NoRange(format!(
                 "`{text}` is no range; write FROM:TO:COUNT for so many values with both ends, FROM:TO:+STEP for steps \
@@ -70,7 +82,7 @@ impl Range {
             )));
         };
         let refused = |why: String| NoRange(format!("`{text}`: {why}"));
-        let count = |text: &str| whole(text, 2, MOST);
+        let count = |text: &str| whole(text, 2, most);
         let spacing = match (third.strip_prefix('+'), third.strip_prefix('/')) {
             (Some(step), _) => Spacing::Step(number(step).map_err(NoRange)?),
             (_, Some(cells)) => Spacing::Cells(count(cells).map_err(|why| refused(format!("CELLS: {why}")))?),
@@ -82,17 +94,7 @@ impl Range {
         };
         let [from, to] = [from, to].map(|end| number(end).map_err(NoRange));
         let range = Range { from: from?, to: to?, spacing };
-        range.check(MOST as u64).map_err(refused)?;
-        Ok(range)
-    }
-
-    /// So spaced values between two ends, more of them than a text may ask for: up to 2^40.
-    ///
-    /// # Errors
-    /// [`NoRange`] says what is wrong with them.
-    pub fn between(from: Rational, to: Rational, spacing: Spacing) -> Result<Self, NoRange> {
-        let range = Range { from, to, spacing };
-        range.check(MANY).map_err(NoRange)?;
+        range.check(most as u64).map_err(refused)?;
         Ok(range)
     }
 
@@ -113,7 +115,7 @@ impl Range {
         let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
-        range.check(MANY).ok()?;
+        range.check(MANY as u64).ok()?;
         // A thousandth of a step is far more than what roundings move a value by.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;

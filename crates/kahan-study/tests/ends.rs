@@ -59,7 +59,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
 
         let plain = Observe::new(eps.clone(), at.clone(), steps);
         for of in [&Observe::USUAL[..], &[Observable::Last]] {
-            let asked = Observe { of: of.to_vec(), ..plain.clone() };
+            let asked = Observe { observe: of.to_vec(), ..plain.clone() };
             let observed = asked.ask(&study, &Unwatched).expect("observations");
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
@@ -67,7 +67,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
         // Alone in a table, beside others, and where nothing but the last point is asked for.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
             for count in [1, 3] {
-                let asked = Observe { of: of.clone(), ..plain.clone() };
+                let asked = Observe { observe: of.clone(), ..plain.clone() };
                 for (ended, step, last) in over(&study, asked, &vec![&at; count]) {
                     assert_eq!((&*ended, step as u64), (end.name(), end.steps(steps)), "{text}");
                     assert_eq!(last.is_nan(), end != End::Complete, "{text}: {last}");
@@ -89,7 +89,7 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
     let map = study.map().expect("a map").at(0.05);
     let of = vec![Observable::Sali, Observable::Fli, Observable::Extrema, Observable::Lyapunov];
-    let asked = Observe { of, ..Observe::new(Rational::zero(), Vec::new(), 50) };
+    let asked = Observe { observe: of, ..Observe::new(Rational::zero(), Vec::new(), 50) };
     let found = asked.of_orbits(&study, &[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]], &|_| {
         ControlFlow::Continue(())
     });
@@ -111,7 +111,7 @@ fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
     let of = vec![Observable::Last, Observable::Escape];
     let at = vec![number("1")];
-    let asked = Observe { of, ..Observe::new(number("1/2"), at.clone(), 100) };
+    let asked = Observe { observe: of, ..Observe::new(number("1/2"), at.clone(), 100) };
     let bound = Observe { escape: Some(1e6), ..asked.clone() };
     assert_eq!(bound.ask(&study, &Unwatched).expect("observations").end, End::Escaped(13));
     for (ended, step, last) in over(&study, bound, &[&at; 17]) {

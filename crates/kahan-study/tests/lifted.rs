@@ -2,8 +2,8 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Fate, Lifting, Observable, Observe, Orbit, Over, Question, Study, StudyError, Subject, Systems,
-    Unwatched, Varied, Which,
+    Axis, Fate, Lifting, Observable, Observe, Orbit, Over, Question, Range, Study, StudyError, Subject,
+    Systems, Unwatched, Varied, Which,
 };
 
 const PENDULUM: &str = "xdot = v; vdot = -g*sin(x);";
@@ -51,8 +51,8 @@ fn parameters_that_go_through_values_go_into_the_embedding() {
     let study = lifted("xdot = v; vdot = -sin(k*x);", &[]);
     let starts = rational(&[(1, 1), (0, 1)]);
     let of = vec![Observable::Last];
-    let asked = Observe { of, ..Observe::new(Rational::new(1, 20), starts.clone(), 10) };
-    let axis = serde_json::from_str::<Varied>(r#"{"name": "k", "range": "1:2:2"}"#).expect("an axis");
+    let asked = Observe { observe: of, ..Observe::new(Rational::new(1, 20), starts.clone(), 10) };
+    let axis = Varied::from(Axis { name: "k".to_owned(), range: Range::read("1:2:2").expect("a range") });
     let over = Over::new(Question::Observe(asked), vec![axis]);
     let found = over.ask(&study, &Unwatched).expect("cells");
     let name = found.columns.iter().position(|name| name == "final_x").expect("a column");

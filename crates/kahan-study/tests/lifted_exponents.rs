@@ -7,7 +7,9 @@
 //!    of the original field.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Observable, Observe, Observed, Question, Seen, Study, Subject, Systems, Unwatched, Which};
+use kahan_study::{
+    Observable, Observe, Observed, Question, Range, Seen, Study, Subject, Systems, Unwatched, Which,
+};
 
 /// An equation with its derivative along a vector: (t, x, v) ↦ (f, f′v).
 type Field = fn(f64, &[f64], &[f64]) -> (Vec<f64>, Vec<f64>);
@@ -195,7 +197,10 @@ fn cells_have_the_exponents_of_single_orbits() {
     let single = observed(&DAMPED, Some(Which::Automatic), (1, 20), 500);
     let at = DAMPED.at.iter().map(|(above, below)| Rational::new(*above, *below)).collect();
     let asked = Observe::new(Rational::new(1, 20), at, 500);
-    let axis = serde_json::from_str(r#"{"name": "x", "range": "1:2:9"}"#).expect("an axis");
+    let axis = kahan_study::Varied::from(kahan_study::Axis {
+        name: "x".to_owned(),
+        range: Range::read("1:2:9").expect("a range"),
+    });
     let over = kahan_study::Over::new(Question::Observe(asked), vec![axis]);
     let found = over.ask(&study(&DAMPED, Some(Which::Automatic)), &Unwatched).expect("cells");
     let cell = |name: &str| {

@@ -49,7 +49,8 @@ fn every_question_about_orbits_projects_the_same_steps() {
         assert_eq!(end, End::Complete);
         assert_ne!(last(&study, plain).0, expected);
         let of = vec![Observable::Last, Observable::Extrema];
-        let observe = Observe { order, of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
+        let observe =
+            Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
         assert_eq!(seen.of(Observable::Last), Some(&Seen::Point(expected.clone())));
         // Two orbits of a chart, the second from here.
@@ -115,7 +116,8 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
     let (eps, at) = (rational(1, 10), vec![rational(1, 1), rational(0, 1)]);
     let plain = Observe { reembed: true, ..Observe::new(eps.clone(), at.clone(), 10) };
     for (one, name) in [(Observable::Sali, "sali"), (Observable::PassedPoles, "passed_poles")] {
-        let refused = Observe { of: vec![Observable::Last, one], ..plain.clone() }.ask(&study, &Unwatched);
+        let refused =
+            Observe { observe: vec![Observable::Last, one], ..plain.clone() }.ask(&study, &Unwatched);
         let refused = refused.expect_err("a refusal");
         assert!(matches!(refused, StudyError::Orbit(NoOrbit::OfTheMap(known)) if known == name));
         assert!(refused.to_string().contains("extrema"), "{refused}");
@@ -123,7 +125,7 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
     // Of what is not lifted there are no relations, nor in other scalars.
     let quadratic = Subject::text("xdot = v; vdot = -x;").study(&Systems).unwrap();
     let section = Section { reembed: true, ..Section::new(eps.clone(), at.clone(), 10, "v") };
-    let observe = Observe { of: vec![Observable::Last], ..plain };
+    let observe = Observe { observe: vec![Observable::Last], ..plain };
     let orbit = Orbit { reembed: true, ..Orbit::new(eps, at, 10) };
     let no_relations = [
         section.ask(&quadratic, &Unwatched).map(drop),
@@ -148,7 +150,7 @@ fn orbits_end_where_no_step_leads_back() {
     assert!(why.is_some_and(|why| why.contains("relations of the lift") && why.contains("smaller eps")));
     let observe = Observe {
         reembed: true,
-        of: vec![Observable::Extrema],
+        observe: vec![Observable::Extrema],
         ..Observe::new(eps.clone(), at.clone(), 1000)
     };
     assert_eq!(observe.ask(&study, &Unwatched).unwrap().end, End::Reembed(steps));
@@ -182,12 +184,13 @@ fn torricellis_law_ends_where_the_water_does() {
         let (point, end, _) = last(&study, asked);
         assert!(matches!(end, End::Range(58..=60)) && (0.0..1e-3).contains(&point[0]), "{end:?} {point:?}");
         let of = vec![Observable::Extrema];
-        let observe = Observe { reembed, of, ..Observe::new(eps.clone(), at.clone(), 500) };
+        let observe = Observe { reembed, observe: of, ..Observe::new(eps.clone(), at.clone(), 500) };
         let seen = observe.ask(&study, &Unwatched).unwrap();
         assert_eq!(seen.end, end);
         assert!(seen.why.is_some_and(|why| why.contains("sqrt(h)")));
         let section = Section { reembed, ..Section::new(eps, at, 500, "h - 1/2") };
-        let section = Section { side: kahan_study::Side::Both, ..section }.ask(&study, &Unwatched).unwrap();
+        let section =
+            Section { direction: kahan_study::Direction::Both, ..section }.ask(&study, &Unwatched).unwrap();
         // The water falls through 1/2 once, and does not rise again.
         assert_eq!((section.end, section.crossings.len()), (end, 1));
     }
@@ -198,10 +201,10 @@ fn torricellis_law_ends_where_the_water_does() {
 fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);
     let of = vec![Observable::Last];
-    let observe = Observe { of, ..Observe::new(rational(1, 64), vec![rational(1, 1)], 80) };
+    let observe = Observe { observe: of, ..Observe::new(rational(1, 64), vec![rational(1, 1)], 80) };
     let axis = Varied::from(Axis { name: "h".to_owned(), range: Range::read("1:4:4").unwrap() });
     for of in [vec![Observable::Last], vec![Observable::Last, Observable::Extrema]] {
-        let observe = Observe { of, ..observe.clone() };
+        let observe = Observe { observe: of, ..observe.clone() };
         let over = Over::new(Question::Observe(observe), vec![axis.clone()]);
         let found = over.ask(&study, &Unwatched).expect("a table");
         let ended = serde_json::to_value(&found).unwrap();

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Column, End, Kept, Observed, Over, Progress, Question, Rows, Study, StudyError, Subject, Systems,
-    Table, Unwatched, Values, Watch,
+    Answer, Column, End, Kept, Observed, Over, Poles, Progress, Question, Rows, Study, StudyError, Subject,
+    Systems, Table, Unwatched, Values, Watch,
 };
 use serde_json::{Value, json};
 
@@ -25,17 +25,12 @@ fn over(object: Value) -> Over {
 fn mixed() -> (Study, Over) {
     let field = "xdot = y/r; ydot = x^2 + r;";
     let over = over(json!({
-        "ask": "over", "seed": 3, "draws": 5, "starts": [[1, 0], ["1e200", 2]],
-        "axes": [
-            {"name": "r", "range": "-1:1:+1"}, {"name": "eps", "values": ["1/10", 0.2]},
-            {"name": "order", "values": [2, 4]}, {"name": "bits", "values": [64, 32]},
+        "ask": "observe", "steps": 40, "seed": 3, "draws": 5, "starts": [[1, 0], ["1e200", 2]],
+        "over": {"r": "-1:1:+1", "eps": ["1/10", 0.2], "order": [2, 4], "scalar": ["f64", "f32"]},
+        "observe": [
+            "final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape",
+            "passed_poles",
         ],
-        "question": {
-            "ask": "observe", "eps": 0, "at": [0, 0], "steps": 40, "of": [
-                "final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape",
-                "passed_poles",
-            ],
-        },
     }));
     (study(Subject::text(field)), over)
 }
@@ -124,10 +119,11 @@ fn a_cell_has_what_the_question_answers_there() {
         match &all.values[place] {
             Kept::F64(list) => list.clone(),
             Kept::Integer(list) => list.iter().map(|value| *value as f64).collect(),
+            Kept::Text(list) => list.iter().map(|scalar| scalar[1..].parse().unwrap_or(f64::NAN)).collect(),
             other => panic!("{other:?}"),
         }
     };
-    let [x, y, r, eps, order, bits] = ["x", "y", "r", "eps", "order", "bits"].map(column);
+    let [x, y, r, eps, order, bits] = ["x", "y", "r", "eps", "order", "scalar"].map(column);
     let (steps, fli, turns, last) =
         (column("ended_step"), column("fli"), column("rotation_x"), column("final_x"));
     assert_eq!(x[..24], [1.0; 24]);
@@ -169,8 +165,8 @@ fn a_cell_has_what_the_question_answers_there() {
 fn who_watches_or_takes_rows_can_stop_them() {
     let lv = study(Subject::named("lv"));
     let over = over(json!({
-        "ask": "over", "axes": [{"name": "x", "range": "1/10:2:/4000"}],
-        "question": {"ask": "observe", "eps": "1/10", "at": [1, 1], "steps": 9, "of": ["sali"]},
+        "ask": "observe", "over": {"x": "1/10:2:/4000"},
+        "eps": "1/10", "at": [1, 1], "steps": 9, "observe": ["sali"],
     }));
     let (all, _) = rows(&lv, &over, 0..4000, &Unwatched);
     for threads in [1, 2] {
@@ -188,10 +184,9 @@ fn who_watches_or_takes_rows_can_stop_them() {
 
 #[test]
 fn other_questions_have_rows_too() {
-    let of = |question: Value| {
-        let over = over(json!({
-            "ask": "over", "axes": [{"name": "a", "values": [0, 1]}, {"name": "eps", "values": ["1/10"]}], "question": question,
-        }));
+    let of = |mut question: Value| {
+        question["over"] = json!({"a": [0, 1], "eps": "1/10"});
+        let over = over(question);
         let study = study(Subject::text("xdot = y; ydot = 1/a - x^2;"));
         study.ask(&Question::Over(over), &Unwatched)
     };
@@ -209,7 +204,8 @@ fn other_questions_have_rows_too() {
     let found = json!(of(json!({"ask": "discover"})).expect("an answer"));
     let row = |cell: usize| (&found["rows"][cell][2], found["rows"][cell][6] != json!(""));
     assert_eq!([row(0), row(1)], [(&json!(-1), false), (&json!(1), true)], "{found}");
-    let refused = of(json!({"ask": "poles"})).expect_err("no rows");
+    let poles = Over::new(Question::Poles(Poles::default()), Vec::new());
+    let refused = study(Subject::named("lv")).ask(&Question::Over(poles), &Unwatched).expect_err("no rows");
     assert!(matches!(refused, StudyError::NoRows("poles")), "{refused}");
 }
 
@@ -217,30 +213,29 @@ fn other_questions_have_rows_too() {
 fn axes_that_do_not_fit_say_so() {
     let refused = |axes: Value| {
         let over = over(json!({
-            "ask": "over", "axes": axes, "draws": (1_u64 << 32) + 1,
-            "question": {"ask": "observe", "eps": 1, "at": [1, 1], "steps": 4},
+            "ask": "observe", "eps": 1, "at": [1, 1], "steps": 4, "over": axes, "draws": (1_u64 << 32) + 1,
         }));
         study(Subject::named("lv")).ask(&Question::Over(over), &Unwatched).expect_err("a mistake").to_string()
     };
     for (axes, part) in [
+        (json!({"w": [1]}), "`w` is neither a variable nor a parameter of lv; there is x, y, eps"),
+        (json!({"order": [2, 3]}), "order: 3 is none of 2, 4, 6, 8"),
+        (json!({"scalar": ["f32", "dd"]}), "scalar: dd is none of f64, f32"),
+        (json!({"x": {"draw": "uniform", "low": 1, "high": 0}}), "x: low is below high"),
         (
-            json!([{"name": "w", "values": [1]}]),
-            "`w` is neither a variable nor a parameter of lv; there is x, y, eps",
-        ),
-        (json!([{"name": "x", "values": [1]}, {"name": "x", "values": [2]}]), "`x` is gone through twice"),
-        (json!([{"name": "order", "values": [2, 3]}]), "order: 3 is none of 2, 4, 6, 8"),
-        (json!([{"name": "bits", "values": [16]}]), "bits: 16 is none of 32, 64"),
-        (json!([{"name": "x", "draw": "uniform", "low": 1, "high": 0}]), "x: low is below high"),
-        (
-            json!([{"name": "x", "draw": "uniform", "low": 0, "high": 1}, {"name": "y", "draw": "sobol", "low": 0, "high": 1}]),
+            json!({"x": {"draw": "uniform", "low": 0, "high": 1}, "y": {"draw": "sobol", "low": 0, "high": 1}}),
             "y: Sobol's sequence has 4294967296 points",
         ),
-        (
-            json!([{"name": "x", "range": "0:1:/100000"}, {"name": "y", "range": "0:1:/1000"}]),
-            "100000000 cells",
-        ),
+        (json!({"x": "0:1:/100000", "y": "0:1:/1000"}), "100000000 cells"),
     ] {
         let said = refused(axes);
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let twice = over(json!({"ask": "observe", "eps": 1, "steps": 4, "over": {"y": 1}, "starts": [[1, 2]]}));
+    let none = over(json!({"ask": "observe", "eps": 1, "steps": 4, "over": {"y": 1}}));
+    for (over, part) in [(twice, "`y` is gone through twice"), (none, "`x` has no first value")] {
+        let refused = study(Subject::named("lv")).ask(&Question::Over(over), &Unwatched);
+        let said = refused.expect_err("a mistake").to_string();
         assert!(said.contains(part), "{part}: {said}");
     }
 }

@@ -36,35 +36,36 @@ fn a_question_writes_itself_as_it_was_read() {
     for object in [
         json!({"ask": "show", "as": "latex", "jacobian": true}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
-        json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
+        json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "digits": 99, "seconds": 0.5}),
         json!({
             "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
             "projective": false, "reembed": false,
         }),
-        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "reembed": false, "of": ["final", "fli"]}),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "reembed": false, "observe": ["final", "fli"]}),
         json!({
-            "ask": "diagram", "eps": null, "at": ["1"], "over": {"name": "eps", "range": "1:0:/5"}, "variable": "x",
+            "ask": "diagram", "eps": null, "at": ["1"], "over": {"eps": "1:0:/5"}, "variable": "x",
             "transient": 7, "steps": 3, "reembed": false,
         }),
         json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
-            "over": {"name": "eps", "range": "1:0:/5"},
+            "over": {"eps": "1:0:/5"},
         }),
         json!({
-            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3, "reembed": true,
+            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "direction": "both", "points": 3, "reembed": true,
         }),
         json!({
-            "ask": "over", "axes": [
-                {"name": "x", "range": "0:1:/9"}, {"name": "eps", "values": ["1/10", "1/20"]},
-                {"name": "y", "draw": "sobol", "low": "-1/2", "high": "1/2"},
-            ],
-            "question": {"ask": "heights", "eps": "0", "at": ["0", "0"], "steps": 5, "max_digits": 99, "seconds": 1.0},
+            "ask": "heights", "steps": 5, "digits": 99,
+            "over": {"x": "0:1:/9", "eps": ["1/10", "1/20"], "y": {"draw": "sobol", "low": "-1/2", "high": "1/2"}},
             "starts": [["1", "2/3"], ["0", "1"]], "draws": 7, "seed": 3,
+        }),
+        json!({
+            "ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": null, "reembed": false,
+            "observe": ["fli"], "over": {"scalar": ["f32", "f64"], "order": ["2", "8"]}, "starts": [], "draws": 1, "seed": 1,
         }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
         json!({
-            "ask": "scan", "eps": null, "axes": [{"name": "xi", "range": "-2:2:+1/12"}, {"name": "eps", "range": "1:2:/4"}],
+            "ask": "scan", "eps": null, "over": {"xi": "-2:2:+1/12", "eps": "1:2:/4"},
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
@@ -92,8 +93,8 @@ fn toml_says_what_json_says() {
             r#"{"ask": "evaluate", "eps": 0.1, "at": [1, "2/3", -0.3333333333333333333333333333, 1e-400]}"#,
         ),
         (
-            "ask = 'scan'\ndegree = 0x3\n[[axes]]\nname = 'xi'\nrange = '-2:2:+1/12'",
-            r#"{"ask": "scan", "degree": 3, "axes": [{"name": "xi", "range": "-2:2:+1/12"}]}"#,
+            "ask = 'scan'\ndegree = 0x3\nover = { xi = '-2:2:+1/12' }",
+            r#"{"ask": "scan", "degree": 3, "over": {"xi": "-2:2:+1/12"}}"#,
         ),
         ("ask = 'verify'\nmutate = true", r#"{"ask": "verify", "mutate": true}"#),
     ] {
@@ -140,17 +141,14 @@ fn what_a_question_does_not_have_is_a_mistake() {
         (json!({"ask": "evaluate", "eps": "a half", "at": [1]}), "`a half` is not an exact number"),
         (json!({"ask": "evaluate", "eps": "1/0", "at": [1]}), "`1/0` divides by zero"),
         (json!({"ask": "evaluate", "eps": 1, "at": [1], "scalar": "f16"}), "unknown variant `f16`"),
+        (json!({"ask": "scan", "over": {"xi": "0:1"}}), "over.xi: `0:1` is no range; write FROM:TO:COUNT"),
         (
-            json!({"ask": "scan", "axes": [{"name": "xi", "range": "0:1"}]}),
-            "`0:1` is no range; write FROM:TO:COUNT",
+            json!({"ask": "heights", "steps": 1, "eps": 1, "over": {"x": {"draw": "sobol", "low": 0}}}),
+            "over.x: missing field `high`",
         ),
         (
-            json!({"ask": "over", "axes": [{"name": "x", "values": [1], "low": 0}], "question": {"ask": "poles"}}),
-            "the axis `x` has either a `range`",
-        ),
-        (
-            json!({"ask": "over", "axes": [], "question": {"ask": "observe", "of": ["drifts"]}}),
-            "unknown variant `drifts`",
+            json!({"ask": "observe", "eps": 1, "steps": 1, "over": {"x": 1}, "observe": ["drifts"]}),
+            "observe: unknown variant `drifts`",
         ),
         (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `show`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
@@ -235,17 +233,16 @@ fn questions_that_do_not_fit_say_so() {
         StudyError::Formula { what: "plane", .. }
     ));
     assert!(matches!(error(Subject::named("lv"), section("eps + 1")), StudyError::ConstantPlane { .. }));
-    let scan = |axes: Value| json!({"ask": "scan", "axes": axes});
-    let through = |name: &str, range: &str| json!({"name": name, "range": range});
-    assert!(matches!(error(Subject::named("e7"), scan(json!([]))), StudyError::NoAxis));
+    let scan = |axes: Value| json!({"ask": "scan", "over": axes});
+    assert!(matches!(error(Subject::named("e7"), scan(json!({}))), StudyError::NoAxis));
     assert!(matches!(
-        error(Subject::named("e7"), scan(json!([through("zeta", "0:1:2")]))),
+        error(Subject::named("e7"), scan(json!({"zeta": "0:1:2"}))),
         StudyError::UnknownParameter { name, .. } if name == "zeta"
     ));
     let fixed = Subject::named("e7").with("xi", one());
-    let twice = scan(json!([through("xi", "0:1:2")]));
+    let twice = scan(json!({"xi": "0:1:2"}));
     assert!(matches!(error(fixed, twice), StudyError::ParameterTwice { .. }));
-    let many = scan(json!([through("xi", "0:1:100000"), through("eps", "1:2:100000")]));
+    let many = scan(json!({"xi": "0:1:100000", "eps": "1:2:100000"}));
     assert!(matches!(error(Subject::named("e7"), many), StudyError::ManyPoints { .. }));
     let too_high = json!({"ask": "discover", "degree": 1000});
     assert!(matches!(error(Subject::named("lv"), too_high), StudyError::Degree { asked: 1000, .. }));
@@ -307,7 +304,7 @@ fn what_orbits_do() {
 #[test]
 fn special_values_of_a_parameter() {
     let e9 = study(Subject::named("e9"));
-    let asked = json!({"ask": "scan", "axes": [{"name": "xi", "range": "-1:1:+1"}], "degree": 2});
+    let asked = json!({"ask": "scan", "over": {"xi": "-1:1:+1"}, "degree": 2});
     let found = answer(&e9, asked);
     assert_eq!(found["points"].as_array().map(Vec::len), Some(3));
     let special = found["special"].as_array().expect("points");
@@ -337,12 +334,12 @@ fn cycles_and_their_branches() {
     assert_eq!(found["exact"]["points"], json!([["1", "1"]]));
     assert!(found.get("branch").is_none(), "{found}");
     let fold = study(Subject::text("xdot = a - x^2;"));
-    let over = json!({"name": "a", "range": "1:-1:41"});
+    let over = json!({"a": "1:-1:41"});
     let found = answer(&fold, json!({"ask": "periodic", "eps": "1/10", "at": [1], "over": over}));
     assert_eq!(found["branch"]["turns"][0]["change"], "fold, two cycles meet");
     let error =
         |object: Value| fold.ask(&question(object).expect("a question"), &Unwatched).expect_err("a mistake");
-    let other = json!({"name": "b", "range": "1:-1:41"});
+    let other = json!({"b": "1:-1:41"});
     assert!(matches!(
         error(json!({"ask": "periodic", "eps": 1, "at": [1], "over": other})),
         StudyError::UnknownAxis { .. }
@@ -426,7 +423,7 @@ impl Watch for Ending {
 #[test]
 fn a_question_that_was_stopped_asks_no_more() {
     let lv = study(Subject::named("lv"));
-    let over = json!({"name": "eps", "range": "1/10:1:9"});
+    let over = json!({"eps": "1/10:1:9"});
     for object in [
         json!({"ask": "orbit", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
         json!({"ask": "observe", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
@@ -435,7 +432,7 @@ fn a_question_that_was_stopped_asks_no_more() {
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 9}),
         json!({"ask": "poles"}),
         json!({"ask": "discover"}),
-        json!({"ask": "scan", "axes": [over]}),
+        json!({"ask": "scan", "over": over}),
         json!({"ask": "trade", "at": [1, 2], "horizon": 5}),
     ] {
         let watch = Ending { clock: Clock::default(), looks: AtomicU32::new(0) };
@@ -530,7 +527,7 @@ fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
     // A sink at a, whatever a is; with ε = 1/10 the distance from it falls to 9/11 in a step.
     let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
     let asked = json!({
-        "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"name": "a", "range": "0:2:3"},
+        "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"a": "0:2:3"},
         "transient": 400, "steps": 2,
     });
     let found = answer(&sink, asked.clone());
@@ -554,12 +551,12 @@ fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
     assert!(y["points"][0][0].as_f64().is_some_and(|y| y > 0.0 && y < 1e-30), "{y}");
     for (changed, value, said) in [
         ("variable", json!("q"), "`q` is no variable of field; there is x, y"),
-        ("over", json!({"name": "b", "range": "0:1:3"}), "`b` is no parameter of field; there is a, eps"),
+        ("over", json!({"b": "0:1:3"}), "`b` is no parameter of field; there is a, eps"),
     ] {
         let refused = of(changed, value).expect("a question").expect_err("a mistake");
         assert_eq!(refused.to_string(), said);
     }
-    let over_eps = of("over", json!({"name": "eps", "range": "1/10:1/5:2"})).expect("a question");
+    let over_eps = of("over", json!({"eps": "1/10:1/5:2"})).expect("a question");
     assert!(over_eps.is_err_and(|error| matches!(error, StudyError::MissingParameters { .. })));
 }
 

@@ -6,7 +6,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_core::{Step, Workspace};
 use kahan_runtime::MapAt;
-use kahan_study::{Plane, Section, Side, Study, Subject, Systems, Unwatched};
+use kahan_study::{Direction, Plane, Section, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
 /// The part of the larger of the formula's sizes at the ends of a step that a crossing leaves at
@@ -124,7 +124,8 @@ fn check(seed: u64, tally: &mut Tally) {
     let start: Vec<Rational> = variables.iter().map(|_| number(&mut random, 1, 64)).collect();
     let case = format!("{seed}: {text} from {start:?}, eps = {eps}, plane {plane}");
     let study: Study = Subject::text(&text).study(&Systems).expect("a field");
-    let asked = Section { side: Side::Both, ..Section::new(eps.clone(), start.clone(), STEPS, &plane) };
+    let asked =
+        Section { direction: Direction::Both, ..Section::new(eps.clone(), start.clone(), STEPS, &plane) };
     let Ok(found) = asked.ask(&study, &Unwatched) else { return };
 
     let at: MapAt<f64> = study.map().expect("no parameters").at(eps.to_f64());

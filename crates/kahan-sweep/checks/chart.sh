@@ -5,19 +5,19 @@ if [[ -z ${KAHAN:-} ]]; then
 fi
 cp "$KAHAN" "$folder/bin/kahan"
 cat >cells.toml <<'PLAN'
-[system]
+[subject]
 name = "henon-heiles"
 params = { a = 1, b = 1, c = -1 }
-[axes]
-x = 0
-y = { from = -0.5, to = 0.5, points = 101 }
-p = 0.3
-q = { from = 0, to = 0.5, points = 51 }
-eps = 0.05
-[task]
-kind = "orbit"
+[question]
+ask = "observe"
 steps = 1000
 observe = ["sali", "fli", "megno", "lyapunov", "escape"]
+[question.over]
+x = 0
+y = "-0.5:0.5:101"
+p = 0.3
+q = "0:0.5:51"
+eps = 0.05
 PLAN
 kahan sweep cells.toml --out cells >/dev/null
 for color in sali fli megno lyapunov escape; do

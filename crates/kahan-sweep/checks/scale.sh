@@ -6,19 +6,19 @@ readonly room=$((shards * 100000 * 4 * 8 * 5 / 1000000000 + 1))
 cat >scale.toml <<PLAN
 draws = $((shards * 10000))
 
-[system]
+[subject]
 name = "e6"
 
-[axes]
+[question]
+ask = "observe"
+steps = 5
+observe = ["final"]
+
+[question.over]
 x = { draw = "sobol", low = -1, high = 1 }
 y = { draw = "uniform", low = 0.1, high = "1/2" }
 z = 1
-eps = { from = 0.01, to = 0.1, points = 10 }
-
-[task]
-kind = "orbit"
-steps = 5
-observe = ["final"]
+eps = "0.01:0.1:10"
 
 [output]
 rows_per_part = 100000

@@ -71,15 +71,32 @@ pub struct Sectioned<R> {
 }
 
 /// Which sign changes count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Direction {
     /// Those where s grows.
+    #[default]
     Rising,
     /// Those where s falls.
     Falling,
     /// All.
     Both,
+}
+
+impl Direction {
+    /// All directions.
+    pub const ALL: [Self; 3] = [Self::Rising, Self::Falling, Self::Both];
+
+    /// Returns the name: `rising`, `falling` or `both`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rising => "rising",
+            Self::Falling => "falling",
+            Self::Both => "both",
+        }
+    }
 }
 
 /// A crossing of a [`Section`].

@@ -127,10 +127,9 @@ impl Asking for Chart {
         let (study, at, eps) = self.start.study_over(&axes)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
-        let of = vec![self.color];
         let observe = Observe {
             escape: self.escape,
-            of,
+            observe: vec![self.color],
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
@@ -142,11 +141,12 @@ impl Asking for Chart {
     fn options(asked: &Over, line: Line) -> Line {
         let Question::Observe(observe) = &*asked.question else { return line };
         let mut said = json!(observe);
-        if asked.axes.iter().any(|axis| axis.name == "eps") {
+        if asked.over.iter().any(|axis| axis.name == "eps") {
             said["eps"] = Value::Null;
         }
-        said["over"] = json!(asked.axes.iter().rev().collect::<Vec<_>>());
-        said["color"] = json!(observe.of[0].name());
+        let Value::Object(over) = json!(asked)["over"].take() else { return line };
+        said["over"] = over.into_iter().rev().collect();
+        said["color"] = json!(observe.observe[0].name());
         line.saying::<Self>(&said).with("--out", "chart.svg")
     }
 

@@ -71,8 +71,8 @@ pub(crate) struct Dynamics {
     stepping: Stepping,
 
     /// What is observed, in this order; nothing else is computed.
-    #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
-    of: Vec<Observable>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
+    observe: Vec<Observable>,
 
     /// Print one JSON object; what has no value is null.
     #[arg(long)]
@@ -89,9 +89,9 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, every, escape, stepping, ref of, .. } = *self;
-        let (reembed, of) = (stepping.reembed, of.clone());
-        Ok((study, Observe { eps, at, steps, order, every, escape, reembed, of }))
+        let Dynamics { steps, order, every, escape, stepping, ref observe, .. } = *self;
+        let (reembed, observe) = (stepping.reembed, observe.clone());
+        Ok((study, Observe { eps, at, steps, order, every, escape, reembed, observe }))
     }
 
     /// The answers; a complaint where the orbit ends early.

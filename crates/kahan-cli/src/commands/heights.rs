@@ -24,7 +24,7 @@ use crate::reading::{Start, seconds, whole};
 /// log(h_n/h_{n-1}) at the last step for the largest variable, 0 unless growth is exponential.
 /// Parameters are put in after the map is reduced.
 ///
-/// Exact orbits grow, so there are two bounds, --max-digits and --seconds. Where one of them ends
+/// Exact orbits grow, so there are two bounds, --digits and --seconds. Where one of them ends
 /// the orbit, what is known is printed with a note, and the exit status is 0. At a pole of the map
 /// (det A = 0) what is known is printed too, the pole is reported, and the exit status is 1.
 #[derive(Args, Debug)]
@@ -44,7 +44,7 @@ pub(crate) struct Heights {
 
     /// The greatest number of decimal digits of a numerator or denominator.
     #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
-    max_digits: u64,
+    digits: u64,
 
     /// The time that the orbit may take. A step that is likely to end later is not begun.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
@@ -65,8 +65,8 @@ impl Asking for Heights {
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Heights { steps, max_digits, seconds, .. } = *self;
-        Ok((study, Question { eps, at, steps, max_digits, seconds }))
+        let Heights { steps, digits, seconds, .. } = *self;
+        Ok((study, Question { eps, at, steps, digits, seconds }))
     }
 
     /// The heights; a complaint at a pole.
@@ -116,11 +116,8 @@ fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
     let (bound, option) = match found.survey.stopped? {
         Stop::Pole => return None,
         Stop::Digits => {
-            let digits = asked.max_digits;
-            (
-                format!("the next point would have more than --max-digits {digits} decimal digits"),
-                "--max-digits",
-            )
+            let digits = asked.digits;
+            (format!("the next point would have more than --digits {digits} decimal digits"), "--digits")
         }
         Stop::Seconds => {
             (format!("the next step would end later than --seconds {}", asked.seconds), "--seconds")

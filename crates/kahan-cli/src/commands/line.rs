@@ -53,17 +53,21 @@ impl Line {
             let takes_all = argument.get_value_delimiter().is_some();
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {
-                Value::Array(list) if is_repeated => &list[..],
-                value => std::slice::from_ref(value),
+                Value::Array(list) if is_repeated => list.clone(),
+                // An axis is `NAME=RANGE`.
+                Value::Object(axes) => {
+                    axes.iter().map(|(name, range)| json!(format!("{name}={}", words(range)))).collect()
+                }
+                value => vec![value.clone()],
             };
             let option = format!("--{}", argument.get_long()?);
-            Some(values.iter().map(move |value| (option.clone(), usual.join(","), value)))
+            Some(values.into_iter().map(move |value| (option.clone(), usual.join(","), value)))
         });
         said.flatten().fold(self, |line, (option, usual, value)| match value {
             Value::Null | Value::Bool(false) => line,
             Value::Bool(true) => line.with_flag(&option),
             value => {
-                let value = words(value);
+                let value = words(&value);
                 let is_usual =
                     value == usual || number(&value).is_ok_and(|value| number(&usual) == Ok(value));
                 if is_usual { line } else { line.with(&option, value) }
@@ -89,12 +93,11 @@ impl Line {
     }
 }
 
-/// A value as an option has it: a list with commas, an axis as `NAME=RANGE`.
+/// A value as an option has it: a list with commas.
 fn words(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Array(list) => list.iter().map(words).collect::<Vec<_>>().join(","),
-        Value::Object(axis) => axis.values().map(words).collect::<Vec<_>>().join("="),
         other => other.to_string(),
     }
 }
@@ -128,9 +131,7 @@ mod tests {
     use kahan_dynamics::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{
-        self as study, Axis, Evaluate, Form, Method, Observable, Observe, Question, Range, Side,
-    };
+    use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Question, Range};
 
     /// What the command makes of a call.
     fn read<A: Args + FromArgMatches>(line: &Line) -> A {
@@ -172,24 +173,29 @@ mod tests {
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([
-            Observe { order: 8, every: 3, escape: Some(12.5), reembed: true, of, ..plain.clone() },
+            Observe { order: 8, every: 3, escape: Some(12.5), reembed: true, observe: of, ..plain.clone() },
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
         // Where eps is gone through, its first value stands in the question.
-        let asked = Observe { of, escape: Some(12.5), eps: rational(1, 1), ..plain.clone() };
+        let asked = Observe { observe: of, escape: Some(12.5), eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
         let two = study::Over::new(Question::Observe(asked), axes.clone());
-        let plain = Observe { of: vec![Observable::Sali], ..plain };
+        let plain = Observe { observe: vec![Observable::Sali], ..plain };
         reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([
-            study::Section { side: Side::Both, points: 7, reembed: true, ..plain.clone() },
+            study::Section {
+                direction: kahan_study::Direction::Both,
+                points: 7,
+                reembed: true,
+                ..plain.clone()
+            },
             plain,
         ]);
         reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
-        reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
+        reads_back::<Heights>([study::Heights { digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
         let other = study::Poles { eps: Some(eps.clone()), steps: 6, seconds: 5.0 };
         reads_back::<Poles>([other, study::Poles::default()]);
         let other = study::Discover { eps: Some(eps), degree: Some(4), seconds: 2.5 };

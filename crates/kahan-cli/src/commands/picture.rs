@@ -203,7 +203,7 @@ impl Picture {
         let line = line.saying::<Self>(&json!({
             "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
             "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
-            "over": over.map(|over| over.0), "transient": over.map(|over| over.1), "kind": kind, "axes": axes,
+            "over": over.map(|(axis, _)| json!({(axis.name.clone()): axis.range})), "transient": over.map(|over| over.1), "kind": kind, "axes": axes,
             "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "reembed": reembed, "seconds": seconds,
         }));
         look.options(line).with("--out", out.display())

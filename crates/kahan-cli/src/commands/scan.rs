@@ -50,11 +50,11 @@ impl Asking for Scan {
         let eps = if range.is_some() { None } else { self.search.step.half()? };
         axes.extend(range);
         let Search { degree, seconds, .. } = self.search;
-        Ok((study, Question { eps, axes, degree, seconds }))
+        Ok((study, Question { eps, over: axes, degree, seconds }))
     }
 
     fn options(asked: &Question, line: Line) -> Line {
-        let line = asked.axes.iter().fold(line, |line, axis| match axis.name.as_str() {
+        let line = asked.over.iter().fold(line, |line, axis| match axis.name.as_str() {
             "eps" => line.with("--eps", &axis.range),
             name => line.with("--param", format!("{name}={}", axis.range)),
         });

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_draw::answer::jumps;
-use kahan_study::{Section as Question, SectionFound, Side, Study};
+use kahan_study::{Direction, Section as Question, SectionFound, Study};
 use serde_json::{Map, json};
 
 use super::line::Asking;
@@ -40,8 +40,8 @@ pub(crate) struct Section {
     plane: String,
 
     /// Which sign changes count: those where the formula grows, falls, or both.
-    #[arg(long = "direction", value_name = "DIRECTION", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
-    side: Side,
+    #[arg(long, value_name = "DIRECTION", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising")]
+    direction: Direction,
 
     #[command(flatten)]
     stepping: Stepping,
@@ -67,9 +67,9 @@ impl Asking for Section {
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Section { ref plane, steps, side, points, stepping, .. } = *self;
+        let Section { ref plane, steps, direction, points, stepping, .. } = *self;
         let (plane, reembed) = (plane.clone(), stepping.reembed);
-        Ok((study, Question { eps, at, steps, plane, side, points, reembed }))
+        Ok((study, Question { eps, at, steps, plane, direction, points, reembed }))
     }
 
     /// Writes the crossings; what is left to say is the answer.

@@ -15,7 +15,7 @@ fn shell(name: &str, arguments: &[&str]) -> Option<String> {
 fn every_shell_gets_the_commands_the_options_and_the_systems() {
     for name in ["bash", "zsh", "fish"] {
         let script = answer(&["completions", name]);
-        for word in ["heights", "discover", "henon-heiles", "zhukovsky", "scalar", "max-digits", "mutate"] {
+        for word in ["heights", "discover", "henon-heiles", "zhukovsky", "scalar", "digits", "mutate"] {
             assert!(script.contains(word), "{name} is not told of {word}");
         }
     }
@@ -44,7 +44,7 @@ fn bash_completes_systems_and_options() {
     };
     assert_eq!(complete(&["kahan", "show", "hen"]).trim(), "henon-heiles");
     assert_eq!(complete(&["kahan", "verify", "zhu"]).trim(), "zhukovsky");
-    assert_eq!(complete(&["kahan", "heights", "lv", "--max"]).trim(), "--max-digits");
+    assert_eq!(complete(&["kahan", "heights", "lv", "--dig"]).trim(), "--digits");
     assert_eq!(complete(&["kahan", "dis"]).trim(), "discover");
     assert_eq!(complete(&["kahan", "eval", "--scalar", "e"]).trim(), "exact");
     assert_eq!(complete(&["kahan", "dynamics", "--observe", "meg"]).trim(), "megno");

@@ -67,11 +67,11 @@ fn parameters_and_decimals_go_with_any_field() {
 
 #[test]
 fn a_bound_ends_the_orbit_with_a_note_and_without_an_error() {
-    let (table, error) = run(0, &[&LV[..], &["--steps", "60", "--max-digits", "1000"]].concat());
+    let (table, error) = run(0, &[&LV[..], &["--steps", "60", "--digits", "1000"]].concat());
     assert_eq!(error, "");
     assert!(table.contains("stopped after 8 of 60 steps"), "{table}");
-    assert!(table.contains("--max-digits 1000 ") && table.contains("a larger --max-digits"), "{table}");
-    let object = object(0, &[&LV[..], &["--steps", "60", "--max-digits", "1000", "--json"]].concat());
+    assert!(table.contains("--digits 1000 ") && table.contains("a larger --digits"), "{table}");
+    let object = object(0, &[&LV[..], &["--steps", "60", "--digits", "1000", "--json"]].concat());
     assert_eq!(object["stopped"], "digits");
     assert_eq!(object["steps"], 8);
     let (table, _) = run(0, &[&LV[..], &["--steps", "60", "--seconds", "0.2"]].concat());
@@ -120,7 +120,7 @@ fn bad_usage_is_one_paragraph() {
         vec!["--field", "xdot = x^2/k;", "--param", "k=0", "--eps", "1", "--at", "1", "--steps", "3"],
         good(&["--seconds", "0"]),
         good(&["--seconds", "nan"]),
-        good(&["--max-digits", "0"]),
+        good(&["--digits", "0"]),
         good(&["--out", "/nowhere/at/all.csv"]),
     ];
     for arguments in bad {

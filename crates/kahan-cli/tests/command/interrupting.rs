@@ -57,7 +57,7 @@ fn an_older_file_stays_as_it_was() {
         "1/2,5/3",
         "--steps",
         "1e3",
-        "--max-digits",
+        "--digits",
         "1e15",
         "--seconds",
         "1e6",
@@ -90,7 +90,7 @@ fn long_calls(folder: &Path) -> Vec<Vec<String>> {
         "chart lv --eps 0.1 --at 0.6,1 --over x=0.1:1:/30 --steps 1e10 --out OUT/chart.svg",
         "picture lv --at 1/2,1 --steps 100 --seconds 1e4 --transient 1e14 --axes x \
          --over eps=1/10:1:+1/400 --out OUT/over.svg",
-        "heights lv --eps 9/14 --at 1/2,5/3 --steps 1e3 --max-digits 1e15 --seconds 1e4",
+        "heights lv --eps 9/14 --at 1/2,5/3 --steps 1e3 --digits 1e15 --seconds 1e4",
         "discover HARD --seconds 1e4",
         "scan HARD --eps 1:2:1000 --seconds 1e4",
         "poles HARD --steps 100 --seconds 1e4",

@@ -31,7 +31,7 @@ fn counts_may_have_an_exponent() {
     let every = ["orbit", "e6", "--eps", ".05", "--at", "1,2,3", "--steps", "1e3", "--every", "1e2"];
     assert_eq!(answer(&every).lines().count(), 12);
     let heights =
-        ["heights", "e6", "--eps", "1/2", "--at", "1,2,3", "--steps", "1e1", "--max-digits", "1e6", "--json"];
+        ["heights", "e6", "--eps", "1/2", "--at", "1,2,3", "--steps", "1e1", "--digits", "1e6", "--json"];
     assert_eq!(object(&heights)["steps"], 10);
     let extremes = ["extremes", "e1", "--trials", "1e2", "--seed", "1e1", "--random-fields", "0", "--json"];
     assert_eq!((&object(&extremes)["trials"], &object(&extremes)["seed"]), (&100.into(), &10.into()));

@@ -46,8 +46,8 @@ impl Chart {
             Through::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
             other => panic!("a chart goes through ranges, and not {other:?}"),
         };
-        let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
-        let column = observe.of[0].name();
+        let axes: Vec<Axis> = asked.over.iter().rev().map(axis).collect();
+        let column = observe.observe[0].name();
         let (values, ended) = values(observe, axes.len(), found);
         let values = values.into_iter().map(Self::scale(column)).collect();
         let bounds = found.columns.iter().position(|name| name == "passed_poles_lower_bound");
@@ -178,7 +178,7 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> (Vec<f64>, Vec<(St
             other => unreachable!("what is observed is a number, and not {other:?}"),
         })
         .collect();
-    let value = |cell: usize| match asked.of[0] {
+    let value = |cell: usize| match asked.observe[0] {
         // An orbit that leaves the range is beyond any size; without a step there is no orbit.
         Observable::Escape if ended[cell] == "range" && steps[cell] > 0 => (steps[cell] + 1) as f64,
         Observable::Escape => columns[0][cell],

@@ -7,6 +7,7 @@ use kahan_discover::Watch;
 use kahan_runtime::{End, Follow};
 use serde::{Deserialize, Serialize};
 
+use crate::axes;
 use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
@@ -25,6 +26,7 @@ pub struct Diagram {
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The parameter that goes through values, or `eps`.
+    #[serde(with = "axes")]
     pub over: Axis,
     /// The variable that is shown; the first where none is named.
     #[serde(default)]

@@ -28,7 +28,7 @@ pub struct Heights {
     pub steps: u64,
     /// The greatest number of decimal digits of a numerator or denominator.
     #[serde(default = "usual_digits")]
-    pub max_digits: u64,
+    pub digits: u64,
     /// The seconds that the orbit may take; a step that is likely to end later is not begun.
     #[serde(default = "minute")]
     pub seconds: f64,
@@ -57,7 +57,7 @@ impl Heights {
     /// Within a million digits and a minute.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        Heights { eps, at, steps, max_digits: usual_digits(), seconds: minute() }
+        Heights { eps, at, steps, digits: usual_digits(), seconds: minute() }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs at each step products and gcds of
@@ -71,8 +71,7 @@ impl Heights {
         let system = study.proved()?;
         let (start, parameters) = (study.point(&self.at)?, study.values()?);
         let orbit = HeightsOrbit::new(system, &parameters, &self.eps, &start);
-        let mut orbit =
-            orbit.map_err(|_| study.undefined_field_at(&self.eps))?.within_digits(self.max_digits);
+        let mut orbit = orbit.map_err(|_| study.undefined_field_at(&self.eps))?.within_digits(self.digits);
         let clock = || Some(watch.now()?.saturating_sub(begun?));
         let survey = Survey::within(&mut orbit, self.steps, self.seconds, &clock, |heights| {
             watch.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })

@@ -27,11 +27,13 @@ use std::time::Duration;
 
 use kahan_discover::Watch;
 use kahan_runtime::End;
-use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer, Serialize};
-use serde_json::{Map, Value};
+use serde::de::{Error as _, value};
+use serde::ser::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
+use crate::misread::{Misread, read};
 use crate::rows::Rows;
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
@@ -48,7 +50,7 @@ pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
-pub use section::{Plane, Section, SectionFound, Side};
+pub use section::{Plane, Section, SectionFound};
 pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
 #[cfg(feature = "paper")]
 pub use verify::{Mutated, Mutations, Verified, Verify};
@@ -60,10 +62,11 @@ macro_rules! questions {
             $(, with $feature:literal)? $(, also $at_cell:ident)?;
     )*) => {
         /// What is asked.
-        #[derive(Clone, Debug, PartialEq, Serialize)]
-        #[serde(tag = "ask")]
+        #[derive(Clone, Debug, PartialEq)]
         pub enum Question {
-            $($(#[cfg(feature = $feature)])? $(#[$about])* #[serde(rename = $name)] $question($question),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* $question($question),)*
+            /// Another question at every value of some axes.
+            Over(Over),
         }
 
         /// The answer to a question, which has its names in JSON.
@@ -71,6 +74,8 @@ macro_rules! questions {
         #[serde(untagged)]
         pub enum Answer {
             $($(#[cfg(feature = $feature)])? $(#[$about])* $question(Box<$answer>),)*
+            /// A table with a row for each value.
+            Over(Box<OverFound>),
         }
 
         /// The values of `ask`.
@@ -82,6 +87,7 @@ macro_rules! questions {
             pub fn name(&self) -> &'static str {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(_) => $name,)*
+                    Self::Over(asked) => asked.question.name(),
                 }
             }
 
@@ -99,18 +105,26 @@ macro_rules! questions {
                         $(#[cfg(feature = $feature)])?
                         Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),
                     )*
+                    Self::Over(asked) => Answer::Over(Box::new(asked.ask(study, watch)?)),
                 })
             }
 
-            /// The question of this name; its own reader sees the rest. (Through serde's tagged
-            /// enums exact numbers of JSON do not come.)
-            fn read<E: Error>(name: &str, rest: Map<String, Value>) -> Result<Self, E> {
-                fn of<T: DeserializeOwned, E: Error>(rest: Map<String, Value>) -> Result<T, E> {
-                    serde_json::from_value(Value::Object(rest)).map_err(E::custom)
-                }
+            /// Reads the question of this name, which has no axes, from all but its name.
+            fn alone(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
                 match name {
-                    $($(#[cfg(feature = $feature)])? $name => of(rest).map(Self::$question),)*
-                    other => Err(E::unknown_variant(other, NAMES)),
+                    $(
+                        $(#[cfg(feature = $feature)])?
+                        $name => read(Value::Object(rest)).map(Self::$question),
+                    )*
+                    other => Err(Misread::at("ask", value::Error::unknown_variant(other, NAMES).to_string())),
+                }
+            }
+
+            /// Returns the object of JSON of all but the name; `None` for a question over axes.
+            fn rest(&self) -> Option<Value> {
+                match self {
+                    $($(#[cfg(feature = $feature)])? Self::$question(asked) => Some(json!(asked)),)*
+                    Self::Over(_) => None,
                 }
             }
         }
@@ -130,8 +144,6 @@ questions! {
     Section, asked as "section", answered by SectionFound;
     /// What orbits tend to over the values of a parameter.
     Diagram, asked as "diagram", answered by DiagramFound;
-    /// Another question at every value of some axes.
-    Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.
@@ -178,11 +190,42 @@ impl Study {
     }
 }
 
+impl Question {
+    /// Reads a question from JSON. Of a question that has rows over axes, `over` has the axes.
+    ///
+    /// # Errors
+    /// The first mistake, with its place.
+    pub fn read(mut object: Map<String, Value>) -> Result<Self, Misread> {
+        let Some(name) = object.remove("ask") else {
+            return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
+        };
+        let name = name.as_str().unwrap_or_default();
+        match name {
+            // Others have an `over` of their own.
+            "observe" | "evaluate" | "heights" | "discover" if object.contains_key("over") => {
+                Over::read(name, object).map(Self::Over)
+            }
+            _ => Self::alone(name, object),
+        }
+    }
+}
+
+impl Serialize for Question {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match (self, self.rest()) {
+            (Self::Over(asked), _) => asked.serialize(serializer),
+            (_, Some(Value::Object(rest))) => {
+                let name = ("ask".to_owned(), json!(self.name()));
+                std::iter::once(name).chain(rest).collect::<Map<_, _>>().serialize(serializer)
+            }
+            _ => Err(S::Error::custom("a question is an object")),
+        }
+    }
+}
+
 impl<'de> Deserialize<'de> for Question {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut object = Map::deserialize(deserializer)?;
-        let name = object.remove("ask").ok_or_else(|| D::Error::missing_field("ask"))?;
-        Question::read(name.as_str().unwrap_or_default(), object)
+        Question::read(Map::deserialize(deserializer)?).map_err(D::Error::custom)
     }
 }
 

@@ -57,7 +57,7 @@ pub struct Observe {
     pub reembed: bool,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
     #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
-    pub of: Vec<Observable>,
+    pub observe: Vec<Observable>,
 }
 
 fn usual_every() -> u64 {
@@ -118,8 +118,8 @@ impl Observe {
     /// is usual.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        let (order, every, of) = (usual_order(), usual_every(), usual());
-        Observe { eps, at, steps, order, every, escape: None, reembed: false, of }
+        let (order, every, observe) = (usual_order(), usual_every(), usual());
+        Observe { eps, at, steps, order, every, escape: None, reembed: false, observe }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
@@ -132,7 +132,7 @@ impl Observe {
         let system = study.proved()?;
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
         let at = at.composed(self.composition(study)?);
-        let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
+        let runs = if self.observe.contains(&Observable::Rotation) { 2 } else { 1 };
         let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
         let tell = &|steps| count.tell(steps);
@@ -155,8 +155,8 @@ impl Observe {
     /// What is observed, each once.
     #[must_use]
     pub fn observables(&self) -> Vec<Observable> {
-        let is_first = |(place, one): &(usize, &Observable)| !self.of[..*place].contains(one);
-        self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
+        let is_first = |(place, one): &(usize, &Observable)| !self.observe[..*place].contains(one);
+        self.observe.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
     }
 
     /// The same with what observers need to know.
@@ -273,7 +273,7 @@ impl Observe {
         if self.reembed {
             study.can_reembed(true)?;
             let of_the_map = [Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, PassedPoles];
-            let refused = self.of.iter().find(|one| of_the_map.contains(one));
+            let refused = self.observe.iter().find(|one| of_the_map.contains(one));
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
         }
         if self.every == 0 {

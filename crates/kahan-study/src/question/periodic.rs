@@ -8,6 +8,7 @@ use kahan_dynamics::periodic::{Branch, PeriodicPoint, branch, periodic_point};
 use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::axes;
 use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
@@ -34,7 +35,7 @@ pub struct Periodic {
     #[serde(default = "one")]
     pub period: usize,
     /// The parameter that changes along the branch, or `eps`.
-    #[serde(default)]
+    #[serde(default, with = "axes")]
     pub over: Option<Axis>,
 }
 

@@ -5,6 +5,7 @@ use kahan_discover::scan::{GridPoint, Proposal, Sight};
 use kahan_discover::{Scan as Grid, Scanned, Watch, scan};
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::axes;
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::exact;
@@ -26,7 +27,8 @@ pub struct Scan {
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// What goes through values: parameters, or `eps`.
-    pub axes: Vec<Axis>,
+    #[serde(with = "axes")]
+    pub over: Vec<Axis>,
     /// The degree up to which relations on orbits are looked for.
     #[serde(default)]
     pub degree: Option<u32>,
@@ -51,14 +53,14 @@ pub struct ScanFound {
 impl Scan {
     /// Over these axes, in a minute.
     #[must_use]
-    pub fn new(axes: Vec<Axis>) -> Self {
-        Scan { axes, seconds: minute(), ..Scan::default() }
+    pub fn new(over: Vec<Axis>) -> Self {
+        Scan { over, seconds: minute(), ..Scan::default() }
     }
 
     /// The points of the grid; `None` where they are more than a million.
     #[must_use]
     pub fn points(&self) -> Option<usize> {
-        let total = self.axes.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.range.count()));
+        let total = self.over.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.range.count()));
         total.filter(|total| *total <= MOST_POINTS)
     }
 
@@ -80,13 +82,13 @@ impl Scan {
 
     /// The axes, each of something that has no value besides.
     fn scanned(&self, study: &Study) -> Result<Vec<Scanned>, StudyError> {
-        if self.axes.is_empty() {
+        if self.over.is_empty() {
             return Err(StudyError::NoAxis);
         }
         let fixed = study.fixed();
         let given = fixed.iter().map(|(name, _)| name.as_str()).chain(self.eps.as_ref().map(|_| "eps"));
         let mut taken: Vec<&str> = given.collect();
-        for axis in &self.axes {
+        for axis in &self.over {
             if axis.name != "eps" {
                 study.parameter(&axis.name)?;
             }
@@ -97,7 +99,7 @@ impl Scan {
         }
         let scanned =
             |axis: &Axis| Scanned { name: axis.name.clone(), values: axis.range.values().collect() };
-        Ok(self.axes.iter().map(scanned).collect())
+        Ok(self.over.iter().map(scanned).collect())
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Section {
     pub plane: String,
     /// Which sign changes count.
     #[serde(default)]
-    pub side: Side,
+    pub direction: Direction,
     /// The most crossings.
     #[serde(default = "usual_points")]
     pub points: usize,
@@ -49,34 +49,6 @@ pub struct Section {
 
 fn usual_points() -> usize {
     100_000
-}
-
-/// The sign with which the formula of a section goes through 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Side {
-    /// From below to above.
-    #[default]
-    Rising,
-    /// From above to below.
-    Falling,
-    /// Either.
-    Both,
-}
-
-impl Side {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Rising, Self::Falling, Self::Both];
-
-    /// Its name in questions.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rising => "rising",
-            Self::Falling => "falling",
-            Self::Both => "both",
-        }
-    }
 }
 
 /// The crossings of an orbit.
@@ -198,7 +170,7 @@ impl Section {
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64, plane: impl Into<String>) -> Self {
         let (plane, points) = (plane.into(), usual_points());
-        Section { eps, at, steps, plane, side: Side::Rising, points, reembed: false }
+        Section { eps, at, steps, plane, direction: Direction::default(), points, reembed: false }
     }
 
     /// Follows the orbit of a system whose claims hold, and refines each crossing on the curve that
@@ -212,18 +184,13 @@ impl Section {
         let system = study.proved()?;
         let plane = Plane::of(system, &study.values()?, &self.eps, &self.plane)?;
         let (at, mut x) = study.in_floats(&self.at, &self.eps)?;
-        let direction = match self.side {
-            Side::Rising => Direction::Rising,
-            Side::Falling => Direction::Falling,
-            Side::Both => Direction::Both,
-        };
         let first = First { found: Vec::new(), most: self.points };
         let count = Count::new("steps", self.steps, watch);
         study.can_reembed(self.reembed)?;
         let step = study.steps(&at, self.reembed);
         // Few look at sections of fields that are not lifted through this.
         let by: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);
-        let crossings = Crossings::new(by, plane.height(&at), direction, first);
+        let crossings = Crossings::new(by, plane.height(&at), self.direction, first);
         let followed = by.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
         let Followed { report, end } = followed.expect("the start is of the field");
         let end = step.as_ref().map_or(end, |step| step.end(end, &x));

@@ -3,28 +3,21 @@
 //! In: a text in TOML, and before anything runs all that is wrong with it. Out: a number of points,
 //! and the rows of any of them.
 
-mod mistakes;
 mod read;
-mod table;
 
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use kahan_algebra::rational::Rational;
 use kahan_algebra::render::macro_block;
-use kahan_study::{Observe, Over, Question, Source, Study, Table, Through, Varied, Watch};
+use kahan_study::{Observe, Over, Question, Study, Table, Watch};
+use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
-
-/// From where numbers are drawn, by its name.
-const SOURCES: [(&str, Source); 2] = [("sobol", Source::Sobol), ("uniform", Source::Uniform)];
 
 /// A plan that can be run.
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// `[system.params]`, in the order of the plan.
-    fixed: Vec<(String, Rational)>,
     /// What is asked over the axes; the last runs fastest, but for the draws.
     question: Question,
     points: u64,
@@ -95,65 +88,28 @@ impl Plan {
         choose(all, self.places.as_deref())
     }
 
-    /// The plan in one form, however it was written.
+    /// Returns the plan as JSON in one form, however it was written.
     pub fn canonical(&self) -> &str {
-        self.canonical.get_or_init(|| self.written())
+        self.canonical.get_or_init(|| self.to_json().to_string())
     }
 
-    fn written(&self) -> String {
-        let mut text = format!("{}\n", macro_block(self.study.system()));
-        for (name, value) in &self.fixed {
-            let _ = writeln!(text, "{name} = [{value}]");
-        }
-        let list = |values: &mut dyn Iterator<Item = &Rational>| {
-            values.map(ToString::to_string).collect::<Vec<_>>().join(", ")
+    fn to_json(&self) -> Value {
+        let mut question = json!(self.question);
+        let starts: Vec<String> = self.over().starts.iter().flatten().map(ToString::to_string).collect();
+        // A million points would stand in every part.
+        let count = self.over().starts.len();
+        question["starts"] = match count {
+            0 => json!([]),
+            _ => json!({"count": count, "sha256": sha256(&starts.join(", "))}),
         };
-        let over = self.over();
-        if !over.starts.is_empty() {
-            let digest = sha256(&list(&mut over.starts.iter().flatten()));
-            let _ = writeln!(text, "starts = {} of SHA-256 {digest}", over.starts.len());
-        }
-        for Varied { name, through } in &over.axes {
-            let _ = match through {
-                Through::List(values) => {
-                    writeln!(text, "{name} = [{}]", list(&mut values.iter()))
-                }
-                Through::Range(range) => {
-                    let (count, from, step) = (range.count(), range.value(0), range.step());
-                    writeln!(text, "{name} = {count} values from {from}, {step} apart")
-                }
-                Through::Drawn { source, low, high } => {
-                    let source = SOURCES.iter().find(|(_, own)| own == source).expect("two sources").0;
-                    writeln!(text, "{name} = {source} from {low} to {high}")
-                }
-            };
-        }
-        let _ = writeln!(text, "draws = {}\nseed = {}", over.draws, over.seed);
-        // In the keys of a plan, with the values that it leaves out.
-        let _ = match &*over.question {
-            Question::Observe(Observe { steps, every, escape, of, .. }) => {
-                let of: Vec<&str> = of.iter().map(|one| one.name()).collect();
-                let of = of.join(", ");
-                let escape = escape.map_or("none".to_owned(), |bound| bound.to_string());
-                writeln!(
-                    text,
-                    "kind = orbit\nsteps = {steps}\nevery = {every}\nescape = {escape}\nobserve = [{of}]"
-                )
-            }
-            Question::Heights(asked) => {
-                writeln!(text, "kind = heights\nsteps = {}\ndigits = {}", asked.steps, asked.max_digits)
-            }
-            Question::Discover(asked) => {
-                let degree = asked.degree.map_or("any".to_owned(), |degree| degree.to_string());
-                writeln!(text, "kind = discover\ndegree = {degree}")
-            }
-            other => unreachable!("no plan asks {}", other.name()),
-        };
-        let _ = writeln!(text, "rows_per_part = {}", self.rows_per_part);
-        let names: Vec<&str> = self.empty.columns.iter().map(|column| &*column.name).collect();
-        let columns = self.places.as_ref().map_or("all".to_owned(), |_| names.join(", "));
-        let _ = writeln!(text, "columns = {columns}");
-        text
+        let columns: Vec<&str> = self.empty.columns.iter().map(|column| &*column.name).collect();
+        let parameters: Map<String, Value> =
+            self.study.fixed().iter().map(|(name, value)| (name.clone(), value.to_string().into())).collect();
+        json!({
+            "subject": {"field": macro_block(self.study.system()), "params": parameters},
+            "question": question,
+            "output": {"rows_per_part": self.rows_per_part, "columns": columns},
+        })
     }
 
     /// What tells this plan from others: SHA-256 of its [one form](Self::canonical).

@@ -7,14 +7,13 @@ use kahan_algebra::rational::Rational;
 use kahan_study::columns::{Others, Wanted};
 use kahan_study::number_file::Numbers;
 use kahan_study::{
-    Discover, Heights, Observable, Observe, Over, Question, Range, Spacing, Study, StudyError, Subject,
-    Systems, Table as Rows, Through, Unwatched, Varied,
+    Misread, Observable, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument,
+    Unwatched, read,
 };
-use toml::de::DeTable;
+use serde::Deserialize;
+use serde_json::{Map, Value};
 
-use super::mistakes::Collector;
-use super::table::{Given, Table};
-use super::{Plan, SOURCES, choose};
+use super::{Plan, choose};
 use crate::files::numbers;
 
 /// Rows of a part where the plan does not say.
@@ -23,124 +22,167 @@ const ROWS: u64 = 100_000;
 const MOST_NUMBERS: u64 = 12_000_000;
 /// Parts of a sweep: a file of Parquet numbers its row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
-/// The most of what has no bound of its own.
-const MANY: u64 = 1 << 40;
 
-pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, String> {
-    let mistakes = Collector::new(source);
-    let root = DeTable::parse(source);
-    let read = match &root {
-        Ok(root) => read(Table::new("the plan", root.span(), root.get_ref(), &mistakes), &mistakes, origin),
-        Err(error) => {
-            mistakes.note(&error.span().unwrap_or_default(), error.message());
+/// What a plan has.
+const KEYS: [&str; 6] = ["seed", "draws", "starts", "subject", "question", "output"];
+/// Names of plans before, and their names now.
+const RENAMED: [(&str, &str); 3] =
+    [("system", "[subject]"), ("task", "[question]"), ("axes", "[question.over]")];
+
+pub(super) fn plan(text: &str, origin: &str) -> Result<Plan, String> {
+    let at_line = |(line, why): (usize, String)| format!("{origin}:{line}: {why}");
+    let document = TomlDocument::parse(text).map_err(at_line)?;
+    let mut root = document.to_json().map_err(at_line)?;
+    let mut mistakes = Vec::new();
+    let plan = read_plan(&mut root, origin, &mut mistakes);
+    if mistakes.is_empty() {
+        return Ok(plan.expect("where nothing is missing nothing was noted"));
+    }
+    let lines = mistakes.into_iter().map(|Misread { path, why }| (document.line(&path), why));
+    let mut lines: Vec<(usize, String)> = lines.collect();
+    lines.sort();
+    Err(lines.into_iter().map(at_line).collect::<Vec<_>>().join("\n"))
+}
+
+/// A mistake at a path of names.
+fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
+    Misread { path: path.iter().map(|&name| name.to_owned()).collect(), why: why.into() }
+}
+
+/// Takes what was read, or notes the mistake with its path from a table of the plan.
+fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
+    read.map_err(|Misread { mut path, why }| {
+        let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
+        // These stand at the top of the plan.
+        if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
+            path.insert(0, table.to_owned());
+        }
+        mistakes.push(Misread { path, why });
+    })
+    .ok()
+}
+
+fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Misread>) -> Option<Plan> {
+    for name in root.keys().filter(|name| !KEYS.contains(&name.as_str())) {
+        let now = RENAMED.iter().find(|(before, _)| before == name);
+        let now =
+            now.map_or_else(|| format!("it has {}", KEYS.join(", ")), |(_, now)| format!("write {now}"));
+        mistakes.push(mistake(&[name], format!("the plan has no `{name}`; {now}")));
+    }
+    let subject = match root.remove("subject") {
+        Some(subject) => {
+            note(read::<Subject>(subject.clone()), "subject", mistakes).map(|own| (own, subject))
+        }
+        None => {
+            let why = "a plan has a [subject], with name = \"e6\" or field = \"xdot = …;\"";
+            mistakes.push(mistake(&[], why));
             None
         }
     };
-    mistakes.finish(origin, read)
-}
-
-fn read(mut root: Table<'_>, mistakes: &Collector<'_>, origin: &str) -> Option<Plan> {
-    let seed = root.whole("seed", 0..=i64::MAX as u64).unwrap_or(1);
-    let (draws, file) = (root.take("draws"), root.take("starts"));
-    let system = root.needs("system", "a [system], with name = \"e6\" or field = \"xdot = …;\"");
-    let axes = root.needs("axes", "[axes]: what it goes through, with eps and each variable");
-    let task = root.needs("task", &format!("a [task], with {KINDS}"));
-    let [system, axes, task, output] =
-        [system, axes, task, root.take("output")].map(|given| given.and_then(Given::section));
-    root.finish();
-    let field = system.and_then(field);
-    let task = task.and_then(|table| asked(table, field.as_ref().map(|(study, _)| study)));
-    let (study, mut fixed) = field?;
-    let mut axes = axes.map_or_else(Vec::new, |table| self::axes(table, &study));
-    // Values that the text of the field gives, where the plan gives none.
-    for (name, value) in study.parameters().iter().zip(study.valued()) {
-        let is_given =
-            fixed.iter().any(|(own, _)| own == name) || axes.iter().any(|(_, axis)| axis.name == *name);
-        fixed.extend(value.filter(|_| !is_given).map(|value| (name.clone(), value)));
+    let output = root.remove("output").map_or(Ok(Output::default()), read);
+    let output = note(output, "output", mistakes);
+    let is_drawn_by = root.contains_key("draws");
+    let file = root.remove("starts");
+    let question = match root.remove("question") {
+        Some(Value::Object(mut question)) => {
+            question.entry("over").or_insert_with(|| Map::new().into());
+            for key in ["seed", "draws"] {
+                question.extend(root.remove(key).map(|value| (key.to_owned(), value)));
+            }
+            note(Question::read(question), "question", mistakes)
+        }
+        Some(_) => {
+            mistakes
+                .push(mistake(&["question"], "`question` is a table; write [question] on a line of its own"));
+            None
+        }
+        None => {
+            let why = "a plan has a [question], with ask = \"observe\", \"heights\", \"evaluate\" or \"discover\", and [question.over]";
+            mistakes.push(mistake(&[], why));
+            None
+        }
+    };
+    let (subject, written) = subject?;
+    let study = subject.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
+    let study = study.map_err(|why| mistakes.push(of_subject(&why, &written))).ok()?;
+    let (mut question, output) = (question?, output?);
+    let Question::Over(over) = &mut question else {
+        let why = format!(
+            "`{}` has no rows over axes; there are observe, heights, evaluate, discover",
+            question.name()
+        );
+        mistakes.push(mistake(&["question", "ask"], why));
+        return None;
+    };
+    if let Some(file) = file {
+        let points = starts(&file, origin, &study, &over.question);
+        over.starts = points.map_err(|why| mistakes.push(mistake(&["starts"], why))).ok()?;
     }
-    let starts = match file {
-        Some(file) => starts(file, origin, &study, task.as_ref().map(|(question, _)| question)),
-        None => Some(Vec::new()),
-    };
-    // What could not be read is not missing: its mistake is the one to correct.
-    let (question, scheme, starts) = match (task, starts) {
-        (Some((question, scheme)), Some(starts)) if mistakes.is_empty() => (question, scheme, starts),
-        _ => return None,
-    };
-    missing(&root, &axes, &fixed, (&study, &question, !starts.is_empty()));
-    let draws = self::draws(&root, draws, &axes)?;
+    for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
+        if over.over.iter().any(|axis| axis.name == *name) {
+            let why = format!("`{name}` stands under [subject.params], too; leave it out of one");
+            mistakes.push(mistake(&["question", "over", name], why));
+        }
+    }
+    let is_drawn = over.over.iter().any(|axis| matches!(axis.through, Through::Drawn { .. }));
+    if is_drawn && !is_drawn_by {
+        mistakes.push(mistake(
+            &["question", "over"],
+            "axes are drawn; say how many points by draws = 1000 at the top of the plan",
+        ));
+    } else if is_drawn_by && !is_drawn {
+        mistakes.push(mistake(&["draws"], "no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }"));
+    }
+    if let Question::Observe(asked) = &mut *over.question {
+        asked.observe = asked.observables();
+        if asked.observe.contains(&Observable::Drift) && study.field().integrals().is_empty() {
+            let why = "observe: drift is that of integrals, and the field claims none";
+            mistakes.push(mistake(&["question", "observe"], why));
+        }
+    }
     if !mistakes.is_empty() {
         return None;
     }
-    axes.extend(scheme);
-    let (places, axes): (Vec<Given<'_>>, Vec<Varied>) = axes.into_iter().unzip();
-    let over = Over { question: Box::new(question), axes, starts, draws, seed };
     let points = over.cells(&study);
-    let question = Question::Over(over);
-    let mut empty = Rows::default();
+    let mut empty = Table::default();
     // No rows, and so their columns alone.
     let asked = study.rows(&question, 0..0, &mut empty, &Unwatched);
-    let points = asked.and(points).map_err(|why| refuse(&why, &places, |said| root.note(said))).ok()?;
-    let (rows_per_part, places) = output.map_or((ROWS, None), |table| self::output(table, &empty));
+    let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
+    let places = output.places(&empty, mistakes);
     let empty = choose(empty, places.as_deref());
-    let canonical = OnceLock::new();
-    let plan = Plan { study, fixed, question, points, rows_per_part, places, empty, canonical };
-    bounds(&root, &plan);
+    let rows_per_part = output.rows_per_part;
+    let plan = Plan { study, question, points, rows_per_part, places, empty, canonical: OnceLock::new() };
+    mistakes.extend(too_large(&plan));
     Some(plan)
 }
 
-/// Notes why the field or the question is refused, where the value stands that is at fault, or else
-/// otherwise.
-fn refuse(why: &StudyError, places: &[Given<'_>], otherwise: impl Fn(&str)) {
+/// Why there is no study of a subject, at the value that is at fault.
+fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
     let said = said.trim_start_matches("error: ").trim_end();
-    let at_fault = match why {
-        StudyError::UnknownParameter { name, .. } | StudyError::AxisValues { name, .. } => {
-            places.iter().find(|given| given.name() == name)
-        }
-        _ => None,
-    };
-    at_fault.map_or_else(|| otherwise(said), |given| given.note(said));
+    match why {
+        StudyError::UnknownParameter { name, .. } => mistake(&["subject", "params", name], said),
+        _ if written.get("name").is_some() => mistake(&["subject", "name"], said),
+        _ => mistake(&["subject", "field"], said),
+    }
 }
 
-/// The field, and the values that its parameters have in all of the plan.
-fn field(mut table: Table<'_>) -> Option<(Study, Vec<(String, Rational)>)> {
-    let (name, field, sites) = (table.take("name"), table.take("field"), table.take("sites"));
-    let params = table.take("params").and_then(Given::section);
-    table.finish();
-    let (subject, given) = match (name, field) {
-        (Some(name), None) => (Subject::named(name.text()?), name),
-        (None, Some(field)) => (Subject::text(field.text()?), field),
-        _ => {
-            table.note("[system] has either name = \"e6\" or field = \"xdot = …;\"");
-            return None;
-        }
-    };
-    let subject = match sites {
-        Some(sites) => subject.sites(sites.whole(1..=1 << 32)? as usize),
-        None => subject,
-    };
-    let params = params.map_or_else(Vec::new, |mut params| params.rest());
-    let fixed = params.iter().filter_map(|given| Some((given.name().to_owned(), given.number()?)));
-    let fixed: Vec<(String, Rational)> = fixed.collect();
-    let values = fixed.iter().cloned();
-    let subject = values.fold(subject, |subject, (name, value)| subject.with(name, value));
-    let study = subject.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
-    Some((study.map_err(|why| refuse(&why, &params, |said| given.note(said))).ok()?, fixed))
+/// Why a question has no rows, at the value that is at fault.
+fn of_question(why: &StudyError) -> Misread {
+    match why {
+        StudyError::UnknownAxis { name, .. }
+        | StudyError::AxisValues { name, .. }
+        | StudyError::AxisTwice { name } => mistake(&["question", "over", name], why.to_string()),
+        _ => mistake(&["question"], why.to_string()),
+    }
 }
 
 /// The first points of a file, which lies where the plan says, seen from its own folder.
-fn starts(
-    given: Given<'_>,
-    origin: &str,
-    study: &Study,
-    asked: Option<&Question>,
-) -> Option<Vec<Vec<Rational>>> {
-    if let Some(Question::Discover(_)) = asked {
-        given.note("starts: \"discover\" has none; leave `starts` out");
-        return None;
+fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result<Vec<Vec<Rational>>, String> {
+    if matches!(asked, Question::Discover(_)) {
+        return Err("starts: \"discover\" has none; leave `starts` out".to_owned());
     }
-    let name = given.text()?;
+    let name = file.as_str().ok_or("starts is the name of a file, in quotation marks")?;
     let path = Path::new(origin).with_file_name(name);
     let variables = study.variables();
     let read = match path.extension().and_then(|ending| ending.to_str()) {
@@ -155,205 +197,62 @@ fn starts(
     // Parameters and ε have their values in the plan, whatever columns the results of another have.
     let wanted = Wanted::new(variables, study.parameters(), Others::Ignored);
     let points = read.and_then(|numbers| numbers.points(&wanted));
-    points.map_err(|why| given.note(format!("starts: {} {why}", path.display()))).ok()
+    points.map_err(|why| format!("starts: {} {why}", path.display()))
 }
 
-/// What goes through values, and where it stands.
-type Axes<'t> = Vec<(Given<'t>, Varied)>;
-
-fn axes<'t>(mut table: Table<'t>, study: &Study) -> Axes<'t> {
-    let known = || study.variables().iter().chain(study.parameters()).map(String::as_str).chain(["eps"]);
-    let mut axes = Vec::new();
-    for given in table.rest() {
-        let name = given.name();
-        if known().any(|known| known == name) {
-            axes.extend(through(&given).map(|through| axis(given, name, through)));
-            continue;
-        }
-        let hint = match name {
-            "order" | "scalar" => "; order and scalar are lists in [task]",
-            "start" | "starts" | "at" => {
-                "; a start is an axis for each variable (values, a range or a draw), or a row of starts = \"F.csv\" at the top of the plan"
-            }
-            _ => "",
-        };
-        let known = known().collect::<Vec<_>>().join(", ");
-        given.note(format!("`{name}` is no axis: there is {known}{hint}"));
-    }
-    axes
+/// Which rows are written where, and which of their columns.
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Output {
+    rows_per_part: u64,
+    columns: Option<Vec<String>>,
 }
 
-fn axis<'t>(given: Given<'t>, name: &str, through: Through) -> (Given<'t>, Varied) {
-    (given, Varied { name: name.to_owned(), through })
-}
-
-/// A number, a list, `{ from, to, points }`, `{ from, to, step }`, or `{ draw, low, high }`.
-fn through(given: &Given<'_>) -> Option<Through> {
-    let name = given.name();
-    let Some(mut table) = given.table(name) else {
-        return given.each().iter().map(Given::number).collect::<Option<_>>().map(Through::List);
-    };
-    let through = match table.take("draw") {
-        Some(draw) => drawn(&draw, &mut table),
-        None => range(name, &mut table),
-    };
-    table.finish();
-    through
-}
-
-fn drawn(draw: &Given<'_>, table: &mut Table<'_>) -> Option<Through> {
-    let (low, high) = (bound("low", table), bound("high", table));
-    let source = draw.one_of("there is no draw", &SOURCES)?;
-    Some(Through::Drawn { source, low: low?, high: high? })
-}
-
-fn range(name: &str, table: &mut Table<'_>) -> Option<Through> {
-    let (from, to) = (bound("from", table), bound("to", table));
-    let spacing = match (table.take("points"), table.take("step")) {
-        (Some(points), None) => points.whole(2..=MANY).map(|points| Spacing::Count(points as usize)),
-        (None, Some(step)) => step.number().map(Spacing::Step),
-        _ => {
-            from.and(to)?;
-            table.note(format!("{name}: a range is {{ from, to, points }} or {{ from, to, step }}, a draw {{ draw, low, high }}"));
-            return None;
-        }
-    };
-    let range = Range::between(from?, to?, spacing?);
-    range.map_err(|why| table.note(format!("{name}: {why}"))).ok().map(Through::Range)
-}
-
-fn bound(end: &'static str, table: &mut Table<'_>) -> Option<Rational> {
-    table.needs(end, &format!("`{end}`"))?.number()
-}
-
-/// What is asked, whose place the axes say, with the axes of order and scalar.
-type Asked<'t> = (Question, Axes<'t>);
-
-/// Reads what a kind of task has, for a field if that could be read.
-type Kind = for<'t> fn(&mut Table<'t>, Option<&Study>) -> Option<Asked<'t>>;
-
-const KINDS: &str = "kind = \"orbit\", \"heights\" or \"discover\"";
-
-fn asked<'t>(mut table: Table<'t>, study: Option<&Study>) -> Option<Asked<'t>> {
-    let kinds: [(&str, Kind); 3] = [("orbit", orbit), ("heights", heights), ("discover", discover)];
-    let kind = table.needs("kind", KINDS)?.one_of("[task] has no kind", &kinds)?;
-    let asked = kind(&mut table, study);
-    table.finish();
-    asked
-}
-
-fn orbit<'t>(table: &mut Table<'t>, study: Option<&Study>) -> Option<Asked<'t>> {
-    let steps = steps(table, 1 << 53);
-    let mut scheme = Vec::new();
-    if let Some(given) = table.take("order") {
-        let orders = given.each().iter().filter_map(Given::number).collect();
-        scheme.push(axis(given, "order", Through::List(orders)));
-    }
-    if let Some(given) = table.take("scalar") {
-        let bits = |one: &Given<'_>| one.one_of("a sweep has no scalar", &[("f64", 64), ("f32", 32)]);
-        let bits = given.each().iter().filter_map(bits).map(Rational::from).collect();
-        scheme.push(axis(given, "bits", Through::List(bits)));
-    }
-    let every = table.whole("every", 1..=MANY).unwrap_or(10);
-    let escape = table.take("escape").map_or(Some(None), |given| Some(Some(given.number()?.to_f64())));
-    let known: Vec<_> = Observable::ALL.iter().map(|one| (one.name(), *one)).collect();
-    let claims_none = study.is_some_and(|study| study.field().integrals().is_empty());
-    let mut of = Vec::new();
-    for one in table.take("observe").into_iter().flat_map(Given::each) {
-        match one.one_of("there is no observer", &known) {
-            Some(Observable::Drift) if claims_none => {
-                one.note("observe: drift is that of integrals, and the field claims none");
-            }
-            found => of.extend(found),
-        }
-    }
-    let asked =
-        Observe { every, escape: escape?, of, ..Observe::new(Rational::zero(), nowhere(study), steps?) };
-    Some((Question::Observe(Observe { of: asked.observables(), ..asked }), scheme))
-}
-
-fn heights<'t>(table: &mut Table<'t>, study: Option<&Study>) -> Option<Asked<'t>> {
-    let steps = steps(table, 1 << 20);
-    let max_digits = table.whole("digits", 1..=100_000_000).unwrap_or(100_000);
-    let asked = Heights { max_digits, ..Heights::new(Rational::zero(), nowhere(study), steps?) };
-    Some((Question::Heights(asked), Vec::new()))
-}
-
-fn discover<'t>(table: &mut Table<'t>, _: Option<&Study>) -> Option<Asked<'t>> {
-    let degree = table.whole("degree", 1..=20).map(|degree| degree as u32);
-    // An axis is ε.
-    Some((Question::Discover(Discover { degree, ..Discover::default() }), Vec::new()))
-}
-
-fn steps(table: &mut Table<'_>, most: u64) -> Option<u64> {
-    table.needs("steps", "steps, the number of steps of each orbit")?.whole(1..=most)
-}
-
-/// A point, for axes and files to put others in its place.
-fn nowhere(study: Option<&Study>) -> Vec<Rational> {
-    vec![Rational::zero(); study.map_or(0, |study| study.variables().len())]
-}
-
-/// Notes what has no value, and what has two.
-fn missing(root: &Table<'_>, axes: &Axes<'_>, fixed: &[(String, Rational)], over: (&Study, &Question, bool)) {
-    let (study, question, has_file) = over;
-    let starts = if matches!(question, Question::Discover(_)) { &[] } else { study.variables() };
-    for name in starts.iter().chain(study.parameters()).map(String::as_str).chain(["eps"]) {
-        let is_fixed = fixed.iter().any(|(own, _)| own == name);
-        let is_of_file = has_file && starts.iter().any(|own| own == name);
-        let elsewhere = is_fixed.then_some("under [system.params]");
-        let elsewhere = elsewhere.or(is_of_file.then_some("in the file of starts"));
-        match (axes.iter().any(|(_, axis)| axis.name == name), elsewhere) {
-            (false, None) => root.note(format!(
-                "`{name}` has no value; give it one under [axes], such as {name} = 1 or {name} = [0.1, 0.2]"
-            )),
-            (true, Some(place)) => {
-                root.note(format!("`{name}` stands {place} and under [axes]; leave it out of one"));
-            }
-            _ => {}
-        }
+impl Default for Output {
+    fn default() -> Self {
+        Output { rows_per_part: ROWS, columns: None }
     }
 }
 
-/// How many points the drawn axes have.
-fn draws(root: &Table<'_>, given: Option<Given<'_>>, axes: &Axes<'_>) -> Option<u64> {
-    let is_drawn = axes.iter().any(|(_, axis)| matches!(axis.through, Through::Drawn { .. }));
-    let draws = given.map_or(Some(1), |given| given.whole(1..=1 << 53));
-    match (given, is_drawn) {
-        (Some(given), false) => given.note("no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }"),
-        (None, true) => root.note("axes are drawn; say how many points by draws = 1000 at the top of the plan"),
-        _ => {}
-    }
-    draws
-}
-
-/// The rows of a part, and the places of the columns that are written.
-fn output(mut table: Table<'_>, empty: &Rows) -> (u64, Option<Vec<usize>>) {
-    let rows = table.whole("rows_per_part", 1..=MOST_NUMBERS).unwrap_or(ROWS);
-    let known = empty.columns.iter().enumerate().map(|(place, column)| (&*column.name, place));
-    let known: Vec<(&str, usize)> = known.collect();
-    let places = |given: Given<'_>| {
-        let columns = given.each();
+impl Output {
+    /// The places of the columns that are written, `None` for all.
+    fn places(&self, all: &Table, mistakes: &mut Vec<Misread>) -> Option<Vec<usize>> {
+        let columns = self.columns.as_ref()?;
         if columns.is_empty() {
-            given.note("columns: there are none; name at least one, or leave `columns` out for all");
+            let why = "columns: there are none; name at least one, or leave `columns` out for all";
+            mistakes.push(mistake(&["output", "columns"], why));
         }
-        columns.iter().filter_map(|one| one.one_of("there is no column", &known)).collect()
-    };
-    let places = table.take("columns").map(places);
-    table.finish();
-    (rows, places)
+        let mut places = Vec::new();
+        for (k, name) in columns.iter().enumerate() {
+            match all.columns.iter().position(|column| column.name == *name) {
+                Some(place) => places.push(place),
+                None => {
+                    let known: Vec<&str> = all.columns.iter().map(|column| &*column.name).collect();
+                    let why = format!("there is no column `{name}`; there is {}", known.join(", "));
+                    mistakes.push(mistake(&["output", "columns", &k.to_string()], why));
+                }
+            }
+        }
+        Some(places)
+    }
 }
 
-/// Notes what would not fit into memory, or into a file.
-fn bounds(root: &Table<'_>, plan: &Plan) {
+/// What would not fit into memory, or into a file.
+fn too_large(plan: &Plan) -> Option<Misread> {
     let columns = plan.empty.columns.len() as u64;
     let most = MOST_NUMBERS / columns.max(1);
-    if plan.rows_per_part.min(plan.points()) > most {
-        root.note(format!(
-            "[output] rows_per_part is at most {most} with {columns} columns, so that a part fits into memory"
-        ));
+    let rows = plan.rows_per_part;
+    let why = if rows == 0 {
+        "rows_per_part is 1 or more".to_owned()
+    } else if rows > MOST_NUMBERS || rows.min(plan.points()) > most {
+        format!("rows_per_part is at most {most} with {columns} columns, so that a part fits into memory")
     } else if plan.parts() > MOST_PARTS {
-        let least = plan.points().div_ceil(MOST_PARTS);
-        root.note(format!("{} parts are too many for one file, which has at most {MOST_PARTS}; write [output] rows_per_part = {least} or more", plan.parts()));
-    }
+        let (parts, least) = (plan.parts(), plan.points().div_ceil(MOST_PARTS));
+        format!(
+            "{parts} parts are too many for one file, which has at most {MOST_PARTS}; write [output] rows_per_part = {least} or more"
+        )
+    } else {
+        return None;
+    };
+    Some(mistake(&["output", "rows_per_part"], why))
 }

@@ -152,7 +152,7 @@ impl Subject<'_> {
             Axis { name: name.to_owned(), range }.into()
         });
         let observe = Observe::new(eps.clone(), start.clone(), 1000);
-        let observe = Question::Observe(Observe { of: vec![Observable::Fli], ..observe });
+        let observe = Question::Observe(Observe { observe: vec![Observable::Fli], ..observe });
         let asked = Over::new(observe, axes.into());
         let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
         let drawn = found.map(|found| {

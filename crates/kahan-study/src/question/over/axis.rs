@@ -5,15 +5,20 @@
 
 use kahan_algebra::rational::Rational;
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
+use crate::axes::Entry;
 use crate::draw::{Sobol, Uniform};
-use crate::numbers::exact;
+use crate::numbers::ScalarKind;
+use crate::numbers::exact::{self, Exactly};
 use crate::range::{Axis, Range};
 
 /// A name with the values that it goes through: a variable, whose first value it is, a parameter,
-/// `eps`, and of orbits the `order` of the method and the `bits` of the floats.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(into = "Written", try_from = "Written")]
+/// `eps`, and of orbits the `order` of the method and the `scalar`.
+///
+/// In JSON it is an entry of an object: `"x": "0:1:/9"`, a [`Range`], `"x": [0, "1/2"]`, a list,
+/// `"x": 1`, or `"x": {"draw": "sobol", "low": 0, "high": 1}`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
     /// What goes through them.
     pub name: String,
@@ -28,6 +33,8 @@ pub enum Through {
     Range(Range),
     /// One after the other.
     List(Vec<Rational>),
+    /// Scalars, one after the other.
+    Scalars(Vec<ScalarKind>),
     /// As many as the question has draws, which go through all drawn axes together.
     Drawn {
         /// From where.
@@ -55,52 +62,50 @@ impl From<Axis> for Varied {
     }
 }
 
-/// As it stands in JSON.
-#[derive(Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-struct Written {
-    name: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<Range>,
-    #[serde(skip_serializing_if = "Vec::is_empty", with = "exact")]
-    values: Vec<Rational>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    draw: Option<Source>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "exact")]
-    low: Option<Rational>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "exact")]
-    high: Option<Rational>,
+/// A draw, as it stands in JSON.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Drawn {
+    draw: Source,
+    #[serde(with = "exact")]
+    low: Rational,
+    #[serde(with = "exact")]
+    high: Rational,
 }
 
-impl From<Varied> for Written {
-    fn from(Varied { name, through }: Varied) -> Self {
-        let mut written = Written { name, ..Written::default() };
-        match through {
-            Through::Range(range) => written.range = Some(range),
-            Through::List(values) => written.values = values,
+impl Entry for Varied {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn to_json(&self) -> Value {
+        match &self.through {
+            Through::Range(range) => json!(range),
+            Through::List(values) => values.to_json(),
+            Through::Scalars(scalars) => json!(scalars),
             Through::Drawn { source, low, high } => {
-                (written.draw, written.low, written.high) = (Some(source), Some(low), Some(high));
+                json!(Drawn { draw: *source, low: low.clone(), high: high.clone() })
             }
         }
-        written
     }
-}
 
-impl TryFrom<Written> for Varied {
-    type Error = String;
-
-    fn try_from(Written { name, range, values, draw, low, high }: Written) -> Result<Self, String> {
-        let through = match (range, values.is_empty(), draw, low, high) {
-            (Some(range), true, None, None, None) => Through::Range(range),
-            (None, false, None, None, None) => Through::List(values),
-            (None, true, Some(source), Some(low), Some(high)) => Through::Drawn { source, low, high },
-            _ => {
-                return Err(format!(
-                    "the axis `{name}` has either a `range`, as \"0:1:/9\", or a list of `values`, or `draw`, `low` and `high`"
-                ));
+    fn of_json(name: &str, value: Value) -> Result<Self, String> {
+        let wrong = |why: serde_json::Error| why.to_string();
+        let list = |value| if let Value::Array(list) = value { list } else { vec![value] };
+        let through = match value {
+            value if name == "scalar" => {
+                Through::Scalars(serde_json::from_value(Value::Array(list(value))).map_err(wrong)?)
             }
+            Value::String(text) if text.contains(':') => {
+                Through::Range(Range::of_table(&text).map_err(|why| why.to_string())?)
+            }
+            Value::Object(_) => {
+                let Drawn { draw, low, high } = serde_json::from_value(value).map_err(wrong)?;
+                Through::Drawn { source: draw, low, high }
+            }
+            value => Through::List(Vec::of_json(&Value::Array(list(value)))?),
         };
-        Ok(Varied { name, through })
+        Ok(Varied { name: name.to_owned(), through })
     }
 }
 
@@ -110,8 +115,18 @@ type Draw = dyn Fn(u64) -> f64 + Sync;
 /// The values of an axis, found by their indices.
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
-    Spaced { first: Rational, step: Rational, count: u64 },
-    Drawn { draw: Box<Draw>, low: f64, high: f64 },
+    /// The bits of their floats.
+    Scalars(Vec<Rational>),
+    Spaced {
+        first: Rational,
+        step: Rational,
+        count: u64,
+    },
+    Drawn {
+        draw: Box<Draw>,
+        low: f64,
+        high: f64,
+    },
 }
 
 impl<'a> Values<'a> {
@@ -123,6 +138,14 @@ impl<'a> Values<'a> {
                 Err("there are no values; give at least one".into())
             }
             Through::List(values) => Ok(Values::List(values)),
+            Through::Scalars(scalars) => {
+                let bits = |scalar: &ScalarKind| match scalar {
+                    ScalarKind::F64 => Ok(Rational::from(64)),
+                    ScalarKind::F32 => Ok(Rational::from(32)),
+                    other => Err(format!("{} is none of f64, f32", other.name())),
+                };
+                scalars.iter().map(bits).collect::<Result<_, _>>().map(Values::Scalars)
+            }
             Through::Range(range) => {
                 Ok(Values::Spaced { first: range.value(0), step: range.step(), count: range.count() as u64 })
             }
@@ -150,6 +173,7 @@ impl<'a> Values<'a> {
     pub(super) fn count(&self) -> Option<u64> {
         match self {
             Values::List(values) => Some(values.len() as u64),
+            Values::Scalars(values) => Some(values.len() as u64),
             Values::Spaced { count, .. } => Some(*count),
             Values::Drawn { .. } => None,
         }
@@ -159,6 +183,7 @@ impl<'a> Values<'a> {
     pub(super) fn exactly(&self, index: u64) -> Rational {
         match self {
             Values::List(values) => values[index as usize].clone(),
+            Values::Scalars(values) => values[index as usize].clone(),
             Values::Spaced { first, step, .. } => first + &(step * &Rational::from(index as i64)),
             Values::Drawn { .. } => {
                 Rational::from_f64(self.double(index)).expect("it is between two doubles")
@@ -170,7 +195,7 @@ impl<'a> Values<'a> {
     pub(super) fn double(&self, index: u64) -> f64 {
         match self {
             Values::List(values) => values[index as usize].to_f64(),
-            Values::Spaced { .. } => self.exactly(index).to_f64(),
+            Values::Scalars(_) | Values::Spaced { .. } => self.exactly(index).to_f64(),
             Values::Drawn { draw, low, high } => low + (high - low) * draw(index),
         }
     }

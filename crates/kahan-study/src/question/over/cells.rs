@@ -19,7 +19,7 @@ pub(super) enum Target {
     Parameter(usize),
     Epsilon,
     Order,
-    Bits,
+    Scalar,
 }
 
 /// An axis of a field.
@@ -57,7 +57,7 @@ impl<'a> Cells<'a> {
     pub(super) fn of(over: &'a Over, study: &Study) -> Result<Self, StudyError> {
         let (eps, at) = over.begins(study)?;
         let of = |place: usize| along(over, place, study);
-        let axes = (0..over.axes.len()).map(of).collect::<Result<Vec<_>, _>>()?;
+        let axes = (0..over.over.len()).map(of).collect::<Result<Vec<_>, _>>()?;
         let does_not_fit = |start: &&Vec<Rational>| start.len() != at.len();
         over.starts.iter().find(does_not_fit).map_or(Ok(()), |start| study.has_coordinates(start))?;
         for (place, along) in axes.iter().enumerate() {
@@ -108,7 +108,7 @@ impl<'a> Cells<'a> {
                 Target::Parameter(_) => column(name, "value of the parameter", Kept::F64),
                 Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64),
                 Target::Order => column(name, "order of the method", Kept::Integer),
-                Target::Bits => column(name, "bits of the scalar", Kept::Integer),
+                Target::Scalar => column(name, "scalar of the orbit: f64 or f32", Kept::Text),
             }
         });
         [index].into_iter().chain(starts).chain(axes).collect()
@@ -119,7 +119,8 @@ impl<'a> Cells<'a> {
         let starts = if self.starts.is_empty() { &[] } else { &place.at[..] };
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
         let axes = varying.map(|(along, &value)| match along.target {
-            Target::Order | Target::Bits => Entry::Integer(value as i64),
+            Target::Order => Entry::Integer(value as i64),
+            Target::Scalar => Entry::Text(if value == 32.0 { "f32" } else { "f64" }.to_owned()),
             _ => Entry::Float(value),
         });
         let starts = starts.iter().map(|value| Entry::Float(*value));
@@ -159,7 +160,7 @@ impl<'a> Cells<'a> {
                 Target::Variable(k) => place.at[k] = value.clone(),
                 Target::Parameter(k) => place.parameters[k] = value.clone(),
                 Target::Epsilon => place.eps = value.clone(),
-                Target::Order | Target::Bits => {}
+                Target::Order | Target::Scalar => {}
             }
             values.push(value);
         }
@@ -182,16 +183,16 @@ impl Along<'_> {
 
 /// The axis at a place, of what the field and the question have.
 fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, StudyError> {
-    let (axis, observes) = (&over.axes[place], matches!(*over.question, Question::Observe(_)));
+    let (axis, observes) = (&over.over[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
-    let values = Values::of(&over.axes, place, over.draws, over.seed).map_err(wrong)?;
+    let values = Values::of(&over.over, place, over.draws, over.seed).map_err(wrong)?;
     let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
     let target = named(study.coordinates()).map(Target::Variable);
     let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));
     let target = target.or(match &*axis.name {
         "eps" => Some(Target::Epsilon),
         "order" if observes => Some(Target::Order),
-        "bits" if observes => Some(Target::Bits),
+        "scalar" if observes => Some(Target::Scalar),
         _ => None,
     });
     let Some(target) = target else {
@@ -203,7 +204,6 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
             return Err(wrong("is a start, and a search has none; leave it out".to_owned()));
         }
         Target::Order => &[2.0, 4.0, 6.0, 8.0],
-        Target::Bits => &[32.0, 64.0],
         _ => return Ok(Along { axis, target, values }),
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {

@@ -16,10 +16,13 @@ use std::ops::{ControlFlow, Range};
 use kahan_algebra::rational::Rational;
 use kahan_discover::Watch;
 use kahan_runtime::End;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use super::{Question, one};
+use crate::axes;
 use crate::error::StudyError;
+use crate::misread::{Misread, read};
 use crate::numbers::exact;
 use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table};
 use crate::study::Study;
@@ -34,25 +37,38 @@ pub(super) use cells::Entry;
 
 /// Asks a question at every value of some axes: [`Observe`](super::Observe), or one about a point
 /// or a map, such as [`Heights`](super::Heights).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+///
+/// In JSON it is the question itself with `over`, and perhaps `starts`, `draws` and `seed`:
+/// `{"ask": "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
+/// question's own `at` and `eps` may be left out where all of them go through values.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Over {
     /// What is asked; what goes through values takes the place of what stands there.
     pub question: Box<Question>,
     /// What goes through which values. All are multiplied with each other, but for those that are
     /// drawn.
-    #[serde(default)]
-    pub axes: Vec<Varied>,
+    pub over: Vec<Varied>,
     /// First points that are gone through, a coordinate for each variable; none where the
     /// question's is the only one.
-    #[serde(default, with = "exact")]
     pub starts: Vec<Vec<Rational>>,
     /// How many values each drawn axis has.
-    #[serde(default = "one")]
     pub draws: u64,
     /// The seed of what is drawn at random.
-    #[serde(default = "one")]
     pub seed: u64,
+}
+
+/// All of [`Over`] but the question, as it stands in JSON.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Beside {
+    #[serde(with = "axes")]
+    over: Vec<Varied>,
+    #[serde(default, with = "exact")]
+    starts: Vec<Vec<Rational>>,
+    #[serde(default = "one")]
+    draws: u64,
+    #[serde(default = "one")]
+    seed: u64,
 }
 
 /// A row a cell: where it is, and what was found there. What is not a number is null in JSON.
@@ -69,8 +85,47 @@ pub struct OverFound {
 impl Over {
     /// Of one draw.
     #[must_use]
-    pub fn new(question: Question, axes: Vec<Varied>) -> Self {
-        Over { question: Box::new(question), axes, starts: Vec::new(), draws: 1, seed: 1 }
+    pub fn new(question: Question, over: Vec<Varied>) -> Self {
+        Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }
+    }
+
+    /// Reads all but the name of the question.
+    pub(super) fn read(name: &str, mut object: Map<String, Value>) -> Result<Self, Misread> {
+        let keys = ["over", "starts", "draws", "seed"];
+        let beside = keys.into_iter().filter_map(|key| Some((key.to_owned(), object.remove(key)?)));
+        let Beside { over, starts, draws, seed } = read(beside.collect::<Map<_, _>>().into())?;
+        if object.contains_key("seconds") {
+            return Err(Misread::at("seconds", "no clock ends a row; leave `seconds` out"));
+        }
+        // A search has no start, and may be of any ε.
+        if name != "discover" {
+            object.entry("at").or_insert_with(|| json!([]));
+            if over.iter().any(|axis| axis.name == "eps") {
+                object.entry("eps").or_insert_with(|| json!(0));
+            }
+        }
+        let question = Box::new(Question::alone(name, object)?);
+        Ok(Over { question, over, starts, draws, seed })
+    }
+
+    /// Returns the object of JSON.
+    fn to_json(&self) -> Map<String, Value> {
+        let Over { question, over, starts, draws, seed } = self.clone();
+        let mut object = Map::from_iter([("ask".to_owned(), json!(question.name()))]);
+        if let Some(Value::Object(own)) = question.rest() {
+            let is_gone_through = over.iter().any(|axis| axis.name == "eps");
+            let is_kept = |(name, value): &(String, Value)| match &**name {
+                "eps" => !is_gone_through && !value.is_null(),
+                "at" => value.as_array().is_none_or(|at| !at.is_empty()),
+                "seconds" => false,
+                _ => true,
+            };
+            object.extend(own.into_iter().filter(is_kept));
+        }
+        if let Value::Object(beside) = json!(Beside { over, starts, draws, seed }) {
+            object.extend(beside);
+        }
+        object
     }
 
     /// All cells. Costs the question at each.
@@ -154,20 +209,34 @@ impl Over {
 
     /// ε and the first point where no axis changes them.
     fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
+        let is_varied = |name: &str| self.over.iter().any(|axis| axis.name == name);
         let (eps, at) = match &*self.question {
             Question::Observe(asked) => (Some(&asked.eps), Some(&asked.at[..])),
             other => other.at_cell()?.place(),
         };
         let at = match at {
-            Some(at) => {
+            Some(at) if !at.is_empty() => {
                 study.has_coordinates(at)?;
                 at.to_vec()
             }
-            None => vec![Rational::zero(); study.coordinates().len()],
+            of_axes => {
+                let is_missing =
+                    |name: &&String| of_axes.is_some() && self.starts.is_empty() && !is_varied(name);
+                let names: Vec<String> = study.coordinates().iter().filter(is_missing).cloned().collect();
+                if !names.is_empty() {
+                    return Err(StudyError::MissingCoordinates { names });
+                }
+                vec![Rational::zero(); study.coordinates().len()]
+            }
         };
-        let is_varied = self.axes.iter().any(|axis| axis.name == "eps");
-        let eps = eps.cloned().or(is_varied.then(Rational::zero)).ok_or(StudyError::MissingStep)?;
+        let eps = eps.cloned().or(is_varied("eps").then(Rational::zero)).ok_or(StudyError::MissingStep)?;
         Ok((eps, at))
+    }
+}
+
+impl Serialize for Over {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.to_json().serialize(serializer)
     }
 }
 

@@ -45,7 +45,7 @@ impl<'a> Orbits<'a> {
     pub(super) fn of(study: &'a Study, cells: &'a Cells<'a>, asked: &'a Observe) -> Result<Self, StudyError> {
         study.proved()?;
         asked.composition(study)?;
-        if asked.reembed && cells.axes.iter().any(|along| along.target == Target::Bits) {
+        if asked.reembed && cells.axes.iter().any(|along| along.target == Target::Scalar) {
             return Err(StudyError::Orbit(NoOrbit::Reembed));
         }
         let (Place { at, eps, .. }, _) = cells.in_doubles(0);
@@ -112,7 +112,7 @@ impl<'a> Orbits<'a> {
             let axis = self.cells.axes.iter().position(|along| along.target == target);
             axis.map_or(usual, |axis| values[axis] as u32)
         };
-        let (order, bits) = (of(Target::Order, self.asked.order), of(Target::Bits, 64));
+        let (order, bits) = (of(Target::Order, self.asked.order), of(Target::Scalar, 64));
         Begun { index, place, values, order, bits }
     }
 
@@ -149,7 +149,7 @@ impl<'a> Orbits<'a> {
             [] => Vec::new(),
             _ if is_plain
                 && self.asked.escape.is_none()
-                && self.asked.of.iter().all(|one| *one == Observable::Last) =>
+                && self.asked.observe.iter().all(|one| *one == Observable::Last) =>
             {
                 self.ends(&own, starts, tell)
             }

@@ -1,0 +1,148 @@
+//! What a question goes through, in JSON: an object with the values of each name,
+//! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
+//!
+//! For `#[serde(with = "axes")]` on an [`Entry`], on one that may be absent, and on a list of them.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::{DeserializeSeed, Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serializer};
+use serde_json::Value;
+
+use crate::range::{Axis, Range};
+
+/// A name with the values that it goes through.
+pub(crate) trait Entry: Sized {
+    /// The name.
+    fn name(&self) -> &str;
+
+    /// The values.
+    fn to_json(&self) -> Value;
+
+    /// Reads the values of a name.
+    ///
+    /// # Errors
+    /// The mistake in words.
+    fn of_json(name: &str, values: Value) -> Result<Self, String>;
+}
+
+impl Entry for Axis {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn to_json(&self) -> Value {
+        self.range.to_string().into()
+    }
+
+    fn of_json(name: &str, values: Value) -> Result<Self, String> {
+        let text =
+            values.as_str().ok_or_else(|| format!("`{values}` is no range; write a text, as \"0:1:11\""))?;
+        let range = Range::read(text).map_err(|why| why.to_string())?;
+        Ok(Axis { name: name.to_owned(), range })
+    }
+}
+
+/// Some entries.
+pub(crate) trait Entries: Sized {
+    type Entry: Entry;
+
+    fn entries(&self) -> &[Self::Entry];
+
+    /// # Errors
+    /// Where these are too few or too many.
+    fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
+}
+
+impl<E: Entry> Entries for Vec<E> {
+    type Entry = E;
+
+    fn entries(&self) -> &[E] {
+        self
+    }
+
+    fn of(entries: Vec<E>) -> Result<Self, &'static str> {
+        Ok(entries)
+    }
+}
+
+impl<E: Entry> Entries for Option<E> {
+    type Entry = E;
+
+    fn entries(&self) -> &[E] {
+        self.as_slice()
+    }
+
+    fn of(entries: Vec<E>) -> Result<Self, &'static str> {
+        let mut entries = entries.into_iter();
+        let first = entries.next();
+        if entries.next().is_some() {
+            Err("one name goes through values here, not several")
+        } else {
+            Ok(first)
+        }
+    }
+}
+
+impl Entries for Axis {
+    type Entry = Self;
+
+    fn entries(&self) -> &[Self] {
+        std::slice::from_ref(self)
+    }
+
+    fn of(entries: Vec<Self>) -> Result<Self, &'static str> {
+        Option::of(entries)?.ok_or("no name goes through values; give one, as {\"eps\": \"0.1:1:10\"}")
+    }
+}
+
+/// Writes an object.
+///
+/// # Errors
+/// Those of the serializer.
+pub(crate) fn serialize<T: Entries, S: Serializer>(axes: &T, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(axes.entries().iter().map(|entry| (entry.name(), entry.to_json())))
+}
+
+/// Reads an object, in its order; null has no entries.
+///
+/// # Errors
+/// Where the values of a name are none.
+pub(crate) fn deserialize<'de, T: Entries, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+    let entries = deserializer.deserialize_any(Object(PhantomData))?;
+    T::of(entries).map_err(D::Error::custom)
+}
+
+struct Object<E>(PhantomData<E>);
+
+impl<'de, E: Entry> Visitor<'de> for Object<E> {
+    type Value = Vec<E>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object with the values of each name, as {\"eps\": \"0.1:1:10\"}")
+    }
+
+    fn visit_unit<X: Error>(self) -> Result<Vec<E>, X> {
+        Ok(Vec::new())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Vec<E>, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(name) = map.next_key::<String>()? {
+            entries.push(map.next_value_seed(Named(&name, PhantomData))?);
+        }
+        Ok(entries)
+    }
+}
+
+/// The values of this name: a mistake in them has its place.
+struct Named<'a, E>(&'a str, PhantomData<E>);
+
+impl<'de, E: Entry> DeserializeSeed<'de> for Named<'_, E> {
+    type Value = E;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<E, D::Error> {
+        E::of_json(self.0, Value::deserialize(deserializer)?).map_err(D::Error::custom)
+    }
+}

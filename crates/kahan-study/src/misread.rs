@@ -1,0 +1,50 @@
+//! Mistakes in questions and subjects, with their places.
+
+use std::fmt;
+
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use serde_path_to_error::Segment;
+
+/// A mistake in a question or a subject.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misread {
+    /// The place of the mistake: names of objects, and numbers of lists from 0 on, from outside.
+    pub path: Vec<String>,
+    /// The mistake in words.
+    pub why: String,
+}
+
+impl Misread {
+    /// A mistake at the value with this name.
+    pub(crate) fn at(name: &str, why: impl Into<String>) -> Self {
+        Misread { path: vec![name.to_owned()], why: why.into() }
+    }
+}
+
+impl fmt::Display for Misread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path.join("."))?;
+        }
+        f.write_str(&self.why)
+    }
+}
+
+impl std::error::Error for Misread {}
+
+/// Reads a value of JSON.
+///
+/// # Errors
+/// The first mistake.
+pub fn read<T: DeserializeOwned>(value: Value) -> Result<T, Misread> {
+    serde_path_to_error::deserialize(value).map_err(|error| {
+        let name = |segment: &Segment| match segment {
+            Segment::Seq { index } => Some(index.to_string()),
+            Segment::Map { key } => Some(key.clone()),
+            Segment::Enum { .. } | Segment::Unknown => None,
+        };
+        let path = error.path().iter().filter_map(name).collect();
+        Misread { path, why: error.into_inner().to_string() }
+    })
+}
