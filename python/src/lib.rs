@@ -56,7 +56,7 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     let (system, family) =
         known.partition(|name| Systems.find(name).is_some_and(|known| known.type_name.is_some()));
     [
-        ("direction", Direction::ALL.map(Side::name).to_vec()),
+        ("direction", Direction::ALL.map(Direction::name).to_vec()),
         ("method", Method::ALL.map(Method::name).to_vec()),
         ("observable", Observable::ALL.iter().map(|one| one.name()).collect()),
         ("scalar", ScalarKind::ALL.map(ScalarKind::name).to_vec()),
