@@ -1,7 +1,7 @@
 //! Hirota–Kimura bases: what a discovery found, and their coefficients along orbits.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::basis::BasisError;
+use kahan_discover::orbits::basis::BasisError;
 use kahan_study::Answer;
 use kahan_study::numbers::number;
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};

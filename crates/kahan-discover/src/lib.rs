@@ -11,16 +11,10 @@
 //! text. An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which
 //! evaluates it.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
-//! [`watch`] (the tools);
-//! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`],
-//! [`degrees`], [`growth`], [`plane`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`];
-//! [`reconstruct`], [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`],
-//! [`search`], [`leaf`], [`chart`], [`constrained`], [`independent`], `reduction`, `members`,
-//! `collector`, [`integrals`]; [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`],
-//! [`hamiltonian`], `modified`; [`composition`]; `writing`, [`claims`], [`report`]; [`mod@scan`]
-//! looks for special values on a grid, [`mod@poles`] follows what the map sends to infinity or
-//! blows down.
+//! Modules in reading order: [`watch`] and [`deadline`]; [`modular`], the arithmetic; [`maps`], what is
+//! looked at; [`orbits`], what orbits show; [`integrals`], [`densities`], [`poisson`] and [`drift`],
+//! what is found; [`claims`], its proof and its text; `stages`, the whole search, and [`report`], its
+//! answer. [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows curves through poles.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
@@ -35,64 +29,26 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-pub mod basis;
-mod brackets;
-pub mod ceiling;
-pub mod chart;
 pub mod claims;
-mod collector;
-pub mod composition;
-pub mod constrained;
-pub mod darboux;
 pub mod deadline;
-pub mod degrees;
-mod densities;
-pub mod determinant;
+pub mod densities;
 pub mod drift;
-mod entries;
-pub mod family;
-pub mod grading;
-pub mod growth;
-pub mod hamiltonian;
-pub mod hilbert;
-pub mod independent;
 pub mod integrals;
-pub mod leaf;
-mod limit;
-pub mod map;
-pub mod matrix;
-mod members;
-mod modified;
-pub mod modulus;
-pub mod monomials;
-pub mod parity;
-pub mod pencil;
-pub mod plane;
+pub mod maps;
+pub mod modular;
+pub mod orbits;
+pub mod poisson;
 pub mod poles;
-mod products;
-pub mod reconstruct;
-mod reduction;
-pub mod relations;
 pub mod report;
 pub mod scan;
-pub mod search;
-pub mod search_field;
-mod shape;
-pub mod space;
 mod stages;
-pub mod stepping;
-pub mod structure;
 #[cfg(test)]
 mod tests;
-pub mod thiele;
 pub mod watch;
-pub mod weights;
-mod words;
-mod writing;
 
-pub use basis::Basis;
-pub use ceiling::Ceiling;
 pub use deadline::Deadline;
+pub use orbits::basis::Basis;
+pub use orbits::ceiling::Ceiling;
 pub use poles::{Poles, poles};
 pub use report::{DiscoverError, Options, Report};
 pub use scan::{Scan, Scanned, scan};

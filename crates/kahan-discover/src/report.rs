@@ -6,14 +6,14 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
 
-use crate::basis::Basis;
-use crate::ceiling::Ceiling;
-use crate::claims::Formula;
-use crate::composition::Survivors;
+use crate::claims::proved::Formula;
 use crate::drift::Drift;
-use crate::growth::GrowthVerdict;
-use crate::hamiltonian::Hamiltonian;
-use crate::hilbert::Hilbert;
+use crate::integrals::composition::Survivors;
+use crate::orbits::basis::Basis;
+use crate::orbits::ceiling::Ceiling;
+use crate::orbits::growth::GrowthVerdict;
+use crate::orbits::hilbert::Hilbert;
+use crate::poisson::hamiltonian::Hamiltonian;
 
 /// The most characters of a claim that is printed for people to read. A longer integral is left to
 /// a basis, where there is one; other longer claims stand in blocks and JSON only.

@@ -9,12 +9,12 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
 use crate::deadline::{Deadline, Work};
-use crate::degrees::{DegreeLimits, degrees};
-use crate::hilbert::{Hilbert, default_degree};
-use crate::modulus::Modulus;
-use crate::monomials::Monomials;
+use crate::maps::search_field::SearchField;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::orbits::degrees::{DegreeLimits, degrees};
+use crate::orbits::hilbert::{Hilbert, default_degree};
 use crate::report::{DiscoverError, Options};
-use crate::search_field::SearchField;
 use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 

@@ -11,7 +11,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::{Claim, System};
 
-use crate::modulus::Modulus;
+use crate::modular::modulus::Modulus;
 use crate::watch::{Finding, Progress, Watch};
 
 /// A claim by its name.

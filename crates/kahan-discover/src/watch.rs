@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use kahan_algebra::syntax::ClaimKind;
 
-use crate::claims::name_of;
+use crate::claims::proved::name_of;
 
 /// What long work may use, and whom it tells. Whoever watches says what it has a use for; all else
 /// is as if nobody watched.

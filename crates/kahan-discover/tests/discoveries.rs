@@ -4,7 +4,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Text;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_discover::growth::Growth;
+use kahan_discover::orbits::growth::Growth;
 use kahan_discover::report::{Bound, ModifiedPlace};
 use kahan_discover::{DiscoverError, Options, Unwatched, discover};
 
@@ -262,14 +262,14 @@ fn degrees_go_on_until_nothing_can_be_missing() {
     let found = searched(chain, &options());
     assert_eq!((found.independent_integrals(), found.not_reached(), found.bound), (3, 0, Bound::Ceiling));
     assert_eq!(
-        (found.hilbert.as_ref().map(kahan_discover::hilbert::Hilbert::degree), found.out_of_time),
+        (found.hilbert.as_ref().map(kahan_discover::orbits::hilbert::Hilbert::degree), found.out_of_time),
         (Some(5), false)
     );
     assert!(found.ceiling.as_ref().is_some_and(|ceiling| ceiling.integrals == 3));
     check_lines(chain, &found);
     // A degree that is given stays.
     let found = searched(chain, &Options { degree: Some(3), ..options() });
-    assert_eq!(found.hilbert.as_ref().map(kahan_discover::hilbert::Hilbert::degree), Some(3));
+    assert_eq!(found.hilbert.as_ref().map(kahan_discover::orbits::hilbert::Hilbert::degree), Some(3));
     assert!(found.sentences.iter().any(|said| said.contains("degree that was given, 3, ended the search")));
 }
 

@@ -1,7 +1,7 @@
 //! Drifts, functions whose next value follows from their value: found for fields in which they are
 //! known, and for no field that lacks them.
 
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_discover::{Options, Report, Unwatched, discover};
 
 mod support;

@@ -3,11 +3,11 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_discover::Deadline;
-use kahan_discover::degrees::{DegreeLimits, degrees};
-use kahan_discover::growth::{Growth, GrowthVerdict};
-use kahan_discover::hilbert::Hilbert;
-use kahan_discover::modulus::Modulus;
-use kahan_discover::search_field::SearchField;
+use kahan_discover::maps::search_field::SearchField;
+use kahan_discover::modular::modulus::Modulus;
+use kahan_discover::orbits::degrees::{DegreeLimits, degrees};
+use kahan_discover::orbits::growth::{Growth, GrowthVerdict};
+use kahan_discover::orbits::hilbert::Hilbert;
 
 mod support;
 use support::*;

@@ -1,7 +1,7 @@
 //! What the map does after its poles, for the systems whose answers are known.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::growth::{Growth, GrowthVerdict};
+use kahan_discover::orbits::growth::{Growth, GrowthVerdict};
 use kahan_discover::poles::{Pattern, Poles};
 use kahan_discover::{DiscoverError, Options, Unwatched, poles};
 

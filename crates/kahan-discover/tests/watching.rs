@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_discover::{Options, Report, Scanned, Unwatched, Watch, discover, poles, scan};
 
 mod support;

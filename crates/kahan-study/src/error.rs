@@ -8,7 +8,7 @@ use std::fmt;
 use kahan_algebra::check::nearest;
 use kahan_algebra::rational::Rational;
 use kahan_discover::DiscoverError;
-use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
+use kahan_discover::orbits::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_dynamics::periodic::NoPeriodicPoint;
 use kahan_runtime::Diagnostics;
 

@@ -5,7 +5,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
 use kahan_core::Named;
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_discover::{Options, Unwatched, discover};
 use kahan_systems::entry::block_range;
 

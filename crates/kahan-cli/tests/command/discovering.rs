@@ -3,7 +3,7 @@
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_systems::registry::{FURTHER, all, find};
 use serde_json::{Value, json};
 

@@ -10,9 +10,9 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_factor::factors;
 
+use crate::densities::products::exponents;
+use crate::maps::search_field::SearchField;
 use crate::poles::curves::{components, jacobian};
-use crate::products::exponents;
-use crate::search_field::SearchField;
 
 /// The budget for expanding the Jacobian determinant, and for factoring it.
 const MOST_TERMS: usize = 5_000;

@@ -21,17 +21,17 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::syntax::ClaimKind;
 
-use crate::claims::{Claims, Formula};
+use crate::claims::proved::{Claims, Formula};
+use crate::claims::writing::quotient;
 use crate::deadline::Deadline;
-use crate::independent::Independent;
-use crate::modulus::Modulus;
-use crate::monomials::Monomials;
-use crate::reconstruct::reconstruct;
-use crate::search::quotient_gradients;
-use crate::search_field::{Sample, SampledStep, SearchField};
-use crate::space::{Form, Space, combination, tidy};
-use crate::stepping::Stepping;
-use crate::writing::quotient;
+use crate::integrals::independence::Independent;
+use crate::integrals::search::quotient_gradients;
+use crate::maps::search_field::{Sample, SampledStep, SearchField};
+use crate::maps::stepping::Stepping;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::reconstruction::reconstruct;
+use crate::modular::subspace::{Form, PolynomialSpace, combination, tidy};
 
 use cofactors::Cofactors;
 use normal::{Next, carried};
@@ -227,8 +227,10 @@ impl Search<'_> {
             if !(2..=MOST_DIMENSIONS).contains(&pairs.len()) {
                 continue;
             }
-            let space =
-                Space::spanned(&modulus, pairs.iter().map(|pair| pair[..monomials.len()].to_vec()).collect());
+            let space = PolynomialSpace::spanned(
+                &modulus,
+                pairs.iter().map(|pair| pair[..monomials.len()].to_vec()).collect(),
+            );
             let gradients = quotient_gradients(&modulus, monomials, &space, &self.here);
             let carried = Carried::of_form(&modulus, &space.form, &pairs)?;
             let known = self.known.rank_with(Vec::new());

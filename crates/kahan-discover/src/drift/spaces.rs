@@ -3,12 +3,12 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
-use crate::matrix::{Echelon, SPARE};
-use crate::modulus::Modulus;
-use crate::monomials::Monomials;
-use crate::search_field::{Sample, SearchField};
-use crate::space::Form;
-use crate::stepping::Stepping;
+use crate::maps::search_field::{Sample, SearchField};
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::{Echelon, SPARE};
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::Form;
 
 use super::cofactors::Cofactors;
 

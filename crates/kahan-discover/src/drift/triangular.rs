@@ -11,8 +11,8 @@ use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
-use crate::claims::Formula;
-use crate::writing::{is_product, quotient};
+use crate::claims::proved::Formula;
+use crate::claims::writing::{is_product, quotient};
 
 use super::normal::Next;
 use super::{Constant, DriftKind};

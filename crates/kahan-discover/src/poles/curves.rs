@@ -5,8 +5,8 @@ use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
 
-use crate::search_field::SearchField;
-use crate::writing::state_factors;
+use crate::claims::writing::state_factors;
+use crate::maps::search_field::SearchField;
 
 /// What writing the Jacobian determinant out may cost.
 const MOST_TERMS: usize = 20_000;

@@ -7,7 +7,7 @@
 //! less the common factors: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ that B's step after k divides out).
 //! No confinement is asked for. (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.)
 
-use super::germ::Image;
+use super::jet::Image;
 
 /// d₀, d₁, … for a map of degree `degree` and curves of these degrees with their images, as far as
 /// the images go.

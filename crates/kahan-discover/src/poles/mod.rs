@@ -10,8 +10,8 @@
 //! confines and is chaotic. So the growth of degrees stands beside the patterns.
 
 pub(crate) mod curves;
-mod germ;
 mod implied;
+mod jet;
 mod roots;
 mod series;
 
@@ -23,15 +23,15 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
 use crate::deadline::{Deadline, Work};
-use crate::degrees::{DegreeLimits, degrees};
-use crate::modulus::Modulus;
+use crate::maps::search_field::SearchField;
+use crate::modular::modulus::Modulus;
+use crate::orbits::degrees::{DegreeLimits, degrees};
 use crate::report::{DiscoverError, Options};
-use crate::search_field::SearchField;
 use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 use curves::Curves;
-pub use germ::Image;
-use germ::{Homogeneous, Lost, Place, Values};
+pub use jet::Image;
+use jet::{Homogeneous, Lost, Place, Values};
 
 /// What becomes of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]

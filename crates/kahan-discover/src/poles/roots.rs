@@ -2,7 +2,7 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::modulus::Modulus;
+use crate::modular::modulus::Modulus;
 
 /// Some root of the polynomial with these coefficients, lowest first; `None` where there is none,
 /// or the polynomial is constant.

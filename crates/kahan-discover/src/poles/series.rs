@@ -4,7 +4,7 @@
 //! holds the coefficients at the chosen point, each further row their derivatives along one
 //! tangent.
 
-use crate::modulus::Modulus;
+use crate::modular::modulus::Modulus;
 
 /// Σ cₖ δᵏ for k below [`Series::length`], with the derivatives of every cₖ.
 #[derive(Clone, Debug)]

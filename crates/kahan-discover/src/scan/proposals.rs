@@ -13,9 +13,9 @@ use kahan_algebra::system::System;
 
 use super::shapes::{Grid, Shape, shapes};
 use super::{Scan, Sight};
-use crate::claims::{Claims, Formula};
+use crate::claims::proved::{Claims, Formula};
 use crate::deadline::{Deadline, Work};
-use crate::hilbert::default_degree;
+use crate::orbits::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover_within;
 

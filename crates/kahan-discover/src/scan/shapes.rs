@@ -11,9 +11,9 @@ use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
-use crate::matrix::Echelon;
-use crate::modulus::{Modulus, rational_from_residue};
-use crate::monomials::Monomials;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::{Modulus, rational_from_residue};
+use crate::modular::monomials::Monomials;
 
 /// The points of a grid that speak for or against a shape.
 pub(super) struct Grid {

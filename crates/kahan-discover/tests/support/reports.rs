@@ -1,7 +1,7 @@
 //! Reports of fields, and checks that hold for each of them.
 
 use kahan_algebra::{lexer, read};
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_discover::{Options, Report, discover};
 
 use super::{Recording, claims, system};

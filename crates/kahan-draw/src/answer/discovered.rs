@@ -3,7 +3,7 @@
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
 use kahan_discover::Report;
-use kahan_discover::basis::Basis;
+use kahan_discover::orbits::basis::Basis;
 use kahan_latex::{Latex, breaking};
 use kahan_study::{ClaimShown, Discovered};
 use maud::{Markup, html};

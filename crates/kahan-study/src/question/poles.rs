@@ -1,7 +1,7 @@
 //! What happens after a map sends a curve to infinity or blows it down.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::growth::GrowthVerdict;
+use kahan_discover::orbits::growth::GrowthVerdict;
 use kahan_discover::poles::Pattern;
 use kahan_discover::{Watch, poles};
 use serde::{Deserialize, Serialize, Serializer};

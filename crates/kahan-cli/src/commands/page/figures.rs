@@ -2,7 +2,7 @@
 //! call of the command that asks it.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::hilbert::default_degree;
+use kahan_discover::orbits::hilbert::default_degree;
 use kahan_draw::Drawing;
 use kahan_draw::answer;
 use kahan_draw::picture::{Chart, Look, Visits, chart};

@@ -1,0 +1,76 @@
+//! Drifts in words: functions that grow evenly, and the functions of them that are constant.
+
+use crate::claims::writing::is_product;
+use crate::drift::{Constant, Drift, DriftKind};
+use crate::report::Report;
+
+/// The sentence on the end of a search by the drifts.
+pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one function and multiplies another by \
+    a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
+    integrals are constant on it: nothing can be missing, and the search ended.";
+
+/// A function that changes evenly along orbits.
+struct Even {
+    function: String,
+    /// The difference between two steps.
+    step: String,
+    /// Whether the text of `step` can be a divisor without parentheses.
+    is_atom: bool,
+}
+
+impl Even {
+    fn of(drift: &Drift) -> Option<Self> {
+        match &drift.kind {
+            DriftKind::Sum(Constant { text, .. }) => Some(Even {
+                function: drift.name.clone(),
+                step: text.clone(),
+                is_atom: text.chars().all(char::is_alphanumeric),
+            }),
+            DriftKind::Multiple(Constant { text, .. }) => Some(Even {
+                function: format!("log|{}|", drift.name),
+                step: format!("log|{text}|"),
+                is_atom: true,
+            }),
+            DriftKind::Image | DriftKind::Link(_) => None,
+        }
+    }
+
+    /// `F1/(2*eps)`
+    fn quotient(&self) -> String {
+        let Even { function, step, is_atom } = self;
+        if *is_atom { format!("{function}/{step}") } else { format!("{function}/({step})") }
+    }
+}
+
+/// The sentence on drifts that change by a constant at every step, or whose logarithms do.
+pub(super) fn drifts(report: &Report) -> Option<String> {
+    let even: Vec<Even> = report.drifts.iter().filter_map(Even::of).collect();
+    let (Even { function, step, is_atom }, others) = even.split_first()?;
+    if others.is_empty() {
+        let is_name = |name: &&str| report.variables.iter().chain(&report.parameters).any(|own| own == name);
+        let steps = ["n", "k", "m"].into_iter().find(|name| !is_name(name)).unwrap_or("N");
+        let constant = match step.strip_prefix('-') {
+            Some(size) if is_product(step) => format!("{function} + {steps}*{size}"),
+            _ if *is_atom || is_product(step) && !step.contains('/') => {
+                format!("{function} - {steps}*{step}")
+            }
+            _ => format!("{function} - {steps}*({step})"),
+        };
+        return Some(format!(
+            "Every step adds {step} to {function}, so {constant} is constant, {steps} the number of steps."
+        ));
+    }
+    let all: Vec<String> =
+        even.iter().map(|Even { function, step, .. }| format!("{step} to {function}")).collect();
+    let constants = others.iter().map(|other| match other.step == *step {
+        true => format!("{function} - {}", other.function),
+        false => format!("{} - {}", even[0].quotient(), other.quotient()),
+    });
+    let constants: Vec<String> = constants.collect();
+    Some(format!(
+        "Every step adds {}: along orbits {} {} constant.",
+        all.join(" and "),
+        constants.join(" and "),
+        if constants.len() == 1 { "is" } else { "are" }
+    ))
+}

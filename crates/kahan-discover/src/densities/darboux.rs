@@ -1,0 +1,172 @@
+//! Polynomials with a given cofactor under the map: P(φ(x)) = C(x) P(x), linear in P.
+//!
+//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of
+//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density too. Two P with the same C have an
+//! integral as their quotient, so with integrals the P of one degree form a space; its simplest
+//! element is the one to write.
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::densities::products::product;
+use crate::maps::map::{ModularMap, Step};
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::sampled_null_vectors;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
+use crate::report::DensitySearch;
+
+/// How often a point is sampled again.
+const MOST_SAMPLES: usize = 16;
+
+/// The density ρ of an invariant measure ρ dx, in factors.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Measure {
+    /// ρ as a product: factors and their exponents.
+    pub factors: Vec<(Polynomial, i32)>,
+    /// The degrees of the factors in the states, each as often as it is multiplied or divided by.
+    pub degree: u32,
+}
+
+pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
+    (0..MOST_SAMPLES).find_map(|_| {
+        let point = map.point(random);
+        let step = map.step(&point)?;
+        Some((point, step))
+    })
+}
+
+/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no
+/// value, or the deadline passes.
+fn null_vectors(
+    map: &ModularMap,
+    monomials: &Monomials,
+    support: &[usize],
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Vec<Vec<u64>>> {
+    let modulus = map.modulus();
+    sampled_null_vectors(modulus, support.len(), deadline, || {
+        let (point, step) = random_step(map, random)?;
+        let (here, there) = (monomials.values(modulus, &point), monomials.values(modulus, &step.next));
+        let difference =
+            |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
+        Some(support.iter().map(difference).collect())
+    })
+}
+
+/// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension
+/// 0; `None` where the map has no value, or the deadline passes.
+pub fn measure_space(
+    map: &ModularMap,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<PolynomialSpace> {
+    let monomials = Monomials::new(map.dimension(), degree);
+    let all: Vec<usize> = (0..monomials.len()).collect();
+    let vectors = null_vectors(map, &monomials, &all, random, deadline)?;
+    Some(PolynomialSpace::spanned(map.modulus(), vectors))
+}
+
+/// Products of factors are tried to this degree, beyond what linear algebra reaches.
+const HIGHEST_PRODUCT: u32 = 12;
+
+/// Quotients are tried up to this sum of the degrees above and below.
+const HIGHEST_QUOTIENT: u32 = 16;
+
+/// The measure of least degree, over ℚ with all unknowns, and how the search for it ended; products
+/// of `factors` are preferred to anything else. All P are looked at up to the degree `highest`,
+/// products up to 12.
+pub fn measure(
+    searched: &SearchField,
+    factors: &[Polynomial],
+    highest: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> (Option<Measure>, DensitySearch) {
+    let mut search = DensitySearch::default();
+    let found = |measure: Measure| {
+        let search = DensitySearch { seen: Some(measure.degree), none_up_to: None };
+        (Some(measure), search)
+    };
+    let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return (None, search) };
+    for degree in 0..=highest.max(HIGHEST_PRODUCT) {
+        if deadline.passed() {
+            break;
+        }
+        if let Some(factors) = product(searched, factors, degree, &[-1], random) {
+            return found(Measure { factors, degree });
+        }
+        if degree > highest {
+            continue;
+        }
+        let Some(space) = measure_space(&sample.map, degree, random, deadline) else { break };
+        if space.dimension() > 0 {
+            let measure = reconstructed(searched, &sample.map, &space, degree, random, deadline);
+            return (measure, DensitySearch { seen: Some(degree), none_up_to: None });
+        }
+        search.none_up_to = Some(degree);
+    }
+    let quotient = (0..=HIGHEST_QUOTIENT).find_map(|degree| {
+        let factors = product(searched, factors, degree, &[-1, 1], random)?;
+        Some(Measure { factors, degree })
+    });
+    quotient.map_or((None, search), found)
+}
+
+/// The simplest element of a space of P, over ℚ.
+fn reconstructed(
+    searched: &SearchField,
+    map: &ModularMap,
+    space: &PolynomialSpace,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Measure> {
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
+    let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
+    let support: Vec<usize> = places.map(|(&index, _)| index).collect();
+    let is_unique = null_vectors(map, &monomials, &support, random, deadline)?.len() == 1;
+    let (form, row) =
+        if is_unique { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
+    let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let map = searched.at(modulus, unknowns)?;
+        let vectors = null_vectors(&map, &monomials, &form.support, random, deadline)?;
+        PolynomialSpace::of_form(&modulus, &form, vectors)
+    };
+    let symbols = searched.family().symbols();
+    let polynomials = reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)?;
+    Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn a_density_may_be_a_quotient_of_factors() {
+        // E1, whose density 1/(y²(1 − ε²x²)) is made here of y and y³(1 − ε²x²).
+        let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens)
+            .system()
+            .expect("a system")
+            .field;
+        let searched = SearchField::new(&field, None);
+        let symbols = &field.symbols;
+        let variable = Polynomial::variable;
+        let (x, y, eps) =
+            (variable(symbols.state(0)), variable(symbols.state(1)), variable(symbols.epsilon()));
+        let square = |polynomial: &Polynomial| polynomial * polynomial;
+        let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
+        let factors = [long.clone(), y.clone()];
+        // One over a polynomial is not looked for up to degree 4, where there is one.
+        let far = Deadline::never();
+        let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
+        assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));
+    }
+}

@@ -1,0 +1,172 @@
+//! Integrals as they are found: made simpler, proved, and kept where they are independent of those
+//! before.
+
+use std::slice::from_ref;
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+
+use crate::claims::proved::{Claims, Formula};
+use crate::claims::writing::{factors_of, quotient};
+use crate::integrals::independence::{Independent, quotient_gradient};
+use crate::integrals::limit::with_a_limit;
+use crate::integrals::members::special_members;
+use crate::integrals::reduction::reduced;
+use crate::maps::affine_subspace::AffineSubspace;
+use crate::maps::search_field::{Sample, SampledStep, SearchField};
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::tidy;
+
+/// The most coefficients of P and Q together in a degree that is searched before an integral of
+/// higher degree is taken that is known already.
+const MOST_AHEAD: usize = 150;
+
+/// Other members of the pencil of P and Q are tried if P and Q have more characters in all.
+const SHORT: usize = 60;
+
+pub(crate) struct Accepted<'a> {
+    pub(crate) searched: &'a SearchField,
+    pub(crate) claims: &'a Claims<'a>,
+    pub(crate) wanted: usize,
+    pub(crate) known: &'a [(Polynomial, Polynomial)],
+    pub(crate) further: &'a [(Polynomial, Polynomial)],
+    /// A point and its image.
+    pub(crate) step: Option<SampledStep>,
+    pub(crate) independent: Independent<'a>,
+    /// Hears of each formula that is kept.
+    pub(crate) tell: &'a dyn Fn(&Formula),
+    pub(crate) formulas: Vec<Formula>,
+}
+
+impl Accepted<'_> {
+    pub(crate) fn is_done(&self) -> bool {
+        self.formulas.len() >= self.wanted
+    }
+
+    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known
+    /// and is proved.
+    pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
+        if denominator.as_constant().is_none()
+            && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
+        {
+            self.offer_one(denominator, Polynomial::one());
+            self.offer_one(numerator, Polynomial::one());
+        } else {
+            self.offer_one(numerator, denominator);
+        }
+    }
+
+    /// Offers the integrals that were known before the search, once the search reaches their degree
+    /// or becomes expensive.
+    pub(crate) fn offer_known(&mut self, degree: u32) {
+        self.offer_further(degree);
+        let symbols = self.searched.family().symbols();
+        let is_expensive = 2 * Monomials::count(self.searched.dimension(), degree) > MOST_AHEAD;
+        for (above, below) in self.known {
+            if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
+                self.offer(above.clone(), below.clone());
+            }
+        }
+    }
+
+    /// Offers the integrals of `further` whose degree is below this one.
+    pub(crate) fn offer_further(&mut self, degree: u32) {
+        let symbols = self.searched.family().symbols();
+        for (above, below) in self.further {
+            if symbols.degree(above).max(symbols.degree(below)) < degree {
+                self.offer(above.clone(), below.clone());
+            }
+        }
+    }
+
+    pub(crate) fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
+        let symbols = self.searched.family().symbols();
+        if self.is_done() || !self.independent.admits(&numerator, &denominator) {
+            return;
+        }
+        let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
+        let (numerator, denominator) = self.simplified(numerator, denominator);
+        let numerator = with_a_limit(symbols, numerator, &denominator);
+        let index = self.formulas.len() + 1;
+        let by = factors_of(&self.formulas);
+        let proved = |(above, below): &(Polynomial, Polynomial)| {
+            self.claims.integral(symbols, index, above, below, &by)
+        };
+        let own = (numerator, denominator);
+        if let Some(formula) = proved(&self.shortest(&own, &by)).or_else(|| proved(&own)) {
+            self.independent.keep(&formula.numerator, &formula.denominator);
+            (self.tell)(&formula);
+            self.formulas.push(formula);
+        }
+    }
+
+    /// Returns P/Q if it is short. Otherwise, returns the quotient of two members of the pencil of
+    /// P and Q that has the shortest text among those with a limit at ε = 0.
+    fn shortest(
+        &self,
+        (numerator, denominator): &(Polynomial, Polynomial),
+        by: &[Polynomial],
+    ) -> (Polynomial, Polynomial) {
+        let symbols = self.searched.family().symbols();
+        let own = (numerator.clone(), denominator.clone());
+        let len = |member: &Polynomial| quotient(symbols, from_ref(member), &[], by).len();
+        let lens = [numerator, denominator].map(len);
+        let special = match lens.iter().sum::<usize>() {
+            0..=SHORT => Vec::new(),
+            _ => special_members(self.searched, numerator, denominator),
+        };
+        if special.is_empty() {
+            return own;
+        }
+        // A member without states at ε = 0 is preferred as the denominator: the limit of the
+        // integral is then a polynomial.
+        let is_flat = |member: &Polynomial| {
+            !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
+        };
+        let members = lens.into_iter().zip([numerator, denominator]);
+        let members: Vec<(usize, &Polynomial)> =
+            members.chain(special.iter().map(|member| (len(member), member))).collect();
+        let has_flat = members.iter().any(|(_, member)| is_flat(member));
+        let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
+        let is_fit = |((_, above), (_, below)): &(&(usize, &Polynomial), &(usize, &Polynomial))| {
+            above != below
+                && (is_flat(below) || !has_flat)
+                && with_a_limit(symbols, (*above).clone(), below) == **above
+        };
+        // `min_by_key` keeps the first of equal pairs, so P/Q wins a tie.
+        let best = pairs.filter(is_fit).min_by_key(|((above, _), (below, _))| above + below);
+        best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
+    }
+
+    /// The integral combined with those known so that factors of its denominator cancel.
+    fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
+        let Some(step) = &self.step else { return (numerator, denominator) };
+        let (above, below) =
+            reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
+        // A product of known factors over a new denominator may have been all that was new.
+        if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
+    }
+
+    /// The gradients of what was found, in the coordinates of the whole space in their order on a
+    /// leaf; none on a proper leaf, where all that chooses it is constant.
+    pub(crate) fn known_gradients(
+        &self,
+        leaf: &AffineSubspace,
+        sample: &Sample,
+        point: &[u64],
+    ) -> Vec<Vec<u64>> {
+        let order = leaf.order();
+        if order.len() < self.searched.dimension() {
+            return Vec::new();
+        }
+        let mut place = vec![0; order.len()];
+        for (&state, &value) in order.iter().zip(point) {
+            place[state] = value;
+        }
+        let gradients = self.formulas.iter().filter_map(|known| {
+            let own = quotient_gradient(self.searched, sample, &place, &known.numerator, &known.denominator)?;
+            Some(order.iter().map(|&state| own[state]).collect())
+        });
+        gradients.collect()
+    }
+}

@@ -1,0 +1,84 @@
+//! What survives composition: the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ, the
+//! pattern of every composition of higher order.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::claims::proved::Formula;
+use crate::deadline::Deadline;
+use crate::maps::map::ModularMap;
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::orbits::hilbert::{Hilbert, random_relations};
+
+/// What is left of the integrals under composition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survivors {
+    /// The Hilbert function of a generic orbit of the composed map.
+    pub hilbert: Hilbert,
+    /// For each formula whether it is an integral of the composed map too.
+    pub formulas: Vec<bool>,
+    /// The pairs of formulas that are no integrals of the composed map while their quotient is.
+    pub quotients: Vec<(usize, usize)>,
+}
+
+struct Composed {
+    outer: ModularMap,
+    inner: ModularMap,
+}
+
+impl Stepping for Composed {
+    fn modulus(&self) -> &Modulus {
+        self.outer.modulus()
+    }
+
+    fn dimension(&self) -> usize {
+        self.outer.dimension()
+    }
+
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        self.outer.next(&self.inner.next(&self.outer.next(point)?)?)
+    }
+}
+
+/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ sampled at
+/// random; `None` where it has no value, or the deadline passes. A formula that contains ε is meant
+/// at the ε of the whole, as it would be used.
+pub fn survivors(
+    searched: &SearchField,
+    formulas: &[Formula],
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Survivors> {
+    let modulus = Modulus::mersenne_61();
+    let sample = searched.sample(modulus, random)?;
+    let eps = sample.map.eps();
+    let parameters = &sample.unknowns[..searched.family().symbols().parameters.len()];
+    let scaled = |factor: u64| searched.family().at(modulus, parameters, modulus.times(factor, eps));
+    let (outer, inner) = (modulus.sample(random), modulus.sample(random));
+    let composed = Composed { outer: scaled(outer)?, inner: scaled(inner)? };
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let relations = random_relations(&composed, &monomials, random, deadline)?;
+    let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
+    let next = composed.next(&relations.start)?;
+    let value = |formula: &Formula, point: &[u64]| {
+        let above = searched.evaluate(&formula.numerator, &sample, point)?;
+        let below = searched.evaluate(&formula.denominator, &sample, point)?;
+        Some(modulus.times(above, modulus.inverse(below)?))
+    };
+    // By which factor each formula changes in a step of the composed map.
+    let factor = |formula: &Formula| {
+        let (here, there) = (value(formula, &relations.start)?, value(formula, &next)?);
+        Some(modulus.times(there, modulus.inverse(here)?))
+    };
+    let factors: Vec<Option<u64>> = formulas.iter().map(factor).collect();
+    let survives: Vec<bool> = factors.iter().map(|factor| *factor == Some(modulus.one())).collect();
+    let mut quotients = Vec::new();
+    for (i, own) in factors.iter().enumerate().filter(|(i, own)| own.is_some() && !survives[*i]) {
+        let same = factors[i + 1..].iter().position(|other| other == own);
+        quotients.extend(same.map(|offset| (i, i + 1 + offset)));
+    }
+    Some(Survivors { hilbert, formulas: survives, quotients })
+}

@@ -1,0 +1,85 @@
+//! Functional independence of quotients of polynomials: the rank of their gradients at a random
+//! point.
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::claims::proved::Formula;
+use crate::maps::search_field::{Sample, SampledStep, SearchField};
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::Echelon;
+
+/// ∇(P/Q) Q² at a point of a sampled map; `None` where the prime divides a denominator of the
+/// coefficients.
+#[must_use]
+pub fn quotient_gradient(
+    searched: &SearchField,
+    sample: &Sample,
+    point: &[u64],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<Vec<u64>> {
+    let modulus = sample.map.modulus();
+    let value = |polynomial: &Polynomial| searched.evaluate(polynomial, sample, point);
+    let (above, below) = (value(numerator)?, value(denominator)?);
+    let symbols = searched.family().symbols();
+    (0..symbols.dimension())
+        .map(|i| {
+            let rising = value(&numerator.derivative(symbols.state(i)))?;
+            let falling = value(&denominator.derivative(symbols.state(i)))?;
+            Some(modulus.minus(modulus.times(rising, below), modulus.times(above, falling)))
+        })
+        .collect()
+}
+
+/// Functional independence: the rank of gradients at one random point modulo one prime. (A rank
+/// seen is a rank over ℚ.)
+#[derive(Debug)]
+pub struct Independent<'a> {
+    searched: &'a SearchField,
+    step: Option<SampledStep>,
+    gradients: Vec<Vec<u64>>,
+}
+
+impl<'a> Independent<'a> {
+    /// Of nothing yet.
+    pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
+        Independent { searched, step: searched.step(random), gradients: Vec::new() }
+    }
+
+    /// Starts with the gradients of known integrals.
+    pub(crate) fn of(searched: &'a SearchField, known: &[Formula], random: &mut SplitMix64) -> Self {
+        let mut independent = Self::new(searched, random);
+        known.iter().for_each(|formula| independent.keep(&formula.numerator, &formula.denominator));
+        independent
+    }
+
+    fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
+        let step = self.step.as_ref()?;
+        quotient_gradient(self.searched, &step.sample, &step.here, numerator, denominator)
+    }
+
+    /// Whether P/Q is independent of what was kept.
+    #[must_use]
+    pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
+        let Some(gradient) = self.gradient(numerator, denominator) else { return false };
+        self.rank_with(vec![gradient]) == self.gradients.len() + 1
+    }
+
+    /// The map and the point at which gradients are taken.
+    pub(crate) fn step(&self) -> Option<&SampledStep> {
+        self.step.as_ref()
+    }
+
+    /// The rank of the gradients kept and further ones; 0 without a point.
+    pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
+        let Some(step) = &self.step else { return 0 };
+        let rows = [self.gradients.clone(), further].concat();
+        Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank()
+    }
+
+    /// Keeps P/Q.
+    pub fn keep(&mut self, numerator: &Polynomial, denominator: &Polynomial) {
+        self.gradients.extend(self.gradient(numerator, denominator));
+    }
+}

@@ -1,0 +1,37 @@
+//! Integrals that keep a limit at ε = 0: where P/Q becomes a constant there, what it begins with
+//! beyond that is written instead.
+
+use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+use crate::modular::subspace::tidy;
+
+/// The work that one look at ε = 0 may take, in products of terms.
+const LIMIT_WORK: u64 = 2_000_000;
+
+/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ
+/// instead. On a leaf what chooses it counts as constant.
+pub(crate) fn with_a_limit(
+    symbols: &Symbols,
+    mut numerator: Polynomial,
+    denominator: &Polynomial,
+) -> Polynomial {
+    let at_zero = |polynomial: &Polynomial| polynomial.substitute(symbols.epsilon(), &Rational::zero());
+    let below = at_zero(denominator);
+    for _ in 0..8 {
+        let mut budget = Budget::new(20_000, LIMIT_WORK);
+        let limit = RationalFunction::new_within(at_zero(&numerator), below.clone(), &mut budget);
+        let Ok(Some(limit)) = limit else { break };
+        if symbols.has_state(limit.numerator()) || symbols.has_state(limit.denominator()) {
+            break;
+        }
+        let rest = &numerator * limit.denominator() - denominator * limit.numerator();
+        if rest.is_zero() {
+            break;
+        }
+        numerator = tidy(symbols, &rest);
+    }
+    numerator
+}

@@ -1,0 +1,460 @@
+//! Special members of a pencil: the P + cQ that factor, have lower degree, or do not depend on ε.
+//!
+//! An integral P/Q can be written with any two members of its pencil, and members with factors have
+//! the shortest texts. Let F be a polynomial of degree d in two variables s, t. The equation
+//!
+//!   ∂(G/F)/∂t = ∂(H/F)/∂s
+//!
+//! has solutions G, H of degree d − 1 beside the multiples of ∇F if and only if F factors over the
+//! complex numbers or is divisible by a square (Ruppert, J. reine angew. Math. 369, 1986; Gao,
+//! Math. Comp. 72, 2003). For F = P + cQ on a random plane these linear equations depend linearly
+//! on c, so the c with solutions are the roots of a polynomial modulo a prime.
+//!
+//! The members at different parameters are matched by their [`Kind`]. If a kind has a single
+//! member, the coefficients of this member are interpolated, with one of them set to 1.
+//! Coefficients that are not rational functions are lost, and so are members that take too much
+//! work. Each member found lies in the pencil modulo a prime; the integrals made of members are
+//! proved elsewhere.
+
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_factor::dense::{derivative, gcd, quotient_and_rest, trimmed};
+
+use crate::deadline::Deadline;
+use crate::maps::parametric_field::evaluate;
+use crate::maps::search_field::SearchField;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::reconstruction::Oracle;
+use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
+
+/// The most products modulo a prime in one search: some tenths of a second.
+const MOST_WORK: u64 = 100_000_000;
+
+/// The products that one evaluation of the pencil takes before the equations are solved.
+const WORK_OF_LOOK: u64 = 50_000;
+
+/// The number of parameter samples at which the members of each kind are counted.
+const LOOKS: usize = 4;
+
+/// Finds the special members of the pencil of P and Q whose coefficients are rational functions of
+/// the parameters and ε. The factors of a member may have coefficients in a larger field. The list
+/// is empty if the search would take too much work.
+pub(crate) fn special_members(
+    searched: &SearchField,
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Vec<Polynomial> {
+    let symbols = searched.family().symbols();
+    let degree = symbols.degree(numerator).max(symbols.degree(denominator));
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let unknowns = searched.unknown_variables();
+    let [above, below] = [numerator, denominator].map(|side| {
+        let groups = side.group(|variable| symbols.is_state(variable)).into_iter();
+        let index = |(monomial, own): (Monomial, Polynomial)| {
+            let exponents = (0..searched.dimension()).map(|i| monomial.exponent(symbols.state(i)));
+            let exponents: Vec<u32> = exponents.collect();
+            let found = (0..monomials.len()).find(|&index| monomials.exponents(index) == exponents);
+            (found.expect("its degree is the largest"), own)
+        };
+        groups.map(index).collect::<Vec<_>>()
+    });
+    let pair = |modulus: Modulus, values: &[u64], _: &mut SplitMix64| {
+        let value = |variable: Variable| {
+            unknowns.iter().position(|known| *known == variable).map_or(0, |place| values[place])
+        };
+        let side = |groups: &[(usize, Polynomial)]| {
+            let mut coefficients = vec![0; monomials.len()];
+            for (index, own) in groups {
+                coefficients[*index] = evaluate(&modulus, own, value)?;
+            }
+            Some(coefficients)
+        };
+        Some([side(&above)?, side(&below)?])
+    };
+    members(searched, &monomials, pair)
+}
+
+/// Like [`special_members`], for a pencil whose coefficients `pair` gives at values of the unknowns
+/// modulo a prime.
+pub(crate) fn members(
+    searched: &SearchField,
+    monomials: &Monomials,
+    mut pair: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<[Vec<u64>; 2]>,
+) -> Vec<Polynomial> {
+    let degree = monomials.degree() as usize;
+    if degree < 2 || searched.dimension() < 2 {
+        return Vec::new();
+    }
+    let work = WORK_OF_LOOK + ((degree * (degree + 1)) as u64).pow(4);
+    let mut left = MOST_WORK;
+    let mut pair = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        left = left.checked_sub(work)?;
+        pair(modulus, values, random)
+    };
+    let random = &mut SplitMix64::new(59);
+    let modulus = Modulus::mersenne_61();
+    let symbols = searched.family().symbols();
+    let mut found = Vec::new();
+    let mut add = |form: Form, at: &mut Oracle<'_>| {
+        let at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let all = at(modulus, values, random)?;
+            let is_of_form = (0..all.len()).all(|index| all[index] == 0 || form.support.contains(&index));
+            let own = form.support.iter().map(|&index| all[index]).collect();
+            is_of_form.then(|| PolynomialSpace::of_form(&modulus, &form, vec![own]))?
+        };
+        let random = &mut SplitMix64::new(60);
+        let far = Deadline::never();
+        let member = reconstruct_space(&Names::of(searched), monomials, &form, at, random, &far);
+        for member in member.unwrap_or_default().iter().map(|member| tidy(symbols, member)) {
+            if !found.contains(&member) {
+                found.push(member);
+            }
+        }
+    };
+    if searched.eps().is_none() {
+        let mut free = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+            let mut other = values.to_vec();
+            *other.last_mut()? = modulus.sample(random);
+            let (here, there) = (pair(modulus, values, random)?, pair(modulus, &other, random)?);
+            common(&modulus, &here, &there)
+        };
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        if let Some(member) = free(modulus, &values, random) {
+            let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+            add(Form { support, pivots: vec![0] }, &mut free);
+        }
+    }
+    let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
+        special(&modulus, monomials, &pair(modulus, values, random)?, random)
+    };
+    // The number of members of each kind at each sample. A member whose c is not a rational
+    // function is missing at some samples.
+    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    for look in 0..LOOKS {
+        let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        for (kind, _) in at(modulus, &values, random).unwrap_or_default() {
+            match kinds.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, counts)) => counts[look] += 1,
+                None => {
+                    let mut counts = vec![0; LOOKS];
+                    counts[look] = 1;
+                    kinds.push((kind, counts));
+                }
+            }
+        }
+    }
+    kinds.retain(|(_, counts)| counts.iter().min() == Some(&1));
+    for (kind, _) in kinds {
+        let form = Form { support: kind.support.clone(), pivots: vec![0] };
+        add(form, &mut |modulus, values, random| {
+            let mut own = at(modulus, values, random)?.into_iter().filter(|(other, _)| *other == kind);
+            own.next().filter(|_| own.next().is_none()).map(|(_, member)| member)
+        });
+    }
+    found
+}
+
+/// The polynomial in the intersection of both spans; `None` unless the intersection is a line.
+fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
+    let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
+    let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
+    let [vector] = &null[..] else { return None };
+    let own = |index: usize| modulus.dot(&vector.entries[..2], &[here[0][index], here[1][index]]);
+    Some((0..here[0].len()).map(own).collect())
+}
+
+/// Properties of a member that do not depend on the parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Kind {
+    /// The multiplicity of c as a root.
+    multiplicity: usize,
+    /// The dimension of the space of solutions G, H.
+    solutions: usize,
+    /// The degree of the greatest common divisor of the leading form and its derivative.
+    at_infinity: usize,
+    /// The monomials that occur, by their indices.
+    support: Vec<usize>,
+}
+
+/// The members that factor or have lower degree, at one choice of the parameters and ε; only those
+/// with c in the prime field.
+fn special(
+    modulus: &Modulus,
+    monomials: &Monomials,
+    pair: &[Vec<u64>; 2],
+    random: &mut SplitMix64,
+) -> Option<Vec<(Kind, Vec<u64>)>> {
+    let combined = |[left, right]: &[Vec<u64>; 2], factor: u64| -> Vec<u64> {
+        let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
+        left.iter().zip(right).map(sum).collect()
+    };
+    // A random basis of the pencil: no special member is the one of c = ∞.
+    let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
+    let degree = monomials.degree() as usize;
+    let plane = Plane::random(*modulus, monomials, random);
+    let sides = pair.each_ref().map(|side| plane.restricted(side));
+    let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
+    let field = modulus.field();
+    let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
+    // If F has no term sᵈ, then ∇F solves the equations. The root c of these F is divided out.
+    let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
+    if highest[1] == 0 {
+        return None;
+    }
+    let mut spectrum =
+        quotient_and_rest(field, &spectrum(modulus, &first, &second, random)?, &residues(&highest)).0;
+    let mut found = Vec::new();
+    while let Some(root) = kahan_factor::root(field, &spectrum, || modulus.residue(modulus.sample(random))) {
+        let mut multiplicity = 0;
+        loop {
+            let (quotient, rest) = quotient_and_rest(field, &spectrum, &[field.neg(root), 1]);
+            if !rest.is_empty() {
+                break;
+            }
+            spectrum = quotient;
+            multiplicity += 1;
+        }
+        let root = modulus.integer(root);
+        let rows = first.iter().zip(&second).map(|(p, q)| combined(&[p.clone(), q.clone()], root)).collect();
+        let solutions = first.len() - Echelon::of(modulus, rows, first[0].len()).rank();
+        let member = combined(&pair, root);
+        let support = (0..member.len()).filter(|&index| member[index] != 0).collect();
+        let own = combined(&sides, root);
+        let leading: Vec<u64> = (0..=degree).map(|a| own[place(degree, a, degree - a)]).collect();
+        let leading = trimmed(residues(&leading));
+        let repeated = gcd(field, &derivative(field, &leading), &leading);
+        let at_infinity = repeated.len().checked_sub(1).unwrap_or(degree);
+        found.push((Kind { multiplicity, solutions, at_infinity, support }, member));
+    }
+    Some(found)
+}
+
+/// A random plane, on which each state is an affine function of s and t.
+struct Plane<'a> {
+    modulus: Modulus,
+    monomials: &'a Monomials,
+    /// The powers of each state: by state, then by exponent.
+    powers: Vec<Vec<Vec<u64>>>,
+}
+
+/// The index of sᵃtᵇ among the coefficients of a polynomial of this degree.
+fn place(degree: usize, a: usize, b: usize) -> usize {
+    a * (degree + 1) + b
+}
+
+impl<'a> Plane<'a> {
+    fn random(modulus: Modulus, monomials: &'a Monomials, random: &mut SplitMix64) -> Self {
+        let degree = monomials.degree() as usize;
+        let mut plane = Plane { modulus, monomials, powers: Vec::new() };
+        for _ in 0..monomials.variables() {
+            let mut one = vec![0; (degree + 1) * (degree + 1)];
+            let mut form = one.clone();
+            one[0] = modulus.one();
+            for (a, b) in [(0, 0), (0, 1), (1, 0)] {
+                form[place(degree, a, b)] = modulus.sample(random);
+            }
+            let mut powers = vec![one];
+            for exponent in 0..degree {
+                powers.push(plane.product(&powers[exponent], &form));
+            }
+            plane.powers.push(powers);
+        }
+        plane
+    }
+
+    /// The product of two polynomials in s and t whose degrees add up to at most that of the
+    /// pencil.
+    fn product(&self, left: &[u64], right: &[u64]) -> Vec<u64> {
+        let mut product = vec![0; left.len()];
+        for (i, &own) in left.iter().enumerate().filter(|(_, own)| **own != 0) {
+            for (j, &other) in right.iter().enumerate().filter(|(_, other)| **other != 0) {
+                product[i + j] = self.modulus.plus(product[i + j], self.modulus.times(own, other));
+            }
+        }
+        product
+    }
+
+    /// Restricts the polynomial with these coefficients to the plane.
+    fn restricted(&self, coefficients: &[u64]) -> Vec<u64> {
+        let mut sum: Vec<u64> = vec![0; self.powers[0][0].len()];
+        for (index, &value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0) {
+            let mut term = vec![0; sum.len()];
+            term[0] = value;
+            for (powers, &exponent) in self.powers.iter().zip(self.monomials.exponents(index)) {
+                if exponent > 0 {
+                    term = self.product(&term, &powers[exponent as usize]);
+                }
+            }
+            for (entry, own) in sum.iter_mut().zip(term) {
+                *entry = self.modulus.plus(*entry, own);
+            }
+        }
+        sum
+    }
+}
+
+/// The polynomial whose roots are the c for which the equations p + cq have solutions, as residues,
+/// lowest coefficient first. Each row of `p` and `q` holds the coefficients of one unknown.
+fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
+    let columns = p.len();
+    let mut determinants = Vec::new();
+    for _ in 0..2 {
+        // Random combinations of the equations, as many as unknowns: rows (Q | P).
+        let mixed = (0..columns).map(|_| {
+            let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
+            q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
+        });
+        let echelon = Echelon::of(modulus, mixed.collect(), 2 * columns);
+        if echelon.rank_of_first(columns) < columns {
+            return None;
+        }
+        // det(P + cQ) is det(c + Q⁻¹P) up to a factor.
+        let negated = |row: &Vec<u64>| row[columns..].iter().map(|&entry| modulus.opposite(entry)).collect();
+        let coefficients = characteristic(modulus, echelon.rows.iter().map(negated).collect());
+        determinants.push(coefficients.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>());
+    }
+    Some(gcd(modulus.field(), &determinants[0], &determinants[1]))
+}
+
+/// The characteristic polynomial det(λ − M), lowest coefficient first, from Hessenberg's form of M
+/// (Cohen, A Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9).
+fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
+    let size = rows.len();
+    for column in 1..size.max(1) {
+        let Some(pivot) = (column..size).find(|&row| rows[row][column - 1] != 0) else { continue };
+        rows.swap(pivot, column);
+        rows.iter_mut().for_each(|row| row.swap(pivot, column));
+        let inverse = modulus.inverse(rows[column][column - 1]).expect("a pivot is not zero");
+        let (upper, lower) = rows.split_at_mut(column + 1);
+        let own = &upper[column];
+        let mut factors = Vec::with_capacity(lower.len());
+        for row in lower {
+            let factor = modulus.times(row[column - 1], inverse);
+            for (entry, above) in row.iter_mut().zip(own) {
+                *entry = modulus.minus(*entry, modulus.times(factor, *above));
+            }
+            factors.push(factor);
+        }
+        // The inverse operation on columns makes the matrix similar to M.
+        for row in &mut rows {
+            row[column] = modulus.plus(row[column], modulus.dot(&factors, &row[column + 1..]));
+        }
+    }
+    // The characteristic polynomials of the leading submatrices.
+    let mut leading = vec![vec![modulus.one()]];
+    for last in 0..size {
+        let before = &leading[last];
+        let mut next = vec![0; last + 2];
+        next[1..].copy_from_slice(before);
+        let mut product = modulus.one();
+        for first in (0..=last).rev() {
+            let factor = modulus.times(product, rows[first][last]);
+            for (entry, own) in next.iter_mut().zip(&leading[first]) {
+                *entry = modulus.minus(*entry, modulus.times(factor, *own));
+            }
+            if first > 0 {
+                product = modulus.times(product, rows[first][first - 1]);
+            }
+        }
+        leading.push(next);
+    }
+    leading.pop().expect("there is one for each size")
+}
+
+/// The coefficients of F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H of
+/// degree below that of F. The highest power of s is left out of G, which excludes ∇F as a
+/// solution.
+fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
+    let wide = 2 * degree;
+    let mut columns = Vec::new();
+    for is_first in [true, false] {
+        for (i, j) in (0..degree).flat_map(|i| (0..degree - i).map(move |j| (i, j))) {
+            if is_first && i + 1 == degree {
+                continue;
+            }
+            let mut column = vec![0; wide * wide];
+            for (a, b) in (0..=degree).flat_map(|a| (0..=degree - a).map(move |b| (a, b))) {
+                let factor = if is_first { j as i64 - b as i64 } else { a as i64 - i as i64 };
+                let value = modulus.times(f[place(degree, a, b)], modulus.integer(factor.unsigned_abs()));
+                let value = if factor < 0 { modulus.opposite(value) } else { value };
+                if value != 0 {
+                    let (s, t) = if is_first { (a + i, b + j - 1) } else { (a + i - 1, b + j) };
+                    column[s * wide + t] = modulus.plus(column[s * wide + t], value);
+                }
+            }
+            columns.push(column);
+        }
+    }
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::symbols::Symbols;
+    use kahan_algebra::{lexer, read};
+
+    /// The numerators of expressions in x, y and a, with a field in these symbols.
+    fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
+        let field = "xdot = a*x + y^2; ydot = x^2;";
+        let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
+        let text = [field.to_owned()].into_iter().chain(claims).collect::<String>();
+        let system = kahan_algebra::read_unproved(&lexer::lex(&text).tokens).system().expect("a system");
+        let sides = system.claims.iter().map(|claim| crate::tests::function(claim).numerator().clone());
+        let searched =
+            SearchField::new(&read(&lexer::lex(field).tokens).system().expect("a system").field, None);
+        (searched, system.field.symbols.clone(), sides.collect())
+    }
+
+    /// In a pencil of conics three members factor, two of them with irrational c. In a pencil of
+    /// cubics one member factors.
+    #[test]
+    fn the_member_that_falls_apart_is_found() {
+        for (product, other) in [
+            ("(x + a*y - 1)*(x - 2*y + a)", "x^2 + x*y + 3 - eps*a*y^2"),
+            ("(x + eps*y)*(x^2 - a*y + 2)", "x^3 + y^3 - x + 5"),
+        ] {
+            let mixed =
+                [format!("{product} + ({other})"), format!("2*({product}) - ({other})"), product.to_owned()];
+            let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+            let members = special_members(&searched, &sides[0], &sides[1]);
+            assert!(members.contains(&tidy(&symbols, &sides[2])), "{product}: {members:?}");
+        }
+    }
+
+    /// Neither polynomial factors, and only one contains ε.
+    #[test]
+    fn the_member_without_epsilon_is_found() {
+        let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");
+        let mixed = [format!("{free} + eps*({other})"), format!("eps*({free}) - ({other})"), free.to_owned()];
+        let (searched, symbols, sides) = polynomials(&mixed.each_ref().map(String::as_str));
+        assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
+    }
+
+    /// The companion matrix of λ⁴ − 2λ³ − 3λ² + 5, a matrix with two blocks, and a full matrix.
+    #[test]
+    fn characteristic_polynomials_are_right() {
+        let modulus = Modulus::mersenne_61();
+        let number = |value: &i64| {
+            let size = modulus.integer(value.unsigned_abs());
+            if *value < 0 { modulus.opposite(size) } else { size }
+        };
+        for (rows, expected) in [
+            ([[0, 0, 0, -5], [1, 0, 0, 0], [0, 1, 0, 3], [0, 0, 1, 2]], [5, 0, -3, -2, 1]),
+            ([[2, 0, 0, 1], [0, 3, 4, 0], [0, -4, 3, 0], [0, 0, 0, -1]], [-50, -13, 29, -7, 1]),
+            ([[1, 2, -1, 3], [4, 0, 5, 1], [-2, 3, 1, 2], [6, 1, -3, 2]], [170, 86, -33, -4, 1]),
+        ] {
+            let rows = rows.iter().map(|row| row.iter().map(number).collect()).collect();
+            assert_eq!(characteristic(&modulus, rows), expected.iter().map(number).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn a_general_pencil_has_no_such_member() {
+        let general = ["x^3 + 2*x*y^2 - y + eps*a", "eps^2*y^3 + x^2 - a*x + 7*x*y + 1"];
+        let (searched, _, sides) = polynomials(&general);
+        assert_eq!(special_members(&searched, &sides[0], &sides[1]), []);
+    }
+}

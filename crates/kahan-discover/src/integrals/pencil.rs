@@ -1,0 +1,142 @@
+//! A space of polynomials any two of which have an integral as their quotient, and how it is found
+//! again elsewhere.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::{Form, PolynomialSpace, scattered};
+use crate::orbits::hilbert::random_relations;
+use crate::orbits::relations::Relations;
+
+/// Equations beyond the number of unknowns.
+pub(crate) const SPARE: usize = 4;
+
+/// A space of polynomials whose quotients are integrals, at one choice of the unknowns, with the
+/// way to find it at others.
+#[derive(Clone, Debug)]
+pub struct Pencil {
+    /// The degree of the polynomials.
+    pub degree: u32,
+    /// The space; quotients of its elements are integrals.
+    pub space: PolynomialSpace,
+    pub(crate) source: Source,
+}
+
+/// How a pencil was found.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// As the span of the relations of orbits on its own monomials.
+    Span,
+    /// As numerators and denominators of entries of relations.
+    Entries { relation_degree: u32, entries: Vec<PencilEntry> },
+}
+
+/// An entry of the reduced relations that is P/Q.
+#[derive(Clone, Debug)]
+pub(crate) struct PencilEntry {
+    /// The leading monomial of the relation, and the monomial of the entry.
+    pub(crate) leading: usize,
+    pub(crate) lower: usize,
+    pub(crate) numerator: Vec<usize>,
+    pub(crate) denominator: Vec<usize>,
+}
+
+impl PencilEntry {
+    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless
+    /// they are unique, and found before the deadline.
+    pub(crate) fn quotient(
+        &self,
+        modulus: &Modulus,
+        orbits: &[Relations],
+        values: &[Vec<u64>],
+        deadline: &Deadline<'_>,
+    ) -> Option<(Vec<u64>, Vec<u64>)> {
+        let width = self.numerator.len() + self.denominator.len();
+        let mut rows = Vec::with_capacity(width + SPARE);
+        for (orbit, values) in orbits.iter().zip(values).take(width + SPARE) {
+            let relation = orbit.vectors.iter().find(|vector| vector.free == self.leading)?;
+            let factor = modulus.opposite(relation.entries[self.lower]);
+            let mut row: Vec<u64> = self.numerator.iter().map(|&index| values[index]).collect();
+            row.extend(self.denominator.iter().map(|&index| modulus.times(factor, values[index])));
+            rows.push(row);
+        }
+        let null = Echelon::null_vectors(modulus, rows, width, deadline)?;
+        let [vector] = &null[..] else { return None };
+        let (above, below) = vector.split_at(self.numerator.len());
+        let spread = |places: &[usize], entries: &[u64]| scattered(places, entries, values[0].len());
+        Some((spread(&self.numerator, above), spread(&self.denominator, below)))
+    }
+}
+
+impl Pencil {
+    /// The space of another map of the family; `None` where it has another form, the map has no
+    /// value, or the deadline passes.
+    pub fn at(
+        &self,
+        map: &impl Stepping,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Option<PolynomialSpace> {
+        let modulus = *map.modulus();
+        let monomials = Monomials::new(map.dimension(), self.degree);
+        let form = &self.space.form;
+        if let Some(space) = self.span_at(map, &monomials, random, deadline) {
+            return Some(space);
+        }
+        let Source::Entries { relation_degree, entries } = &self.source else { return None };
+        let relation_monomials = Monomials::new(map.dimension(), *relation_degree);
+        let wanted =
+            entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
+        let mut orbits = Vec::with_capacity(wanted);
+        for _ in 0..wanted {
+            let mut relations = random_relations(map, &relation_monomials, random, deadline)?;
+            relations.vectors.retain(|vector| entries.iter().any(|entry| entry.leading == vector.free));
+            orbits.push(relations);
+        }
+        let values: Vec<Vec<u64>> =
+            orbits.iter().map(|orbit| monomials.values(&modulus, &orbit.start)).collect();
+        let mut vectors = Vec::new();
+        for entry in entries {
+            let (above, below) = entry.quotient(&modulus, &orbits, &values, deadline)?;
+            for vector in [above, below] {
+                vectors.push(form.support.iter().map(|&index| vector[index]).collect());
+            }
+        }
+        PolynomialSpace::of_form(&modulus, form, vectors)
+    }
+
+    /// The span of the relations of two orbits on the space's own monomials, if that is all they
+    /// have.
+    fn span_at(
+        &self,
+        map: &impl Stepping,
+        monomials: &Monomials,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Option<PolynomialSpace> {
+        let modulus = map.modulus();
+        let Form { support, .. } = &self.space.form;
+        let mut vectors: Vec<Vec<u64>> = Vec::new();
+        for _ in 0..2 {
+            let length = support.len() + SPARE;
+            let orbit = map.orbit(map.point(random), length);
+            if orbit.len() < length {
+                return None;
+            }
+            let rows = orbit.iter().map(|point| {
+                let values = monomials.values(modulus, point);
+                support.iter().map(|&index| values[index]).collect()
+            });
+            let null = Echelon::null_vectors(modulus, rows.collect(), support.len(), deadline)?;
+            if null.len() + 1 != self.space.dimension() {
+                return None;
+            }
+            vectors.extend(null);
+        }
+        PolynomialSpace::of_form(modulus, &self.space.form, vectors)
+    }
+}

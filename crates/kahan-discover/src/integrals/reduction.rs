@@ -1,0 +1,165 @@
+//! Integrals made simpler by others: P/Q less a multiple of a product of known factors, so that a
+//! factor of Q cancels.
+//!
+//! Two polynomials with the same cofactor under the map have an integral as their quotient. A
+//! product M of factors of known integrals that has Q's cofactor may therefore be subtracted from
+//! P, times what is free of states; where P and M are proportional on the zeros of a factor q of Q,
+//! some combination αP − βM is divisible by q.
+
+use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
+use kahan_algebra::rational::Rational;
+
+use crate::claims::writing::{in_powers, state_factors};
+use crate::densities::products::exponents;
+use crate::maps::search_field::{SampledStep, SearchField};
+use crate::maps::stepping::Stepping;
+use crate::modular::subspace::tidy;
+
+/// The integral with factors of its denominator cancelled, as often as that is possible; `factors`
+/// are those of the integrals known.
+pub(crate) fn reduced(
+    searched: &SearchField,
+    step: &SampledStep,
+    factors: &[Polynomial],
+    numerator: Polynomial,
+    denominator: Polynomial,
+) -> (Polynomial, Polynomial) {
+    let symbols = searched.family().symbols();
+    let (mut numerator, mut denominator) = (numerator, denominator);
+    while let Some((above, below)) = without_factor(searched, step, factors, &numerator, &denominator) {
+        let common = gcd(&above, &below);
+        let lowest = |side: &Polynomial| side.checked_div(&common).expect("a common divisor divides");
+        (numerator, denominator) = (tidy(symbols, &lowest(&above)), tidy(symbols, &lowest(&below)));
+    }
+    (numerator, denominator)
+}
+
+/// (αP − βM)/q over Q/q for some factor q of Q and some M.
+fn without_factor(
+    searched: &SearchField,
+    step: &SampledStep,
+    factors: &[Polynomial],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<(Polynomial, Polynomial)> {
+    let symbols = searched.family().symbols();
+    let poles = state_factors(symbols, denominator);
+    if poles.is_empty() {
+        return None;
+    }
+    let products = products(searched, step, factors, numerator, denominator)?;
+    let moves = moving_states(searched, step, factors);
+    for pole in &poles {
+        for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
+            // What is left of a polynomial where the pole is 0, and the factor that was multiplied
+            // by.
+            let rest = |polynomial: &Polynomial| {
+                let written = in_powers(symbols, polynomial, pole, variable)?;
+                let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
+                Some((rest, written.scale))
+            };
+            let Some((own, own_scale)) = rest(numerator) else { continue };
+            for product in &products {
+                let Some((other, other_scale)) = rest(product) else { continue };
+                // own = α t and other = β t, α and β integrals: then β own_scale P = α other_scale
+                // M where the pole is 0.
+                let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
+                let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
+                let beta = match (shape == same, shape == -&same) {
+                    (true, _) => beta,
+                    (false, true) => -&beta,
+                    (false, false) => continue,
+                };
+                let left = &(&beta * &own_scale) * numerator;
+                let right = &(&alpha * &other_scale) * product;
+                let difference = &left - &right;
+                if !difference.variables().iter().any(|variable| moves.contains(variable)) {
+                    continue;
+                }
+                let above = difference.checked_div(pole)?;
+                return Some((above, denominator.checked_div(pole)?));
+            }
+        }
+    }
+    None
+}
+
+/// The states that are no integrals by themselves.
+fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomial]) -> Vec<Variable> {
+    let symbols = searched.family().symbols();
+    let rests = |variable: Variable| {
+        let single = Polynomial::variable(variable);
+        factors.contains(&single) && step.keeps(searched, &single)
+    };
+    (0..searched.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
+}
+
+/// What all coefficients have in common, the polynomial taken as one in these variables.
+fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
+    let groups = polynomial.group(|variable| variables.contains(&variable));
+    let common = gcd_all(&groups.into_values().collect::<Vec<_>>());
+    common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
+}
+
+/// The products of factors that have the denominator's cofactor and at most the numerator's degree.
+fn products(
+    searched: &SearchField,
+    step: &SampledStep,
+    factors: &[Polynomial],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<Vec<Polynomial>> {
+    let symbols = searched.family().symbols();
+    let modulus = step.sample.map.modulus();
+    let cofactors: Vec<u64> =
+        factors.iter().map(|factor| step.cofactor(searched, factor)).collect::<Option<_>>()?;
+    let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
+    let wanted = step.cofactor(searched, denominator)?;
+    let mut found = Vec::new();
+    for total in 1..=symbols.degree(numerator) {
+        for candidate in exponents(&degrees, total, &[1]) {
+            let own = cofactors.iter().zip(&candidate).fold(modulus.one(), |product, (base, &exponent)| {
+                modulus.times(product, modulus.power(*base, exponent.unsigned_abs()))
+            });
+            if own == wanted {
+                let powers = factors.iter().zip(&candidate);
+                found.push(powers.fold(Polynomial::one(), |product, (factor, &exponent)| {
+                    (0..exponent).fold(product, |product, _| &product * factor)
+                }));
+            }
+        }
+    }
+    Some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::prime_field::SplitMix64;
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn what_other_integrals_add_to_a_pole_is_taken_away() {
+        // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states
+        // are integrals.
+        let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
+        let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
+        let symbols = &field.symbols;
+        let [x, y, z, w] = [0, 1, 2, 3].map(|i| Polynomial::variable(symbols.state(i)));
+        let eps = Polynomial::variable(symbols.epsilon());
+        let sum = &(&x + &y) + &(&z + &w);
+        let difference = &eps * &(&y - &w);
+        let poles = [&Polynomial::one() + &difference, &Polynomial::one() - &difference];
+        let below = &poles[0] * &poles[1];
+        let product = &x * &z;
+        let mixed = &(&sum * &below) + &(&eps * &product).scale(&Rational::from(5));
+        let searched = SearchField::new(&field, None);
+        let step = searched.step(&mut SplitMix64::new(1)).expect("the map has a value");
+        let factors = [x, z, poles[0].clone(), poles[1].clone()];
+        let found = reduced(&searched, &step, &factors, mixed.clone(), below.clone());
+        assert_eq!(found, (sum, Polynomial::one()));
+        // Without the factors of the other integral nothing cancels.
+        let kept = reduced(&searched, &step, &factors[2..], mixed.clone(), below.clone());
+        assert_eq!(kept, (mixed, below));
+    }
+}

@@ -1,0 +1,164 @@
+//! Rational integrals from the relations of orbits.
+//!
+//! Let U be a space of polynomials any two of which have an integral as their quotient (they share
+//! their cofactor under the map). On one orbit the elements of U that vanish are all of those that
+//! vanish at its start: one dimension less. Conversely, relations on orbits span such a space where
+//! their span has one dimension more than those on one orbit.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::integrals::pencil::{Pencil, Source};
+use crate::integrals::relation_coefficients::entries_of_degree;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::PolynomialSpace;
+use crate::orbits::hilbert::random_relations;
+use crate::orbits::relations::{gradient, monomial_gradients};
+
+/// How large formulas are looked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach {
+    /// The most unknown coefficients of P and Q together.
+    pub coefficients: usize,
+    /// The most terms in the states of the shortest polynomial of a pencil.
+    pub terms: usize,
+    /// The most orders of the variables in which entries of relations are looked at, where there
+    /// are many monomials.
+    pub orders: usize,
+}
+
+impl Reach {
+    /// As large as the search can reach.
+    pub const FULL: Self = Reach { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
+
+    /// Formulas that can be read, where bases say the rest.
+    pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
+}
+
+/// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until
+/// `wanted` independent integrals are found.
+pub fn spanned_pencils<M: Stepping>(
+    map: &M,
+    relation_degree: u32,
+    wanted: usize,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Vec<Pencil> {
+    let mut search = Search::new(map, random);
+    for degree in 1..=relation_degree {
+        if let Some(space) = span_of_relations(map, degree, search.random, deadline) {
+            search.offer(Pencil { degree, space, source: Source::Span });
+        }
+        if search.rank() >= wanted {
+            break;
+        }
+    }
+    search.pencils
+}
+
+/// The pencils of one degree in which entries of the relations up to `relation_degree` are
+/// quotients P/Q, and of no lower degree, as far as they bring integrals that are independent of
+/// those whose gradients at a point `known` gives; none if the deadline passes first.
+///
+/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the
+/// relations.
+pub fn pencils_of_entries<M: Stepping>(
+    map: &M,
+    relation_degree: u32,
+    degree: u32,
+    reach: Reach,
+    known: impl Fn(&[u64]) -> Vec<Vec<u64>>,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Vec<Pencil> {
+    let mut search = Search::new(map, random);
+    search.gradients = known(&search.point);
+    entries_of_degree(&mut search, relation_degree, degree, reach, deadline);
+    search.pencils
+}
+
+pub(crate) struct Search<'a, M> {
+    pub(crate) map: &'a M,
+    pub(crate) random: &'a mut SplitMix64,
+    /// Where independence is tested.
+    point: Vec<u64>,
+    gradients: Vec<Vec<u64>>,
+    pencils: Vec<Pencil>,
+}
+
+impl<'a, M: Stepping> Search<'a, M> {
+    fn new(map: &'a M, random: &'a mut SplitMix64) -> Self {
+        let point = map.point(random);
+        Search { map, random, point, gradients: Vec::new(), pencils: Vec::new() }
+    }
+
+    fn rank(&self) -> usize {
+        Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
+    }
+
+    /// Keeps a pencil if it brings an integral that is independent of those before.
+    pub(crate) fn offer(&mut self, pencil: Pencil) {
+        let before = self.rank();
+        let known = self.gradients.len();
+        let monomials = Monomials::new(self.map.dimension(), pencil.degree);
+        self.gradients.extend(quotient_gradients(self.map.modulus(), &monomials, &pencil.space, &self.point));
+        if self.rank() > before {
+            self.pencils.push(pencil);
+        } else {
+            self.gradients.truncate(known);
+        }
+    }
+}
+
+/// The gradients, up to factors, of the quotients of the elements of a space by its first.
+#[must_use]
+pub fn quotient_gradients(
+    modulus: &Modulus,
+    monomials: &Monomials,
+    space: &PolynomialSpace,
+    point: &[u64],
+) -> Vec<Vec<u64>> {
+    let values = monomials.values(modulus, point);
+    let slopes = monomial_gradients(modulus, monomials, point);
+    let evaluated: Vec<(u64, Vec<u64>)> = (0..space.dimension())
+        .map(|index| {
+            let element = space.element(index, monomials.len());
+            (modulus.dot(&element, &values), gradient(modulus, &slopes, &element))
+        })
+        .collect();
+    let Some(((base, base_slope), others)) = evaluated.split_first() else { return Vec::new() };
+    // ∇(P/Q) Q² = Q ∇P − P ∇Q
+    let quotient = |(value, slope): &(u64, Vec<u64>)| {
+        let pairs = slope.iter().zip(base_slope);
+        pairs
+            .map(|(own, below)| modulus.minus(modulus.times(*own, *base), modulus.times(*value, *below)))
+            .collect()
+    };
+    others.iter().map(quotient).collect()
+}
+
+/// The span of the relations of all orbits up to a degree, if it has one dimension more than those
+/// of one orbit.
+fn span_of_relations(
+    map: &impl Stepping,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<PolynomialSpace> {
+    let monomials = Monomials::new(map.dimension(), degree);
+    let mut vectors: Vec<Vec<u64>> = Vec::new();
+    let mut own = 0;
+    for _ in 0..3 {
+        let relations = random_relations(map, &monomials, random, deadline)?;
+        own = relations.vectors.len();
+        if own == 0 {
+            return None;
+        }
+        vectors.extend(relations.vectors.into_iter().map(|vector| vector.entries));
+    }
+    let space = PolynomialSpace::spanned(map.modulus(), vectors);
+    (space.dimension() == own + 1).then_some(space)
+}

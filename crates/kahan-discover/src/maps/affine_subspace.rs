@@ -1,0 +1,249 @@
+//! Affine leaves: orbits that satisfy linear relations are looked at inside them.
+//!
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace; their
+//! varying entries c₁, c₂, … are integrals. On one such leaf, with the entries as further unknowns
+//! and fewer variables, other integrals are not mixed with multiples of the linear relations.
+//! Formulas found there hold everywhere once cⱼ is replaced by its own formula.
+
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+
+use crate::deadline::Deadline;
+use crate::integrals::pencil::{PencilEntry, SPARE};
+use crate::maps::map::ModularMap;
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::reconstruction::reconstruct;
+use crate::modular::subspace::combination;
+use crate::modular::weights::Weights;
+use crate::orbits::hilbert::random_relations;
+
+/// Which variables remain on a leaf, and which entries of the linear relations choose it.
+#[derive(Clone, Debug)]
+pub struct AffineSubspace {
+    /// The entries that vary: the relation's leading monomial and the entry's.
+    places: Vec<(usize, usize)>,
+    /// The states that are coordinates on the leaf, the lowest in the order of monomials last.
+    order: Vec<usize>,
+}
+
+/// cⱼ = Pⱼ/Qⱼ.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Pⱼ
+    pub numerator: Polynomial,
+    /// Qⱼ
+    pub denominator: Polynomial,
+}
+
+/// The map on one leaf, in the leaf's coordinates.
+#[derive(Clone, Debug)]
+pub struct MapOnSubspace {
+    map: ModularMap,
+    order: Vec<usize>,
+    /// Each leading state with its value: coefficients of 1 and of the coordinates.
+    leading: Vec<(usize, Vec<u64>)>,
+}
+
+impl Coordinate {
+    /// The weight of cⱼ.
+    #[must_use]
+    pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
+        let of = |side: &Polynomial| {
+            side.leading_term().map(|(monomial, _)| weights.of_monomial(monomial)).unwrap_or_default()
+        };
+        of(&self.numerator).iter().zip(of(&self.denominator)).map(|(above, below)| above - &below).collect()
+    }
+}
+
+impl AffineSubspace {
+    /// The whole space, the coordinates in any order.
+    #[must_use]
+    pub fn whole(order: Vec<usize>) -> Self {
+        AffineSubspace { places: Vec::new(), order }
+    }
+
+    /// The leaves of a map; the whole space where there are no linear relations, or where their
+    /// entries depend on each other so that they cannot be chosen.
+    pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
+        let n = map.dimension();
+        let whole = AffineSubspace::whole((0..n).collect());
+        Self::with_relations(map, random).unwrap_or(whole)
+    }
+
+    fn with_relations(map: &ModularMap, random: &mut SplitMix64) -> Option<Self> {
+        let modulus = map.modulus();
+        let linear = Monomials::new(map.dimension(), 1);
+        let far = Deadline::never();
+        let first = random_relations(map, &linear, random, &far)?;
+        let second = random_relations(map, &linear, random, &far)?;
+        if first.vectors.is_empty() || first.vectors.len() != second.vectors.len() {
+            return None;
+        }
+        let mut places = Vec::new();
+        for (vector, other) in first.vectors.iter().zip(&second.vectors) {
+            let varies = (0..linear.len()).filter(|&index| vector.entries[index] != other.entries[index]);
+            places.extend(varies.map(|index| (vector.free, index)));
+        }
+        let leads =
+            |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
+        let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
+        let leaf = AffineSubspace { places, order };
+        // Chosen at random, do the entries come back from an orbit?
+        let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
+        let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
+        let start = on_leaf.embed(&on_leaf.point(random));
+        let relations = crate::orbits::relations::Relations::on_orbit(map, start, &linear, &far)?;
+        let found: Option<Vec<u64>> = leaf
+            .places
+            .iter()
+            .map(|&(leading, lower)| {
+                relations
+                    .vectors
+                    .iter()
+                    .find(|vector| vector.free == leading)
+                    .map(|vector| vector.entries[lower])
+            })
+            .collect();
+        (found? == chosen).then_some(leaf)
+    }
+
+    /// The number of entries that choose a leaf.
+    #[must_use]
+    pub fn unknowns(&self) -> usize {
+        self.places.len()
+    }
+
+    /// The same leaves with their coordinates in other orders: all rotations, forward and backward.
+    pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
+        let count = self.order.len();
+        let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
+        (0..count).flat_map(move |shift| {
+            [rotated(shift).collect::<Vec<_>>(), rotated(shift).rev().collect()]
+                .map(|order| AffineSubspace { places: self.places.clone(), order })
+        })
+    }
+
+    /// The states that are coordinates.
+    #[must_use]
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The map on the leaf chosen by `entries`; `None` where the linear relations have another
+    /// form.
+    pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
+        let modulus = *map.modulus();
+        let n = map.dimension();
+        let mut leading = Vec::new();
+        if self.order.len() < n {
+            let linear = Monomials::new(n, 1);
+            let mut relations = random_relations(&map, &linear, random, &Deadline::never())?;
+            for vector in &mut relations.vectors {
+                for (&(free, lower), &entry) in self.places.iter().zip(entries) {
+                    if free == vector.free {
+                        vector.entries[lower] = entry;
+                    }
+                }
+                let state = linear.exponents(vector.free).iter().position(|&exponent| exponent == 1)?;
+                let column = |state: usize| (1..=n).find(|&index| linear.exponents(index)[state] == 1);
+                let mut value = vec![modulus.opposite(vector.entries[0])];
+                for &coordinate in &self.order {
+                    value.push(modulus.opposite(vector.entries[column(coordinate)?]));
+                }
+                leading.push((state, value));
+            }
+            if leading.len() + self.order.len() != n
+                || leading.iter().any(|(state, _)| self.order.contains(state))
+            {
+                return None;
+            }
+        }
+        Some(MapOnSubspace { map, order: self.order.clone(), leading })
+    }
+
+    /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be
+    /// reconstructed.
+    pub fn coordinates(
+        &self,
+        searched: &SearchField,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Option<Vec<Coordinate>> {
+        let n = searched.dimension();
+        let linear = Monomials::new(n, 1);
+        let all: Vec<usize> = (0..linear.len()).collect();
+        let states: Vec<Variable> = (0..n).map(|i| searched.family().symbols().state(i)).collect();
+        let mut coordinates = Vec::new();
+        for &(leading, lower) in &self.places {
+            let entry = PencilEntry { leading, lower, numerator: all.clone(), denominator: all.clone() };
+            let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+                let map = searched.at(modulus, unknowns)?;
+                let mut orbits = Vec::new();
+                for _ in 0..2 * all.len() + SPARE {
+                    orbits.push(random_relations(&map, &linear, random, deadline)?);
+                }
+                let values: Vec<Vec<u64>> =
+                    orbits.iter().map(|orbit| linear.values(&modulus, &orbit.start)).collect();
+                let (above, below) = entry.quotient(&modulus, &orbits, &values, deadline)?;
+                let scale = modulus.inverse(*below.iter().find(|&&value| value != 0)?)?;
+                Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
+            };
+            let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
+            // One denominator for all entries, so that P and Q are polynomials.
+            let (entries, _) = RationalFunction::over_common(&entries);
+            let (above, below) = entries.split_at(linear.len());
+            let [numerator, denominator] =
+                [above, below].map(|side| combination(&states, &linear, &all, side));
+            coordinates.push(Coordinate { numerator, denominator });
+        }
+        Some(coordinates)
+    }
+}
+
+impl MapOnSubspace {
+    /// The point of the whole space with these coordinates.
+    #[must_use]
+    pub fn embed(&self, point: &[u64]) -> Vec<u64> {
+        let modulus = self.map.modulus();
+        let mut full = vec![0; self.map.dimension()];
+        for (&state, &value) in self.order.iter().zip(point) {
+            full[state] = value;
+        }
+        for (state, value) in &self.leading {
+            full[*state] = modulus.plus(value[0], modulus.dot(&value[1..], point));
+        }
+        full
+    }
+}
+
+impl Stepping for MapOnSubspace {
+    fn modulus(&self) -> &Modulus {
+        self.map.modulus()
+    }
+
+    fn dimension(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Those of the whole space; on a proper leaf none are known.
+    fn sign_changes(&self) -> Vec<u64> {
+        if self.order.len() < self.map.dimension() {
+            return Vec::new();
+        }
+        let reordered = |generator: u64| {
+            let own = self.order.iter().enumerate().filter(|(_, state)| generator >> **state & 1 == 1);
+            own.fold(0, |set, (place, _)| set | 1 << place)
+        };
+        self.map.sign_changes().into_iter().map(reordered).collect()
+    }
+
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        let next = self.map.next(&self.embed(point))?;
+        Some(self.order.iter().map(|&state| next[state]).collect())
+    }
+}

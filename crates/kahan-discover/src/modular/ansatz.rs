@@ -1,0 +1,82 @@
+//! The ansatz for one function that is reconstructed: N/D, each a sum over the same monomials of
+//! the unknowns.
+
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use num_bigint::BigInt;
+use num_integer::Integer;
+
+use crate::modular::modulus::{Modulus, rational_from_residue};
+
+/// The most unknown coefficients of one function.
+const MOST_COEFFICIENTS: usize = 500;
+
+/// The monomials of numerator and denominator of one entry, as exponents of the unknowns.
+#[derive(Clone, Debug)]
+pub(crate) struct Shape {
+    pub(crate) monomials: Vec<Vec<u32>>,
+}
+
+impl Shape {
+    /// All monomials within a degree for each unknown and one for all; `None` if they are too many.
+    pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
+        let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
+        for &bound in bounds {
+            let extended = monomials.iter().flat_map(|monomial| {
+                let used = monomial.iter().sum::<u32>() as usize;
+                (0..=bound.min(total.saturating_sub(used))).map(move |exponent| {
+                    let mut longer = monomial.clone();
+                    longer.push(exponent as u32);
+                    longer
+                })
+            });
+            monomials = extended.take(MOST_COEFFICIENTS + 1).collect();
+        }
+        (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(Shape { monomials })
+    }
+
+    /// The values of the monomials.
+    pub(crate) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
+        self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
+    }
+
+    /// The function whose coefficients modulo several primes are known; `None` if those are not of
+    /// small rationals.
+    pub(crate) fn function(
+        &self,
+        primes: &[(Modulus, Vec<Vec<u64>>)],
+        entry: usize,
+        variables: &[Variable],
+    ) -> Option<RationalFunction> {
+        let count = self.monomials.len();
+        let side = |offset: usize| -> Option<Polynomial> {
+            let mut terms = Vec::new();
+            for (index, exponents) in self.monomials.iter().enumerate() {
+                let residues = primes
+                    .iter()
+                    .map(|(modulus, all)| (modulus.prime(), modulus.residue(all[entry][offset + index])));
+                let coefficient = rational_from_residues(residues)?;
+                let powers =
+                    variables.iter().zip(exponents).map(|(variable, exponent)| (*variable, *exponent));
+                terms.push((powers.collect::<Monomial>(), coefficient));
+            }
+            Some(Polynomial::from_terms(terms))
+        };
+        RationalFunction::new_within(side(0)?, side(count)?, &mut Budget::new(2000, 10_000_000)).ok()?
+    }
+}
+
+/// The small rational with these residues.
+fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
+    let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
+    for (prime, residue) in residues {
+        let prime = BigInt::from(prime);
+        // value + product·k ≡ residue modulo the new prime
+        let inverse = product.extended_gcd(&prime).x;
+        let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
+        value += &product * step;
+        product *= prime;
+    }
+    rational_from_residue(&value, &product)
+}

@@ -1,0 +1,125 @@
+//! All monomials of the states up to a degree, ascending, and their values at a point.
+
+use crate::modular::modulus::Modulus;
+
+/// The monomials of n variables of degree 0, 1, 2, …: by degree, and within a degree in
+/// lexicographic order with the last variable lowest.
+#[derive(Clone, Debug)]
+pub struct Monomials {
+    variables: usize,
+    /// The exponents of each monomial.
+    exponents: Vec<Vec<u32>>,
+    /// Each monomial but 1 as an earlier one times a variable.
+    recipes: Vec<(usize, usize)>,
+    /// The number of monomials of degree ≤ 0, ≤ 1, ….
+    counts: Vec<usize>,
+}
+
+impl Monomials {
+    /// The monomials of degree at most `degree` in n variables.
+    #[must_use]
+    pub fn new(variables: usize, degree: u32) -> Self {
+        let mut monomials = Monomials {
+            variables,
+            exponents: vec![vec![0; variables]],
+            recipes: vec![(0, 0)],
+            counts: vec![1],
+        };
+        for _ in 0..degree {
+            let end = monomials.exponents.len();
+            for variable in (0..variables).rev() {
+                let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
+                for earlier in begin..end {
+                    // Every monomial is made once: by its first variable.
+                    if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
+                        let mut exponents = monomials.exponents[earlier].clone();
+                        exponents[variable] += 1;
+                        monomials.exponents.push(exponents);
+                        monomials.recipes.push((earlier, variable));
+                    }
+                }
+            }
+            monomials.counts.push(monomials.exponents.len());
+        }
+        monomials
+    }
+
+    /// How many there are of degree at most `degree` in n variables, C(n + degree, n).
+    #[must_use]
+    pub fn count(variables: usize, degree: u32) -> usize {
+        (1..=variables as u128)
+            .fold(1u128, |count, k| count.saturating_mul(u128::from(degree) + k) / k)
+            .try_into()
+            .unwrap_or(usize::MAX)
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.exponents.len()
+    }
+
+    /// Never: there is always the monomial 1.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    /// The number of variables.
+    #[must_use]
+    pub fn variables(&self) -> usize {
+        self.variables
+    }
+
+    /// The highest degree.
+    #[must_use]
+    pub fn degree(&self) -> u32 {
+        self.counts.len() as u32 - 1
+    }
+
+    /// How many have degree at most `degree`.
+    ///
+    /// # Panics
+    /// Beyond the highest degree.
+    #[must_use]
+    pub fn up_to(&self, degree: u32) -> usize {
+        self.counts[degree as usize]
+    }
+
+    /// The exponents of monomial `index`.
+    #[must_use]
+    pub fn exponents(&self, index: usize) -> &[u32] {
+        &self.exponents[index]
+    }
+
+    /// The values of all of them. Cost: one product each.
+    #[must_use]
+    pub fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
+        let mut values = Vec::with_capacity(self.len());
+        values.push(modulus.one());
+        for &(earlier, variable) in &self.recipes[1..] {
+            values.push(modulus.times(values[earlier], point[variable]));
+        }
+        values
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_monomial_stands_once_in_ascending_order() {
+        let monomials = Monomials::new(3, 4);
+        assert_eq!(monomials.len(), 35);
+        assert_eq!(monomials.up_to(2), 10);
+        for degree in 0..=4 {
+            assert_eq!(monomials.up_to(degree), Monomials::count(3, degree));
+        }
+        let key = |index: usize| {
+            let exponents = monomials.exponents(index);
+            (exponents.iter().sum::<u32>(), exponents.to_vec())
+        };
+        assert!((1..monomials.len()).all(|index| key(index - 1) < key(index)));
+    }
+}

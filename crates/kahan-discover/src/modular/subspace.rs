@@ -1,0 +1,204 @@
+//! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
+//!
+//! A space that depends on parameters and ε has a basis in reduced form whose entries are rational
+//! functions of them; this is what is reconstructed.
+
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+use crate::claims::writing::begins_negative;
+use crate::deadline::Deadline;
+use crate::maps::search_field::SearchField;
+use crate::modular::grading::{Grading, reconstruct_graded};
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::reconstruction::reconstruct;
+use crate::modular::weights::Weights;
+
+/// The shape of a space's basis: which monomials occur, and which lead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// The monomials that occur, by their indices, ascending or descending.
+    pub support: Vec<usize>,
+    /// The places in `support` of the first monomial of each basis element.
+    pub pivots: Vec<usize>,
+}
+
+/// A basis in reduced form: each element begins, in the order of the support, with the monomial of
+/// its pivot with coefficient 1, and the others lack it.
+#[derive(Clone, Debug)]
+pub struct PolynomialSpace {
+    /// The shape.
+    pub form: Form,
+    /// One row of coefficients for each element, on the support.
+    pub rows: Vec<Vec<u64>>,
+}
+
+impl PolynomialSpace {
+    /// The space spanned by vectors of coefficients of all monomials: of the two reduced bases,
+    /// that begin with low monomials or with high ones, the one with fewer terms.
+    #[must_use]
+    pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
+        let columns = vectors.first().map_or(0, Vec::len);
+        let used: Vec<usize> =
+            (0..columns).filter(|&column| vectors.iter().any(|row| row[column] != 0)).collect();
+        let in_order = |support: Vec<usize>| {
+            let rows =
+                vectors.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
+            let echelon = Echelon::of(modulus, rows, support.len());
+            PolynomialSpace { form: Form { support, pivots: echelon.pivots }, rows: echelon.rows }
+        };
+        let terms =
+            |space: &PolynomialSpace| (0..space.dimension()).map(|index| space.terms(index)).sum::<usize>();
+        let low_first = in_order(used.clone());
+        let high_first = in_order(used.into_iter().rev().collect());
+        if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
+    }
+
+    /// The space spanned by vectors on a known support, if it has the known form.
+    #[must_use]
+    pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
+        let echelon = Echelon::of(modulus, vectors, form.support.len());
+        (echelon.pivots == form.pivots).then(|| PolynomialSpace { form: form.clone(), rows: echelon.rows })
+    }
+
+    /// The number of basis elements.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The coefficients of element `index` on all `count` monomials.
+    #[must_use]
+    pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
+        scattered(&self.form.support, &self.rows[index], count)
+    }
+
+    /// The number of terms of element `index`.
+    #[must_use]
+    pub fn terms(&self, index: usize) -> usize {
+        self.rows[index].iter().filter(|&&value| value != 0).count()
+    }
+}
+
+/// A vector of this length with entries at these places, and zeros elsewhere.
+pub(crate) fn scattered<'a>(
+    places: impl IntoIterator<Item = &'a usize>,
+    entries: &[u64],
+    len: usize,
+) -> Vec<u64> {
+    let mut all = vec![0; len];
+    for (&place, &entry) in places.into_iter().zip(entries) {
+        all[place] = entry;
+    }
+    all
+}
+
+/// Which variables of formulas stand for what.
+#[derive(Clone, Debug)]
+pub struct Names {
+    /// The parameters and ε, and what else a space depends on.
+    pub unknowns: Vec<Variable>,
+    /// The states that the monomials are made of.
+    pub states: Vec<Variable>,
+    /// The scaling symmetries, with the weights of all unknowns, where they are known.
+    pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
+}
+
+impl Names {
+    /// Those of a map in all its states.
+    #[must_use]
+    pub fn of(searched: &SearchField) -> Self {
+        let symbols = searched.family().symbols();
+        let unknowns = searched.unknown_variables();
+        let own = unknowns.iter().map(|&unknown| searched.weights().of_variable(unknown)).collect();
+        Names {
+            unknowns,
+            states: (0..searched.dimension()).map(|i| symbols.state(i)).collect(),
+            weights: Some((searched.weights().clone(), own)),
+        }
+    }
+
+    /// The coefficient of m in a basis element that begins with the monomial p weighs as much as
+    /// p/m.
+    fn grading(
+        &self,
+        weights: &(Weights, Vec<Vec<Rational>>),
+        monomials: &Monomials,
+        form: &Form,
+    ) -> Grading {
+        let weight = |place: usize| {
+            let exponents = monomials.exponents(form.support[place]);
+            let powers = self.states.iter().copied().zip(exponents.iter().copied());
+            weights.0.of_monomial(&powers.collect())
+        };
+        let entries = form.pivots.iter().flat_map(|&pivot| {
+            let leading = weight(pivot);
+            (0..form.support.len())
+                .map(|place| leading.iter().zip(weight(place)).map(|(a, b)| a - &b).collect())
+                .collect::<Vec<Vec<Rational>>>()
+        });
+        Grading { unknowns: weights.1.clone(), entries: entries.collect() }
+    }
+}
+
+/// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the
+/// space at any values of the unknowns, always of the same form; `None` as for [`reconstruct`].
+pub fn reconstruct_space(
+    names: &Names,
+    monomials: &Monomials,
+    form: &Form,
+    mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<PolynomialSpace>,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Vec<Polynomial>> {
+    let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let space = at(modulus, unknowns, random)?;
+        (space.form == *form).then(|| space.rows.concat())
+    };
+    let entries = match &names.weights {
+        Some(weights) => {
+            let grading = names.grading(weights, monomials, form);
+            reconstruct_graded(&mut oracle, &names.unknowns, &grading, random, deadline)?
+        }
+        None => reconstruct(&mut oracle, &names.unknowns, random, deadline)?,
+    };
+    let rows = entries.chunks(form.support.len());
+    Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
+}
+
+/// Σ cₘ m times the least common denominator, with coprime integer coefficients.
+#[must_use]
+pub fn cleared(
+    states: &[Variable],
+    monomials: &Monomials,
+    support: &[usize],
+    coefficients: &[RationalFunction],
+) -> Polynomial {
+    combination(states, monomials, support, &RationalFunction::over_common(coefficients).0).primitive_part()
+}
+
+/// Σ cₘ m over the monomials m of a support, in these states.
+pub(crate) fn combination(
+    states: &[Variable],
+    monomials: &Monomials,
+    support: &[usize],
+    coefficients: &[Polynomial],
+) -> Polynomial {
+    support.iter().zip(coefficients).fold(Polynomial::zero(), |sum, (&index, coefficient)| {
+        let exponents = states.iter().copied().zip(monomials.exponents(index).iter().copied());
+        sum + coefficient.mul_monomial(&exponents.collect::<Monomial>())
+    })
+}
+
+/// The polynomial divided by every factor that is free of states, its first term in writing
+/// positive.
+#[must_use]
+pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
+    let primitive = symbols.primitive_part(polynomial);
+    if begins_negative(&primitive) { -&primitive } else { primitive }
+}

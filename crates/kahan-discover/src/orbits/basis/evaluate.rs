@@ -1,0 +1,175 @@
+//! The integrals that a basis defines, from consecutive points of an orbit: exactly, or in floats
+//! with their condition.
+
+use std::error::Error;
+use std::fmt;
+
+use kahan_algebra::rational::Rational;
+use nalgebra::{DMatrix, DVector};
+
+use super::{Basis, Term};
+use crate::modular::weights::reduce;
+
+/// The coefficients of a basis in floats.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BasisValues {
+    /// The coefficients in the order of the monomials, that of the unit being 1.
+    pub coefficients: Vec<f64>,
+    /// The condition number of the equations solved, each monomial divided by its largest value:
+    /// what is off by a part u in the points is off by up to about `condition`·u in the terms cₖ
+    /// max |mₖ|, relative to the largest of these. It grows where the points lie close together, as
+    /// with small time steps.
+    pub condition: f64,
+}
+
+/// Why a basis has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BasisError {
+    /// Fewer points than determine the coefficients.
+    TooFewPoints {
+        /// How many are needed.
+        wanted: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// A point with another number of states than the monomials have.
+    Dimension {
+        /// How many states there are.
+        wanted: usize,
+        /// How many the point has.
+        given: usize,
+    },
+    /// A point, or the value of a monomial there, is not finite.
+    NotFinite,
+    /// The points do not determine the coefficients (in floats: to no digit): they repeat, lie too
+    /// close together, or the coefficient of the unit is 0 on this orbit.
+    Undetermined,
+}
+
+impl fmt::Display for BasisError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BasisError::TooFewPoints { wanted, given } => write!(
+                f,
+                "{given} points of the orbit do not determine the coefficients: give {wanted} consecutive ones"
+            ),
+            BasisError::Dimension { wanted, given } => {
+                write!(f, "a point has {given} states, and the monomials have {wanted}")
+            }
+            BasisError::NotFinite => f.write_str("a point or the value of a monomial there is not finite"),
+            BasisError::Undetermined => f.write_str(
+                "the points do not determine the coefficients: take a longer time step or another orbit",
+            ),
+        }
+    }
+}
+
+impl Error for BasisError {}
+
+impl Basis {
+    /// The coefficients along the orbit with these consecutive points, exactly, in the order of the
+    /// monomials; that of the unit is 1. The first [`points`](Self::points) are used.
+    ///
+    /// # Errors
+    /// See [`BasisError`].
+    pub fn evaluate_exact(&self, orbit: &[Vec<Rational>]) -> Result<Vec<Rational>, BasisError> {
+        self.check(orbit)?;
+        let value = |exponents: &[u32], point: &[Rational]| {
+            let powers = exponents.iter().zip(point).filter(|(exponent, _)| **exponent > 0);
+            powers.fold(Rational::one(), |product, (&exponent, x)| {
+                (0..exponent).fold(product, |product, _| &product * x)
+            })
+        };
+        let sum = |term: &Term, point: &[Rational]| {
+            term.iter().fold(Rational::zero(), |sum, &(place, factor)| {
+                &sum + &(&Rational::from(factor) * &value(&self.monomials[place], point))
+            })
+        };
+        let (unit, others) = self.unit_and_others();
+        let mut rows: Vec<Vec<Rational>> = orbit[..self.points()]
+            .iter()
+            .map(|point| {
+                let own = others.iter().map(|term| sum(term, point));
+                own.chain([-&sum(unit, point)]).collect()
+            })
+            .collect();
+        let width = others.len() + 1;
+        if reduce(&mut rows, width) != (0..others.len()).collect::<Vec<_>>() {
+            return Err(BasisError::Undetermined);
+        }
+        let mut coefficients = vec![Rational::one(); self.monomials.len()];
+        let values = rows.iter().map(|row| row[others.len()].clone());
+        for (term, value) in others.iter().zip(values).chain([(&unit, Rational::one())]) {
+            for &(place, factor) in *term {
+                coefficients[place] = &Rational::from(factor) * &value;
+            }
+        }
+        Ok(coefficients)
+    }
+
+    /// The coefficients along the orbit with these consecutive points, in the order of the
+    /// monomials; that of the unit is 1. All points are used, in the sense of least squares.
+    ///
+    /// # Errors
+    /// See [`BasisError`].
+    pub fn evaluate(&self, orbit: &[Vec<f64>]) -> Result<BasisValues, BasisError> {
+        self.check(orbit)?;
+        let value = |exponents: &[u32], point: &[f64]| {
+            exponents.iter().zip(point).map(|(&exponent, x)| x.powi(exponent as i32)).product::<f64>()
+        };
+        let sum = |term: &Term, point: &[f64]| -> f64 {
+            term.iter().map(|&(place, factor)| factor as f64 * value(&self.monomials[place], point)).sum()
+        };
+        let (own, others) = self.unit_and_others();
+        let mut matrix =
+            DMatrix::from_fn(orbit.len(), others.len(), |row, column| sum(others[column], &orbit[row]));
+        let unit = DVector::from_fn(orbit.len(), |row, _| -sum(own, &orbit[row]));
+        if !matrix.iter().chain(unit.iter()).all(|entry| entry.is_finite()) {
+            return Err(BasisError::NotFinite);
+        }
+        let scales: Vec<f64> = matrix.column_iter().map(|column| column.amax()).collect();
+        if scales.contains(&0.0) {
+            return Err(BasisError::Undetermined);
+        }
+        for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
+            column /= *scale;
+        }
+        // The iteration that finds singular values stops some hundred roundings early: enough for
+        // them, not for a solution.
+        let singular_values = matrix.singular_values();
+        let condition = singular_values.max() / singular_values.min();
+        // Beyond this not one digit would be right.
+        if condition.is_nan() || condition * f64::EPSILON > 1.0 {
+            return Err(BasisError::Undetermined);
+        }
+        let factors = matrix.qr();
+        let right = factors.q().tr_mul(&unit);
+        let solution = factors.r().solve_upper_triangular(&right).ok_or(BasisError::Undetermined)?;
+        let mut coefficients = vec![1.0; self.monomials.len()];
+        let values = solution.iter().zip(&scales).map(|(value, scale)| value / scale);
+        for (term, value) in others.iter().zip(values).chain([(&own, 1.0)]) {
+            for &(place, factor) in *term {
+                coefficients[place] = factor as f64 * value;
+            }
+        }
+        Ok(BasisValues { coefficients, condition })
+    }
+
+    /// The term of the unit, and all others.
+    fn unit_and_others(&self) -> (&Term, Vec<&Term>) {
+        let is_unit = |term: &&Term| term.iter().any(|&(place, _)| place == self.unit);
+        let (unit, others): (Vec<_>, Vec<_>) = self.terms.iter().partition(is_unit);
+        (unit.first().copied().expect("every monomial stands in a term"), others)
+    }
+
+    fn check<T>(&self, orbit: &[Vec<T>]) -> Result<(), BasisError> {
+        let wanted = self.monomials[0].len();
+        if let Some(point) = orbit.iter().find(|point| point.len() != wanted) {
+            return Err(BasisError::Dimension { wanted, given: point.len() });
+        }
+        if orbit.len() < self.points() {
+            return Err(BasisError::TooFewPoints { wanted: self.points(), given: orbit.len() });
+        }
+        Ok(())
+    }
+}

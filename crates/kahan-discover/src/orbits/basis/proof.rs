@@ -1,0 +1,140 @@
+//! That the terms of a basis have one relation along every orbit.
+//!
+//! Of r + 1 terms at r + 1 consecutive points the determinant must vanish identically, while at
+//! r points they are independent. As the map is birational, r points further on are as generic as
+//! the first r, so all of an orbit has the relation of its first r points. The determinant is a
+//! rational function of states, parameters and ε; its degree and the size of its coefficients are
+//! bounded step by step, and it is evaluated modulo random primes at random points. Points on both
+//! sides of the start halve the number of steps, whose degrees multiply.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::{Random, Shake256};
+use kahan_algebra::prove::points_needed;
+use kahan_algebra::rational::Rational;
+
+use crate::deadline::Deadline;
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+
+use super::{Basis, Term};
+
+/// More points than this are not taken.
+const MOST_POINTS: u32 = 64;
+
+/// How often a point is sampled again where its orbit ends at a pole.
+const MOST_SAMPLES: usize = 16;
+
+/// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
+/// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
+/// primes, or the deadline passes.
+pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
+    let size = determinant_size(basis, field, searched.eps())?;
+    let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
+    let mut random =
+        Shake256::new(format!("{field:?} {:?} {:?}", searched.eps(), basis.monomials).as_bytes());
+    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
+}
+
+/// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
+/// prime.
+fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
+    for _ in 0..MOST_SAMPLES {
+        let modulus = Modulus::random(random);
+        let Some(sample) = searched.sample(modulus, random) else { continue };
+        let (before, after) = halves(basis);
+        let start = sample.map.point(random);
+        let backward =
+            sample.map.with_eps(modulus.opposite(sample.map.eps())).orbit(start.clone(), before + 1);
+        let forward = sample.map.orbit(start, after + 1);
+        if backward.len() <= before || forward.len() <= after {
+            continue;
+        }
+        let orbit = backward[1..].iter().rev().chain(&forward);
+        let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
+        let width = basis.terms.len();
+        let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
+        // Fewer than r independent rows at one point say nothing of the others.
+        if fewer < width - 1 {
+            continue;
+        }
+        return Echelon::of(&modulus, rows, width).rank() == width - 1;
+    }
+    false
+}
+
+/// How many of the points stand before the start, and how many after it.
+fn halves(basis: &Basis) -> (usize, usize) {
+    let steps = basis.points();
+    (steps / 2, steps - steps / 2)
+}
+
+impl Basis {
+    /// The values of the terms at a point.
+    pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
+        let summand = |&(place, factor): &(usize, i64)| {
+            let size = modulus.integer(factor.unsigned_abs());
+            let value = modulus.times(size, modulus.monomial(&self.monomials[place], point));
+            if factor < 0 { modulus.opposite(value) } else { value }
+        };
+        let value = |term: &Term| term.iter().map(summand).fold(0, |sum, value| modulus.plus(sum, value));
+        self.terms.iter().map(value).collect()
+    }
+}
+
+/// A bound of the total degree in states, parameters and ε, and of log₂ of the sum of all
+/// coefficients in size.
+#[derive(Clone, Copy)]
+struct Bound {
+    degree: u64,
+    bits: u64,
+}
+
+/// The bound of the determinant of all monomials at all points.
+fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+    let (before, after) = halves(basis);
+    let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
+    let size = basis.terms.len() as u64;
+    let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
+    // One more bit a row for each doubling of their number, and of the sum of the factors in front
+    // of monomials, bounds the number of products.
+    let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
+    let mut total = Bound { degree: 0, bits: size * bits };
+    for steps in [before, after] {
+        let mut point = Bound { degree: 1, bits: 0 };
+        for _ in 0..steps {
+            point = image(point, field, eps)?;
+            total.degree = total.degree.checked_add(point.degree.checked_mul(u64::from(highest))?)?;
+            total.bits = total.bits.checked_add(point.bits.checked_mul(u64::from(highest))?)?;
+        }
+    }
+    total.degree = total.degree.checked_add(u64::from(highest))?;
+    Some(total)
+}
+
+/// The bound of x̃ = X̃/W̃ from that of x = X/W, numerators and denominator alike.
+///
+/// Row i of A x̃ = b times qᵢW has entries that are of the first degree in X and W; Cramer's rule
+/// multiplies n of them.
+fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+    let n = field.dimension() as u64;
+    let symbols = &field.symbols;
+    let others = |polynomial: &Polynomial| polynomial.degree_where(|variable| !symbols.is_state(variable));
+    let sides = || field.numerators().chain(field.denominators());
+    let of_coefficients = sides().map(others).max()?;
+    let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
+    // |qᵢ| + 4 |pᵢ| bounds the coefficients of a row, times a fixed ε.
+    let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
+    Some(Bound {
+        degree: degree.checked_mul(n)?,
+        bits: point.bits.checked_add(bits)?.checked_mul(n)?.checked_add(n * u64::from(n.ilog2() + 1))?,
+    })
+}
+
+/// log₂ of the sum of all coefficients in size, denominators cleared, rounded up.
+fn norm_bits(polynomial: &Polynomial) -> u64 {
+    let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
+    all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1
+}

@@ -1,0 +1,154 @@
+//! The degrees of the iterates of the map, common factors removed.
+//!
+//! The n-th iterate is evaluated along a line through random points (with a random Möbius
+//! parameter, so that infinity is not special on it); a random combination of its components is a
+//! rational function of the parameter, and its degree is that of the iterate as a projective map: a
+//! factor common to all numerators and the denominator never appears in values. No polynomial is
+//! ever formed.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::maps::map::ModularMap;
+use crate::maps::stepping::Stepping;
+use crate::modular::thiele::{SPARE, degree};
+use crate::orbits::growth::{Growth, GrowthVerdict};
+
+/// Where to stop.
+#[derive(Clone, Copy)]
+pub struct DegreeLimits<'a> {
+    /// The number of iterates.
+    pub iterates: usize,
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first
+    /// five while nothing can be said of growth.
+    pub degree: usize,
+    /// When to stop in any case.
+    pub deadline: &'a Deadline<'a>,
+}
+
+/// As many degrees are taken while growth is undecided, and four times as far.
+const FEWEST: usize = 6;
+
+/// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if
+/// the map has no value anywhere on it.
+///
+/// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
+pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
+    let mut line = Line::new(map, random);
+    let mut degrees = vec![1];
+    // One iterate more than the limit on degrees lets pass, and never more points than it may need.
+    let most_points = 16 * limits.degree + 16;
+    while degrees.len() <= limits.iterates {
+        let known = degrees.len();
+        let last = degrees[known - 1];
+        let before = if known > 1 { degrees[known - 2] } else { 1 };
+        let expected = last * last / before.max(1) + 2;
+        let mut points = (2 * expected + SPARE + 1).max(16);
+        let found = loop {
+            if limits.deadline.passed() || points > most_points {
+                break None;
+            }
+            if !line.prepare(points, known, random, limits.deadline) {
+                if limits.deadline.has_stopped() {
+                    break None;
+                }
+                // Not one more iterate has a value on the line.
+                return if known == 1 { Vec::new() } else { degrees };
+            }
+            let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
+            let parameters: Vec<u64> = line.samples[..points].iter().map(|sample| sample.parameter).collect();
+            match degree(map.modulus(), &parameters, &values, limits.deadline) {
+                Some(degree) => break Some(degree),
+                None => points += points / 2,
+            }
+        };
+        let Some(found) = found else { break };
+        degrees.push(found);
+        let is_short = degrees.len() < FEWEST && GrowthVerdict::of(&degrees).growth == Growth::Undecided;
+        let limit = if is_short { 4 * limits.degree } else { limits.degree };
+        if found > limit {
+            break;
+        }
+    }
+    degrees
+}
+
+/// Points on a random line that are stepped together.
+struct Line<'a> {
+    map: &'a ModularMap,
+    base: Vec<u64>,
+    direction: Vec<u64>,
+    /// The coefficient c of the Möbius parameter t/(1 + ct).
+    bend: u64,
+    /// The combination of components.
+    weights: Vec<u64>,
+    samples: Vec<Sample>,
+}
+
+struct Sample {
+    parameter: u64,
+    state: Vec<u64>,
+    steps: usize,
+}
+
+impl<'a> Line<'a> {
+    fn new(map: &'a ModularMap, random: &mut SplitMix64) -> Self {
+        Line {
+            map,
+            base: map.point(random),
+            direction: map.point(random),
+            bend: map.modulus().sample(random),
+            weights: map.point(random),
+            samples: Vec::new(),
+        }
+    }
+
+    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at
+    /// poles, or the deadline passes.
+    fn prepare(
+        &mut self,
+        count: usize,
+        steps: usize,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> bool {
+        let map = self.map;
+        self.samples.retain_mut(|sample| sample.advance(map, steps));
+        let mut failures = 0;
+        while self.samples.len() < count && failures < 16 && !deadline.passed() {
+            let modulus = map.modulus();
+            let parameter = modulus.sample(random);
+            let below = modulus.plus(modulus.one(), modulus.times(self.bend, parameter));
+            let Some(inverse) = modulus.inverse(below) else { continue };
+            let place = modulus.times(parameter, inverse);
+            let state = self.base.iter().zip(&self.direction);
+            let state =
+                state.map(|(base, slope)| modulus.plus(*base, modulus.times(*slope, place))).collect();
+            let mut sample = Sample { parameter, state, steps: 0 };
+            if sample.advance(map, steps) {
+                self.samples.push(sample);
+            } else {
+                failures += 1;
+            }
+        }
+        self.samples.len() >= count
+    }
+
+    fn value(&self, sample: &Sample) -> u64 {
+        self.map.modulus().dot(&self.weights, &sample.state)
+    }
+}
+
+impl Sample {
+    /// `false` at a pole.
+    fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
+        while self.steps < steps {
+            match map.next(&self.state) {
+                Some(next) => self.state = next,
+                None => return false,
+            }
+            self.steps += 1;
+        }
+        true
+    }
+}

@@ -1,0 +1,171 @@
+//! The growth class of the degrees of iterates, from their differences.
+
+use std::fmt;
+
+use crate::orbits::plane::GrowthProof;
+
+/// How the degrees grow with the number of steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Growth {
+    /// Constant from some iterate on: the iterates are all of one family.
+    Bounded,
+    /// dₙ ~ n: curves of genus 0, or a map that can be made linear.
+    Linear,
+    /// dₙ ~ n²: an integrable map on curves of genus 1 or abelian surfaces.
+    Quadratic,
+    /// dₙ ~ eⁿ·ˢ: not integrable.
+    Exponential {
+        /// s = log of the ratio of successive degrees: the algebraic entropy.
+        entropy: f64,
+    },
+    /// Too few iterates, or none of these.
+    Undecided,
+}
+
+/// A growth class with what it rests on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrowthVerdict {
+    /// The class.
+    pub growth: Growth,
+    /// What was seen, as a sentence.
+    pub evidence: String,
+    /// The proof that the growth is exponential; `None` if the class of growth was only observed.
+    pub proof: Option<GrowthProof>,
+}
+
+impl Growth {
+    /// The class in one word.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Growth::Bounded => "bounded",
+            Growth::Linear => "linear",
+            Growth::Quadratic => "quadratic",
+            Growth::Exponential { .. } => "exponential",
+            Growth::Undecided => "undecided",
+        }
+    }
+
+    /// The algebraic entropy; 0 unless growth is exponential.
+    #[must_use]
+    pub fn entropy(&self) -> f64 {
+        match self {
+            Growth::Exponential { entropy } => *entropy,
+            _ => 0.0,
+        }
+    }
+}
+
+impl fmt::Display for Growth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+/// Two successive ratios of an exponential sequence differ by at most this; those of n^k fall like
+/// 1 + k/n.
+const STEADY: f64 = 0.08;
+
+impl GrowthVerdict {
+    /// The class of d₀, d₁, …, by these rules, the first that applies:
+    ///
+    /// 1. The differences over k steps, dₙ₊ₖ − dₙ, are constant over the last max(4, 2k) of them,
+    ///    for the least such k: *bounded* where the constant is 0 and k = 1, *linear* else. (k > 1
+    ///    is a pattern that repeats.)
+    /// 2. The same of the second differences over k steps: *quadratic*.
+    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 8 %
+    ///    from the one two steps before nor has the excess over 1 fallen by a third over the second
+    ///    half of the sequence.
+    /// 4. *Undecided*.
+    #[must_use]
+    pub fn of(degrees: &[usize]) -> Self {
+        let values: Vec<i128> = degrees.iter().map(|&degree| degree as i128).collect();
+        let count = values.len();
+        let verdict = |growth, evidence: String| GrowthVerdict { growth, evidence, proof: None };
+        for (order, what) in [(1, "differences"), (2, "second differences")] {
+            if let Some((period, difference, confirmed)) = settled(&values, order) {
+                let growth = match (order, difference) {
+                    (2, _) => Growth::Quadratic,
+                    (_, 0) => Growth::Bounded,
+                    _ => Growth::Linear,
+                };
+                let steps = steps(period, difference, what);
+                return verdict(growth, format!("{steps} over the last {confirmed} of {count} degrees"));
+            }
+        }
+        match exponential(&values) {
+            Some(ratio) => verdict(
+                Growth::Exponential { entropy: ratio.ln() },
+                format!("the last ratio of {count} degrees is {ratio:.4}, and the ratios are steady"),
+            ),
+            None => verdict(
+                Growth::Undecided,
+                match count {
+                    1 => "not one iterate was reached".to_owned(),
+                    _ => format!("{count} degrees show no constant differences and no steady ratio"),
+                },
+            ),
+        }
+    }
+}
+
+fn steps(period: usize, difference: i128, what: &str) -> String {
+    match (difference, period) {
+        (0, _) => "no change".to_owned(),
+        (_, 1) => format!("constant {what} {difference}"),
+        _ => format!("constant {what} {difference} over {period} steps, a pattern of period {period},"),
+    }
+}
+
+/// The least k for which the differences of this order over k steps are constant at the end, with
+/// the constant and how many of them agree.
+fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
+    (1..=values.len() / (order + 2)).find_map(|period| {
+        let mut differences = values.to_vec();
+        for _ in 0..order {
+            differences = differences.iter().zip(&differences[period..]).map(|(a, b)| b - a).collect();
+        }
+        let last = *differences.last()?;
+        let confirmed = differences.iter().rev().take_while(|&&difference| difference == last).count();
+        let is_trend = last > 0 || (last == 0 && order == 1 && period == 1);
+        (is_trend && confirmed >= 4.max(2 * period)).then_some((period, last, confirmed))
+    })
+}
+
+/// The ratio that successive degrees tend to.
+fn exponential(values: &[i128]) -> Option<f64> {
+    if values.len() < 5 {
+        return None;
+    }
+    let ratios: Vec<f64> = values.windows(2).map(|pair| pair[1] as f64 / pair[0].max(1) as f64).collect();
+    let end = ratios.len() - 1;
+    let last = &ratios[end.saturating_sub(3)..];
+    let steady = (ratios[end] / ratios[end.saturating_sub(2)] - 1.0).abs() <= STEADY;
+    let kept = ratios[end] - 1.0 >= 2.0 / 3.0 * (ratios[end / 2] - 1.0);
+    (last.iter().all(|&ratio| ratio > 1.15) && steady && kept).then_some(ratios[end])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn growth(degrees: impl IntoIterator<Item = usize>) -> Growth {
+        GrowthVerdict::of(&degrees.into_iter().collect::<Vec<_>>()).growth
+    }
+
+    #[test]
+    fn classes_of_known_sequences() {
+        assert_eq!(growth([1, 2, 3, 3, 3, 3, 3]), Growth::Bounded);
+        assert_eq!(growth([1, 2, 4, 6, 8, 10, 12]), Growth::Linear);
+        assert_eq!(growth((0..12).map(|n| 2 * n * n + 1)), Growth::Quadratic);
+        // Weierstrass: 3n²/8 with a pattern of period 8 at most.
+        let weierstrass = (0..40).map(|n| (3 * n * n + 8) / 8 + usize::from(n % 8 == 1));
+        assert_eq!(growth(weierstrass), Growth::Quadratic);
+        let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
+        assert!((entropy - 3f64.ln()).abs() < 1e-12);
+        assert_eq!(growth([1, 2, 4]), Growth::Undecided);
+        // Cubic growth is none of the classes, however long one looks.
+        assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
+        assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
+    }
+}

@@ -1,0 +1,220 @@
+//! Algebraic stability on ℙ², proved modulo a prime.
+//!
+//! A birational map φ of ℙ² is *algebraically stable* if no iterate of φ sends a curve to a point
+//! of indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001,
+//! theorem 1.14): if all forms of Φᵏ share a factor that the forms of Φᵏ⁻¹ do not share, then φᵏ⁻¹
+//! sends the curve of this factor to a point of indeterminacy.
+//!
+//! The inverse of Kahan's map is the map with −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a
+//! cubic form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points,
+//! and on them Φ has values at which Ψ vanishes. At a prime at which κ is a product of linear
+//! forms, these curves are lines ℓᵢ with images qᵢ. The orbit of qᵢ is finite modulo the prime. It
+//! cannot be periodic outside the lines, because φ is injective there and has no value qᵢ there. So
+//! the orbit meets a point of indeterminacy, or it comes to a line ℓⱼ and continues as the orbit of
+//! qⱼ. A finite walk from each qᵢ therefore decides stability over the closure of 𝔽ₚ. If the
+//! reduced map has deg φᵏ = 2ᵏ then so has φ: a factor that the forms of Φᵏ share remains a factor
+//! modulo the prime.
+
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+
+use crate::deadline::Deadline;
+use crate::maps::map::{ModularMap, Term};
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::modulus::Modulus;
+
+/// Primes are sampled from `LEAST` to about `LEAST + SPREAD`. A walk modulo p takes about p/3
+/// steps, and about one walk in p/3 meets a point of indeterminacy by chance.
+const LEAST: u64 = 211;
+const SPREAD: u64 = 1000;
+
+/// The most samples of a prime and of the unknowns. If the three lines are conjugate, one sample in
+/// six shows all of them.
+const MOST_SAMPLES: usize = 64;
+
+type Point = [u64; 3];
+
+/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled values of the
+/// unknowns.
+pub(super) fn prime_of_stability(
+    searched: &SearchField,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<u64> {
+    (0..MOST_SAMPLES).find_map(|_| {
+        if deadline.passed() {
+            return None;
+        }
+        let prime = (LEAST + random.below(SPREAD)..).find_map(PrimeField::new)?;
+        let modulus = Modulus::of(prime);
+        let unknowns: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        let plane = Forms { map: searched.at(modulus, &unknowns)? };
+        plane.is_stable(random).then_some(modulus.prime())
+    })
+}
+
+/// A map in homogeneous coordinates.
+struct Forms {
+    map: ModularMap,
+}
+
+impl Forms {
+    /// Whether three contracted lines are found, counted with multiplicity, and the map is stable
+    /// of degree 2. If the degree is less than 2, then κ has a linear factor on whose line Φ
+    /// vanishes.
+    fn is_stable(&self, random: &mut SplitMix64) -> bool {
+        let Some(lines) = self.contracted_lines(random) else { return false };
+        // A quadratic form with three zeros on a line vanishes on it.
+        let image =
+            |line: &Point| (0..3).map(|t| self.image(self.on(line, t))).find(|image| *image != [0; 3]);
+        lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
+    }
+
+    /// Whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
+    fn walk_is_stable(&self, start: Point) -> bool {
+        let mut point = start;
+        // The bound is for safety: an orbit leaves the complement of the lines after finitely many
+        // steps.
+        for _ in 0..100 * self.modulus().prime() {
+            let next = self.image(point);
+            if next == [0; 3] {
+                return false;
+            }
+            if self.cubic(point) == 0 {
+                return true;
+            }
+            point = next;
+        }
+        false
+    }
+
+    /// The lines of the linear factors of κ; `None` unless κ is a product of linear forms.
+    fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
+        let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
+        let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);
+        let (first, second) = (self.zeros_between(first)?, self.zeros_between(second)?);
+        let mut lines: Vec<Point> = Vec::new();
+        for (&a, &b) in first.iter().flat_map(|a| second.iter().map(move |b| (a, b))) {
+            let line = self.normalised(self.cross(a, b));
+            // A cubic form with four zeros on a line vanishes on it.
+            let is_zero = line != [0; 3] && (0..4).all(|t| self.cubic(self.on(&line, t)) == 0);
+            if is_zero && !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        let powers: &[&[u32]] = match lines.len() {
+            1 => &[&[3]],
+            2 => &[&[2, 1], &[1, 2]],
+            3 => &[&[1, 1, 1]],
+            _ => return None,
+        };
+        powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
+    }
+
+    /// Whether κ is a product of powers of lines, up to a nonzero constant; the powers add up to 3.
+    /// Two cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
+    fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
+        let modulus = self.modulus();
+        let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
+        let values = places.map(|place| {
+            let point = place.map(|entry| modulus.integer(entry));
+            let factors = lines.iter().zip(powers);
+            let product = factors.fold(modulus.one(), |product, (line, &power)| {
+                modulus.times(product, modulus.power(modulus.dot(line, &point), power))
+            });
+            (self.cubic(point), product)
+        });
+        let values: Vec<(u64, u64)> = values.collect();
+        let Some(&(left, right)) = values.iter().find(|(left, _)| *left != 0) else { return false };
+        right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
+    }
+
+    /// The zeros of κ on the line through two points, except the first point; `None` if κ vanishes
+    /// on the whole line.
+    fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
+        let modulus = self.modulus();
+        let mut point = base;
+        let mut zeros = Vec::new();
+        for _ in 0..modulus.prime() {
+            if self.cubic(point) == 0 {
+                zeros.push(point);
+            }
+            point = std::array::from_fn(|i| modulus.plus(point[i], infinity[i]));
+        }
+        (zeros.len() <= 3).then_some(zeros)
+    }
+
+    /// The point number t on a line; the points differ for different t below the prime.
+    fn on(&self, line: &Point, t: u64) -> Point {
+        let modulus = self.modulus();
+        let [a, b] = match line.iter().position(|&entry| entry != 0) {
+            Some(0) => [[line[1], modulus.opposite(line[0]), 0], [line[2], 0, modulus.opposite(line[0])]],
+            Some(1) => [[modulus.one(), 0, 0], [0, line[2], modulus.opposite(line[1])]],
+            _ => [[modulus.one(), 0, 0], [0, modulus.one(), 0]],
+        };
+        let t = modulus.integer(t);
+        std::array::from_fn(|i| modulus.plus(a[i], modulus.times(t, b[i])))
+    }
+
+    /// The cross product: the line through two points.
+    fn cross(&self, a: Point, b: Point) -> Point {
+        let modulus = self.modulus();
+        [(1, 2), (2, 0), (0, 1)]
+            .map(|(i, j)| modulus.minus(modulus.times(a[i], b[j]), modulus.times(a[j], b[i])))
+    }
+
+    /// The multiple whose first nonzero entry is 1.
+    fn normalised(&self, point: Point) -> Point {
+        let first = point.iter().copied().find(|&entry| entry != 0);
+        let inverse = first.and_then(|first| self.modulus().inverse(first)).unwrap_or(0);
+        point.map(|entry| self.modulus().times(entry, inverse))
+    }
+
+    /// κ
+    fn cubic(&self, point: Point) -> u64 {
+        let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
+        let quotients = back.iter().zip(point);
+        let mut quotients =
+            quotients.filter_map(|(&above, below)| Some((above, self.modulus().inverse(below)?)));
+        quotients.next().map_or(0, |(above, inverse)| self.modulus().times(above, inverse))
+    }
+
+    /// Φ
+    fn image(&self, point: Point) -> Point {
+        self.forms(point, self.map.eps())
+    }
+
+    /// (adj A · b, det A) for the linear system A x̃ = b of the map in homogeneous coordinates,
+    ///
+    ///   A = Z − ε f′,  b = x + ε Bx + 2ε cZ,
+    ///
+    /// where f has the linear part Bx and the constant part c.
+    fn forms(&self, point: Point, eps: u64) -> Point {
+        let modulus = self.modulus();
+        let mut matrix = [[point[2], 0], [0, point[2]]];
+        let mut right = [point[0], point[1]];
+        for &Term { component, coefficient, first, second } in self.map.terms() {
+            let scaled = modulus.times(eps, coefficient);
+            let product = |place: usize| modulus.times(scaled, point[place]);
+            let (row, entry) = (&mut matrix[component], &mut right[component]);
+            match (first, second) {
+                (Some(j), Some(k)) => {
+                    row[j] = modulus.minus(row[j], product(k));
+                    row[k] = modulus.minus(row[k], product(j));
+                }
+                (Some(j), None) => {
+                    row[j] = modulus.minus(row[j], product(2));
+                    *entry = modulus.plus(*entry, product(j));
+                }
+                _ => *entry = modulus.plus(*entry, modulus.plus(product(2), product(2))),
+            }
+        }
+        let [[a, b], [c, d]] = matrix;
+        let difference = |a, b, c, d| modulus.minus(modulus.times(a, b), modulus.times(c, d));
+        [difference(d, right[0], b, right[1]), difference(a, right[1], c, right[0]), difference(a, d, b, c)]
+    }
+
+    fn modulus(&self) -> &Modulus {
+        self.map.modulus()
+    }
+}

@@ -1,0 +1,109 @@
+//! The polynomial relations that hold on one orbit.
+//!
+//! The values of all monomials up to a degree along an orbit form a matrix; its null vectors are
+//! the polynomials that vanish on the orbit, hence on its Zariski closure. In reduced form each
+//! expresses one monomial by lower ones, and what it expresses it by is the same along the orbit:
+//! every entry, as a function of the orbit's start, is an integral (Petrera, Pfadler, Suris, "On
+//! integrability of Hirota–Kimura type discretizations", 2011).
+
+use crate::deadline::Deadline;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::{Echelon, NullVector};
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+
+/// The points of an orbit beyond the number of monomials: a polynomial that vanishes on all by
+/// accident is one that vanishes on so many random points.
+const SPARE: usize = 6;
+
+/// What holds on one orbit.
+#[derive(Clone, Debug)]
+pub struct Relations {
+    /// The first point.
+    pub start: Vec<u64>,
+    /// The rank of the monomials of degree ≤ 0, ≤ 1, … on the orbit.
+    pub ranks: Vec<usize>,
+    /// The relations, in reduced form, by their leading monomials.
+    pub vectors: Vec<NullVector>,
+    /// The number of points looked at.
+    pub points: usize,
+    /// The period, if the orbit came back to its start.
+    pub period: Option<usize>,
+}
+
+impl Relations {
+    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that
+    /// ends at a pole, or the deadline passes.
+    ///
+    /// Cost: with N monomials and rank r, N + 6 steps and N² r products.
+    #[must_use]
+    pub fn on_orbit(
+        map: &impl Stepping,
+        start: Vec<u64>,
+        monomials: &Monomials,
+        deadline: &Deadline<'_>,
+    ) -> Option<Self> {
+        let wanted = monomials.len() + SPARE;
+        let orbit = map.orbit(start, wanted);
+        let period = orbit.iter().skip(1).position(|point| *point == orbit[0]).map(|before| before + 1);
+        if orbit.len() < wanted {
+            return None;
+        }
+        let distinct = period.unwrap_or(wanted).min(wanted);
+        let modulus = map.modulus();
+        let rows = orbit[..distinct].iter().map(|point| monomials.values(modulus, point)).collect();
+        let echelon = Echelon::within(modulus, rows, monomials.len(), deadline)?;
+        let ranks = (0..=monomials.degree()).map(|d| echelon.rank_of_first(monomials.up_to(d))).collect();
+        let vectors = echelon.null_space(modulus);
+        Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
+    }
+
+    /// The rank of the gradients of all relations at the start: the codimension of the orbit's
+    /// closure, as far as the relations up to this degree define it.
+    #[must_use]
+    pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
+        self.normals(modulus, monomials).len()
+    }
+
+    /// A basis of the space that the gradients of all relations span at the start.
+    #[must_use]
+    pub fn normals(&self, modulus: &Modulus, monomials: &Monomials) -> Vec<Vec<u64>> {
+        let gradients = monomial_gradients(modulus, monomials, &self.start);
+        let rows = self.vectors.iter().map(|vector| gradient(modulus, &gradients, &vector.entries)).collect();
+        Echelon::of(modulus, rows, monomials.variables()).rows
+    }
+}
+
+/// The gradient of a monomial at a point.
+pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> Vec<u64> {
+    let slope = |variable: usize| {
+        let mut lowered = exponents.to_vec();
+        match lowered[variable].checked_sub(1) {
+            Some(exponent) => lowered[variable] = exponent,
+            None => return 0,
+        }
+        let factor = modulus.integer(u64::from(exponents[variable]));
+        modulus.times(factor, modulus.monomial(&lowered, point))
+    };
+    (0..exponents.len()).map(slope).collect()
+}
+
+/// The gradients of all monomials at a point: one row of n entries each.
+#[must_use]
+pub fn monomial_gradients(modulus: &Modulus, monomials: &Monomials, point: &[u64]) -> Vec<Vec<u64>> {
+    (0..monomials.len()).map(|index| monomial_gradient(modulus, monomials.exponents(index), point)).collect()
+}
+
+/// The gradient of Σ cₘ m from those of the monomials m.
+#[must_use]
+pub fn gradient(modulus: &Modulus, gradients: &[Vec<u64>], coefficients: &[u64]) -> Vec<u64> {
+    let mut sum = vec![0; gradients.first().map_or(0, Vec::len)];
+    for (&coefficient, slopes) in
+        coefficients.iter().zip(gradients).filter(|(coefficient, _)| **coefficient != 0)
+    {
+        for (entry, slope) in sum.iter_mut().zip(slopes) {
+            *entry = modulus.plus(*entry, modulus.times(coefficient, *slope));
+        }
+    }
+    sum
+}

@@ -1,0 +1,185 @@
+//! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
+//! and n − 2 integrals, which are Casimir functions of the bracket.
+
+mod constant;
+mod construct;
+mod polynomial;
+#[cfg(test)]
+mod tests;
+
+use std::cmp::Reverse;
+
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+use crate::claims::proved::{Claims, Formula};
+use crate::claims::writing::begins_negative;
+use crate::deadline::Deadline;
+
+pub(crate) use constant::of_structure;
+use construct::invariant_tensor;
+pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
+
+/// The work that one bracket may take, in products of terms.
+const MOST_TERMS: usize = 2_000;
+const MOST_WORK: u64 = 4_000_000;
+
+/// So many choices of n − 2 integrals are tried, and so many of the brackets written.
+const MOST_CHOICES: usize = 12;
+const MOST_BRACKETS: usize = 3;
+
+/// A bracket of more characters is not written.
+const MOST_CHARACTERS: usize = 2_500;
+
+/// The most characters of a bracket of rank 2 that stands beside a bracket of full rank in four
+/// dimensions. In more dimensions no bracket of rank 2 stands beside one of full rank.
+const MOST_BESIDE: usize = 400;
+
+/// Proved brackets.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Brackets {
+    /// The rank of each bracket, and its claim in the language of `kahan!`.
+    pub(crate) claims: Vec<(usize, String)>,
+    /// The number of brackets with polynomial entries; these come first.
+    pub(crate) polynomial: usize,
+    /// The indices of the constant tensors K for which (I − ε² f′²)K is proved to be a bracket.
+    /// The claims leave such a bracket out if it is too long or others are chosen in its place.
+    pub(crate) structures: Vec<usize>,
+}
+
+/// Proves brackets. Brackets with the given tensors come first, sorted by descending rank and then
+/// by length. Brackets of rank 2 from the density and n − 2 integrals follow, the shortest first.
+/// A bracket has at most 2500 characters. Beside a bracket of full rank, a bracket of rank 2 has at
+/// most 400 characters in four dimensions, and is left out in more dimensions.
+pub(crate) fn brackets(
+    claims: &Claims<'_>,
+    symbols: &Symbols,
+    tensors: &[PoissonTensor],
+    integrals: &[Formula],
+    density: Option<&Formula>,
+    deadline: &Deadline<'_>,
+) -> Brackets {
+    let n = symbols.dimension();
+    if n < 2 {
+        return Brackets::default();
+    }
+    let written = |tensor: &[RationalFunction]| {
+        let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+        Some(claims.bracket_entries(symbols, &coprime(symbols, tensor, &mut budget)?))
+    };
+    let mut proved: Vec<(usize, String)> = Vec::new();
+    let mut taken: Vec<String> = Vec::new();
+    let mut add = |proved: &mut Vec<(usize, String)>, rank: usize, entries: String| {
+        let is_new = !taken.contains(&entries);
+        let claim = is_new.then(|| claims.bracket(proved.len() + 1, &entries)).flatten();
+        let is_proved = claim.is_some();
+        proved.extend(claim.map(|claim| (rank, claim)));
+        taken.push(entries);
+        is_proved
+    };
+    let mut polynomial: Vec<(&PoissonTensor, String)> = tensors
+        .iter()
+        .filter_map(|tensor| {
+            let entries: Vec<_> = tensor.entries.iter().cloned().map(RationalFunction::from).collect();
+            Some((tensor, written(&entries)?))
+        })
+        .collect();
+    polynomial.sort_by_key(|(tensor, entries)| (Reverse(tensor.rank), entries.len()));
+    let mut structures = Vec::new();
+    for (tensor, entries) in polynomial {
+        let is_proved = if entries.len() <= MOST_CHARACTERS && !tensor.is_implied {
+            add(&mut proved, tensor.rank, entries)
+        } else {
+            tensor.structure.is_some() && claims.bracket(1, &entries).is_some()
+        };
+        structures.extend(tensor.structure.filter(|_| is_proved));
+    }
+    structures.sort_unstable();
+    let count = proved.len();
+    let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
+    let is_beside = is_full && n > 3;
+    let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
+    // A bracket is about as long as the integrals in it.
+    let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
+    let mut found: Vec<String> = Vec::new();
+    if let Some(density) = density.filter(|_| !is_full || n <= 4) {
+        let choices = choices(integrals.len(), n - 2).into_iter();
+        for chosen in choices.filter(|chosen| !chosen.iter().any(is_long)).take(MOST_CHOICES) {
+            if deadline.passed() {
+                break;
+            }
+            let tensor = tensor(symbols, &chosen, integrals, density);
+            found.extend(tensor.and_then(|tensor| written(&tensor)).filter(|entries| entries.len() <= most));
+        }
+    }
+    found.sort_by_key(String::len);
+    for entries in found.into_iter().take(MOST_BRACKETS) {
+        add(&mut proved, 2, entries);
+    }
+    Brackets { claims: proved, polynomial: count, structures }
+}
+
+/// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices
+/// first.
+fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    // Without this the recursion would go through all sets, also where none is large enough.
+    if of < count {
+        return Vec::new();
+    }
+    let with_last = |last: usize| {
+        choices(last, count - 1).into_iter().map(move |mut chosen| {
+            chosen.push(last);
+            chosen
+        })
+    };
+    (0..of).flat_map(with_last).collect()
+}
+
+/// The bracket with the chosen integrals as Casimir functions, its entries above the diagonal row
+/// by row; `None` beyond the budget.
+fn tensor(
+    symbols: &Symbols,
+    chosen: &[usize],
+    integrals: &[Formula],
+    density: &Formula,
+) -> Option<Vec<RationalFunction>> {
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    let mut function = |above: &Polynomial, below: &Polynomial| {
+        RationalFunction::new_within(above.clone(), below.clone(), &mut budget).ok()?
+    };
+    let casimirs = chosen.iter().map(|&index| &integrals[index]);
+    let casimirs: Option<Vec<_>> =
+        casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
+    let density = function(&density.numerator, &density.denominator)?;
+    invariant_tensor(symbols, &density, &casimirs?, &mut budget)
+}
+
+/// Divides a tensor by the factors of all its numerators that are free of states, so that the
+/// coefficients are coprime integers and the first is positive. A multiple of a bracket by such a
+/// factor is a bracket.
+fn coprime(
+    symbols: &Symbols,
+    tensor: &[RationalFunction],
+    budget: &mut Budget,
+) -> Option<Vec<RationalFunction>> {
+    fn numerators(tensor: &[RationalFunction]) -> Vec<&Polynomial> {
+        tensor.iter().filter(|entry| !entry.is_zero()).map(RationalFunction::numerator).collect()
+    }
+    let coefficients = |numerator: &Polynomial| {
+        let groups = numerator.group(|variable| symbols.is_state(variable)).into_iter();
+        groups.map(|(_, coefficient)| coefficient).collect::<Vec<_>>()
+    };
+    let coefficients: Vec<Polynomial> = numerators(tensor).into_iter().flat_map(coefficients).collect();
+    let free = RationalFunction::from(gcd_all_within(&coefficients, budget).ok()?).recip()?;
+    let tensor: Option<Vec<_>> = tensor.iter().map(|entry| entry.mul_within(&free, budget).ok()).collect();
+    let tensor = tensor?;
+    let numerators = numerators(&tensor);
+    let common = numerators.iter().map(|numerator| numerator.content()).reduce(|a, b| a.gcd(&b))?.abs();
+    let number = if begins_negative(numerators[0]) { -common } else { common };
+    let scale = RationalFunction::constant(number.recip()?);
+    tensor.iter().map(|entry| entry.mul_within(&scale, budget).ok()).collect()
+}

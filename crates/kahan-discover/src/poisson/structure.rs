@@ -1,0 +1,188 @@
+//! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I
+//! − t f′) is even in t.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational_function::RationalFunction;
+
+use crate::claims::proved::{Claims, Formula};
+use crate::deadline::Deadline;
+use crate::integrals::independence::Independent;
+use crate::maps::map::ModularMap;
+use crate::maps::search_field::SearchField;
+use crate::maps::stepping::Stepping;
+use crate::modular::matrix::sampled_null_vectors;
+use crate::modular::modulus::Modulus;
+use crate::modular::monomials::Monomials;
+use crate::modular::subspace::{Names, PolynomialSpace, reconstruct_space, tidy};
+use crate::orbits::relations::monomial_gradients;
+
+/// div f = Σ ∂fᵢ/∂xᵢ.
+#[must_use]
+pub fn divergence(field: &Field) -> RationalFunction {
+    field.components.iter().enumerate().fold(RationalFunction::zero(), |sum, (i, component)| {
+        &sum + &component.derivative(field.symbols.state(i))
+    })
+}
+
+/// Whether det(I − t f′(x)) is even in t, as it is at three random points modulo a prime. Then
+/// dx/det A(x,ε) is an invariant measure of the map, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
+    (0..3).all(|_| {
+        let modulus = Modulus::mersenne_61();
+        searched.sample(modulus, random).is_some_and(|sample| {
+            let (point, t) = (sample.map.point(random), modulus.sample(random));
+            sample.map.determinant(&point, t) == sample.map.determinant(&point, modulus.opposite(t))
+        })
+    })
+}
+
+/// The most variables in which the search finds all integrals of degree 2 within seconds.
+const FEW_VARIABLES: usize = 10;
+
+/// Integrals P/Q of the map that the field shows by linear algebra alone.
+#[derive(Default)]
+pub(crate) struct ByRules {
+    /// Those to be taken before all others.
+    pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
+    /// Those of a field in few variables by rotation, and of a linear field: others of their degree
+    /// come before them, which may have one denominator.
+    pub(crate) later: Vec<(Polynomial, Polynomial)>,
+}
+
+/// The integrals of the map by the rules of polarisation and rotation, at the ε that is fixed.
+pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
+    let has_few = field.dimension() <= FEW_VARIABLES;
+    let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());
+    let is_later = |found: &ModifiedIntegral| {
+        has_few
+            && (is_linear && field.symbols.degree(&found.of_flow) == 2 || found.rule != Rule::Polarisation)
+    };
+    let (later, at_once): (Vec<_>, Vec<_>) = modified_integrals(field).into_iter().partition(is_later);
+    let sides = |found: ModifiedIntegral| {
+        let [above, below] = [found.of_map.numerator(), found.of_map.denominator()];
+        (searched.at_eps(above.clone()), searched.at_eps(below.clone()))
+    };
+    let [at_once, later] = [at_once, later].map(|found| found.into_iter().map(sides).collect());
+    ByRules { at_once, later }
+}
+
+impl ByRules {
+    /// Those to be taken before all others, independent ones.
+    pub(crate) fn proved(
+        &self,
+        searched: &SearchField,
+        claims: &Claims<'_>,
+        random: &mut SplitMix64,
+    ) -> Vec<Formula> {
+        let symbols = searched.family().symbols();
+        let mut independent = Independent::new(searched, random);
+        let mut proved: Vec<Formula> = Vec::new();
+        for (above, below) in &self.at_once {
+            if independent.admits(above, below) {
+                let [above, below] = [above, below].map(|side| tidy(symbols, side));
+                if let Some(formula) = claims.integral_by_theorem(symbols, proved.len() + 1, &above, &below) {
+                    independent.keep(&above, &below);
+                    proved.push(formula);
+                }
+            }
+        }
+        proved
+    }
+}
+
+/// Polynomial integrals of the flow ẋ = f(x).
+#[derive(Clone, Debug, Default)]
+pub struct FlowIntegrals {
+    /// Functionally independent ones, lowest degree first.
+    pub found: Vec<Polynomial>,
+    /// The degree up to which these are all: lower than asked for where the time ran out, or a
+    /// formula was out of reach.
+    pub degree: u32,
+}
+
+impl FlowIntegrals {
+    /// Those that the map keeps as they stand, as it is seen at one point modulo a prime: the
+    /// linear ones, and where the field is linear all.
+    #[must_use]
+    pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
+        let Some(step) = searched.step(random) else { return Vec::new() };
+        self.found.iter().filter(|found| step.keeps(searched, found)).cloned().collect()
+    }
+}
+
+/// More monomials are not looked at: the cost grows with their cube.
+const MOST_MONOMIALS: usize = 900;
+
+/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
+/// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random
+/// parameters.
+pub fn flow_integrals(
+    searched: &SearchField,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> FlowIntegrals {
+    let symbols = searched.family().symbols();
+    let mut independent = Independent::new(searched, random);
+    let mut integrals = FlowIntegrals::default();
+    for degree in 1..=degree {
+        let Some(space) = flow_space(searched, degree, random, deadline) else { break };
+        for polynomial in space {
+            let polynomial = tidy(symbols, &polynomial);
+            if independent.admits(&polynomial, &Polynomial::one()) {
+                independent.keep(&polynomial, &Polynomial::one());
+                integrals.found.push(polynomial);
+            }
+        }
+        integrals.degree = degree;
+    }
+    integrals
+}
+
+/// A basis of the polynomial integrals of the flow up to a degree, but for constants.
+fn flow_space(
+    searched: &SearchField,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Vec<Polynomial>> {
+    if Monomials::count(searched.dimension(), degree) > MOST_MONOMIALS {
+        return None;
+    }
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let sample = searched.sample(Modulus::mersenne_61(), random)?;
+    let all: Vec<usize> = (1..monomials.len()).collect();
+    let vectors = flow_null_vectors(&sample.map, &monomials, &all, random, deadline)?;
+    if vectors.is_empty() {
+        return Some(Vec::new());
+    }
+    // The constant 1 is left out of the columns and stands in front again.
+    let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
+    let form = PolynomialSpace::spanned(sample.map.modulus(), spread).form;
+    let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let map = searched.at(modulus, unknowns)?;
+        let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;
+        PolynomialSpace::of_form(&modulus, &form, vectors)
+    };
+    reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
+}
+
+/// The null vectors of ∇P·f on some monomials; `None` if the deadline passes.
+fn flow_null_vectors(
+    map: &ModularMap,
+    monomials: &Monomials,
+    support: &[usize],
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Vec<Vec<u64>>> {
+    let modulus = map.modulus();
+    sampled_null_vectors(modulus, support.len(), deadline, || {
+        let point = map.point(random);
+        let (value, _) = map.field(&point);
+        let slopes = monomial_gradients(modulus, monomials, &point);
+        Some(support.iter().map(|&index| modulus.dot(&slopes[index], &value)).collect())
+    })
+}

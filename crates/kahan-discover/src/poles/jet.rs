@@ -1,0 +1,228 @@
+//! A piece of a curve (or surface), moved by δ and followed through poles modulo a prime.
+//!
+//! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
+//! coordinates [X : W], which are power series in δ, and powers of δ that all of them share are
+//! divided out after every step. At δ = 0 stands the image of the point. The rank of that image
+//! and its derivatives along the curve is one more than the dimension of the curve's image.
+
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use super::roots::root;
+use super::series::Series;
+use crate::maps::parametric_field::evaluate;
+use crate::modular::matrix::Echelon;
+use crate::modular::modulus::Modulus;
+
+/// Polynomials at sampled parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last
+/// exponent that of W.
+pub(crate) struct Homogeneous {
+    modulus: Modulus,
+    components: Vec<Vec<(u64, Vec<u32>)>>,
+    degree: u32,
+}
+
+/// A point of a curve in homogeneous coordinates, W last, and a basis of the tangents there.
+pub(crate) struct Place {
+    point: Vec<u64>,
+    tangents: Vec<Vec<u64>>,
+}
+
+/// The image of a curve after some steps.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    /// Its dimension: one less than the number of variables where it is a curve (surface) again.
+    pub dimension: usize,
+    /// Whether it lies at infinity.
+    pub is_infinite: bool,
+    /// The power of δ that the last step brought into all homogeneous coordinates.
+    pub shared: usize,
+    /// The order in δ to which the moved image meets each curve that is followed.
+    pub contacts: Vec<usize>,
+}
+
+/// Why no image is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lost {
+    /// All known coefficients of the series vanish: longer series see further.
+    TooShort,
+    /// The point is a special one of its curve.
+    SpecialPoint,
+}
+
+/// The values of the unknowns: parameters in order, then ε.
+pub(crate) struct Values<'a> {
+    pub(crate) symbols: &'a Symbols,
+    pub(crate) parameters: &'a [u64],
+    pub(crate) eps: u64,
+}
+
+impl Values<'_> {
+    /// A polynomial by its monomials in the states; `None` where the prime divides a denominator.
+    fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
+        let value = |variable: Variable| match self.symbols.symbol(variable) {
+            Symbol::Parameter(k) => self.parameters[k],
+            Symbol::Epsilon => self.eps,
+            _ => 0,
+        };
+        let mut terms = Vec::new();
+        for (monomial, coefficient) in polynomial.group(|variable| self.symbols.is_state(variable)) {
+            let exponents = (0..self.symbols.dimension()).map(|i| monomial.exponent(self.symbols.state(i)));
+            terms.push((evaluate(modulus, &coefficient, value)?, exponents.collect()));
+        }
+        Some(terms)
+    }
+}
+
+impl Homogeneous {
+    /// A map, its components all of the highest degree among them.
+    pub(crate) fn map(modulus: Modulus, components: &[Polynomial], values: &Values<'_>) -> Option<Self> {
+        let degree = components.iter().map(|component| values.symbols.degree(component)).max()?;
+        Self::of(modulus, components, values, |_| degree)
+    }
+
+    /// Curves, each of its own degree, and W, which vanishes at infinity.
+    pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
+        let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
+        let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));
+        all.components.push(vec![(modulus.one(), exponents.collect())]);
+        all.degree = all.degree.max(1);
+        Some(all)
+    }
+
+    fn of(
+        modulus: Modulus,
+        polynomials: &[Polynomial],
+        values: &Values<'_>,
+        degree: impl Fn(&Polynomial) -> u32,
+    ) -> Option<Self> {
+        let mut components = Vec::with_capacity(polynomials.len());
+        for polynomial in polynomials {
+            let mut terms = values.terms(&modulus, polynomial)?;
+            for (_, exponents) in &mut terms {
+                exponents.push(degree(polynomial) - exponents.iter().sum::<u32>());
+            }
+            components.push(terms);
+        }
+        Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
+    }
+
+    /// The images of the curve at `place` after 1, 2, … `steps` steps, with their contacts with the
+    /// curves, by series of `length` coefficients.
+    pub(crate) fn follow(
+        &self,
+        place: &Place,
+        curves: &Homogeneous,
+        steps: usize,
+        length: usize,
+        random: &mut SplitMix64,
+    ) -> Result<Vec<Image>, Lost> {
+        let mut jet = self.moved(place, length, random);
+        let mut images = Vec::with_capacity(steps);
+        for _ in 0..steps {
+            let next = self.values(&jet);
+            let shared = next.iter().filter_map(Series::order).min().ok_or(Lost::TooShort)?;
+            let divided: Option<_> = next.into_iter().map(|series| series.divided(shared)).collect();
+            jet = divided.ok_or(Lost::SpecialPoint)?;
+            let columns: Vec<Vec<u64>> = jet.iter().map(Series::leading).collect();
+            let is_infinite = columns.last().is_some_and(|last| last[0] == 0);
+            let width = columns[0].len();
+            let dimension = Echelon::of(&self.modulus, columns, width).rank() - 1;
+            let contacts: Option<_> = curves.values(&jet).iter().map(Series::order).collect();
+            images.push(Image { dimension, is_infinite, shared, contacts: contacts.ok_or(Lost::TooShort)? });
+        }
+        Ok(images)
+    }
+
+    /// The point with its slopes, and δ times a random direction added.
+    fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
+        let series = |(i, value): (usize, &u64)| {
+            let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();
+            let mut series = Series::constant(*value, &slopes, length);
+            series.rows[0][1] = self.modulus.sample(random);
+            series
+        };
+        place.point.iter().enumerate().map(series).collect()
+    }
+
+    /// The value of every component on a jet.
+    fn values(&self, jet: &[Series]) -> Vec<Series> {
+        let (modulus, length) = (&self.modulus, jet[0].length());
+        let slopes = vec![0; jet[0].rows.len() - 1];
+        let powers: Vec<Vec<Series>> = jet
+            .iter()
+            .map(|one| {
+                let mut powers = vec![Series::constant(modulus.one(), &slopes, length)];
+                for k in 0..self.degree as usize {
+                    powers.push(powers[k].times(modulus, one));
+                }
+                powers
+            })
+            .collect();
+        let value = |component: &Vec<(u64, Vec<u32>)>| {
+            let mut sum = Series::constant(0, &slopes, length);
+            for (coefficient, exponents) in component {
+                let mut factors = exponents.iter().enumerate().filter(|(_, exponent)| **exponent > 0);
+                let power = |(i, exponent): (usize, &u32)| &powers[i][*exponent as usize];
+                let first = factors.next().map_or_else(|| powers[0][0].clone(), |one| power(one).clone());
+                let product = factors.fold(first, |product, one| product.times(modulus, power(one)));
+                sum.add(modulus, *coefficient, &product);
+            }
+            sum
+        };
+        self.components.iter().map(value).collect()
+    }
+}
+
+impl Place {
+    /// A random point where a polynomial vanishes; `None` where none is found, or its gradient
+    /// vanishes there.
+    pub(crate) fn on(
+        modulus: &Modulus,
+        curve: &Polynomial,
+        values: &Values<'_>,
+        random: &mut SplitMix64,
+    ) -> Option<Self> {
+        let n = values.symbols.dimension();
+        let terms = values.terms(modulus, curve)?;
+        let solved = (0..n).filter(|&i| terms.iter().any(|(_, exponents)| exponents[i] > 0));
+        let solved = solved.min_by_key(|&i| terms.iter().map(|(_, exponents)| exponents[i]).max())?;
+        let mut point: Vec<u64> = (0..n).map(|_| modulus.sample(random)).collect();
+        point[solved] = modulus.one();
+        let highest = terms.iter().map(|(_, exponents)| exponents[solved]).max()?;
+        let mut coefficients = vec![0; highest as usize + 1];
+        for (coefficient, exponents) in &terms {
+            let entry = &mut coefficients[exponents[solved] as usize];
+            let term = modulus.times(*coefficient, modulus.monomial(exponents, &point));
+            *entry = modulus.plus(*entry, term);
+        }
+        point[solved] = root(modulus, &coefficients, random)?;
+        let slope = |i: usize| values.terms(modulus, &curve.derivative(values.symbols.state(i)));
+        let mut gradient = Vec::with_capacity(n);
+        for i in 0..n {
+            let terms = slope(i)?.into_iter();
+            let terms = terms.map(|(c, exponents)| modulus.times(c, modulus.monomial(&exponents, &point)));
+            gradient.push(terms.fold(0, |sum, term| modulus.plus(sum, term)));
+        }
+        let tangents = Echelon::of(modulus, vec![gradient], n).null_space(modulus);
+        if tangents.len() + 1 != n {
+            return None;
+        }
+        point.push(modulus.one());
+        let tangents = tangents.into_iter().map(|mut tangent| {
+            tangent.entries.push(0);
+            tangent.entries
+        });
+        Some(Place { point, tangents: tangents.collect() })
+    }
+
+    /// A random point at infinity of so many variables.
+    pub(crate) fn at_infinity(modulus: &Modulus, n: usize, random: &mut SplitMix64) -> Self {
+        let mut point: Vec<u64> = (0..n).map(|_| modulus.sample(random)).collect();
+        point[0] = modulus.one();
+        point.push(0);
+        let tangent = |i: usize| (0..=n).map(|j| if i == j { modulus.one() } else { 0 }).collect();
+        Place { point, tangents: (1..n).map(tangent).collect() }
+    }
+}

@@ -1,0 +1,155 @@
+//! The search for formulas with the relations of some degree.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::syntax::ClaimKind;
+
+use super::Until;
+use super::formulas::Integrals;
+use crate::claims::proved::{Claims, Formula};
+use crate::deadline::Deadline;
+use crate::densities::density::{densities, pfaffian_density};
+use crate::integrals::composition::{Survivors, survivors};
+use crate::maps::search_field::{SampledStep, SearchField};
+use crate::orbits::hilbert::Hilbert;
+use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, polynomial_tensors};
+use crate::poisson::modified::Modified;
+use crate::report::{DensitySearch, ModifiedPlace};
+
+/// The share of the remaining time for formulas, if compact forms give all integrals or a bracket
+/// gives the density.
+pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
+
+/// What formulas are looked for with.
+pub(super) struct Search<'a> {
+    pub(super) searched: &'a SearchField,
+    pub(super) field: &'a Field,
+    pub(super) claims: &'a Claims<'a>,
+    /// The modified Hamiltonians of all K.
+    pub(super) modified: &'a [Modified],
+    /// Integrals of the map that the field shows at once, proved.
+    pub(super) proved: &'a [Formula],
+    /// Integrals of the flow that the map keeps.
+    pub(super) kept: &'a [Polynomial],
+    /// Integrals of the map by the rotation rule.
+    pub(super) further: &'a [(Polynomial, Polynomial)],
+    pub(super) is_even: bool,
+    /// Where independence is seen.
+    pub(super) place: &'a SampledStep,
+    /// Who hears of a stage that begins, and of a claim that is proved.
+    pub(super) begins: &'a dyn Fn(&str),
+    pub(super) tell: &'a dyn Fn(ClaimKind, &str),
+}
+
+/// What was found with the relations of some degree.
+pub(super) struct Found {
+    pub(super) of: Integrals,
+    pub(super) densities: Vec<Formula>,
+    pub(super) density_search: DensitySearch,
+    /// The tensors of the polynomial brackets.
+    pub(super) tensors: Vec<PoissonTensor>,
+    pub(super) brackets: Brackets,
+    pub(super) survivors: Option<Survivors>,
+}
+
+impl Found {
+    /// How many integrals have a formula, a compact form, or stand in a basis.
+    pub(super) fn said(&self) -> usize {
+        let Integrals { integrals, bases, modified, .. } = &self.of;
+        let in_bases: usize = bases.iter().map(|basis| basis.integrals.len()).sum();
+        let alone = modified.iter().filter(|(_, place)| *place == ModifiedPlace::Alone);
+        integrals.len() + in_bases + alone.count()
+    }
+}
+
+impl Search<'_> {
+    /// Looks for formulas, bases, densities and brackets; a density that was found `before` is not
+    /// looked for again.
+    pub(super) fn found(
+        &self,
+        hilbert: Option<&Hilbert>,
+        before: Option<&Found>,
+        random: &mut SplitMix64,
+        until: &Until<'_>,
+    ) -> Found {
+        (self.begins)("formulas of integrals");
+        let of = self.integrals(hilbert, random, until);
+        let Integrals { integrals, .. } = &of;
+        (self.begins)("invariant Poisson brackets");
+        let tensors = self.tensors(before, integrals.len(), random, &until.densities);
+        (self.begins)("invariant densities");
+        let (densities, density_search) = self.densities(before, &tensors, &of.all, random, &until.densities);
+        let symbols = &self.field.symbols;
+        densities.iter().for_each(|formula| (self.tell)(formula.kind, &formula.text));
+        let density = densities.first();
+        let brackets = brackets(self.claims, symbols, &tensors, integrals, density, &until.densities);
+        brackets.claims.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));
+
+        (self.begins)("what survives composition");
+        let survivors = hilbert
+            .filter(|hilbert| hilbert.integrals > 0)
+            .and_then(|hilbert| survivors(self.searched, integrals, hilbert.degree(), random, &until.end));
+        Found { of, densities, density_search, tensors, brackets, survivors }
+    }
+
+    /// Looks for polynomial brackets, unless they were found `before`.
+    fn tensors(
+        &self,
+        before: Option<&Found>,
+        integrals: usize,
+        random: &mut SplitMix64,
+        until: &Deadline<'_>,
+    ) -> Vec<PoissonTensor> {
+        let searched = self.searched;
+        // In two and three variables the density and the integrals give all brackets. A search in
+        // three variables up to degree 2 may find shorter ones.
+        let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
+        let highest = if is_said { 2 } else { u32::MAX };
+        match before {
+            Some(before) => before.tensors.clone(),
+            None if searched.dimension() < 3 => Vec::new(),
+            None => {
+                let structures = self.modified.iter().map(|modified| &modified.found).enumerate();
+                let known = structures.filter_map(|one| of_structure(searched, self.field, one, random));
+                let known = known.collect();
+                polynomial_tensors(searched, known, highest, random, until)
+            }
+        }
+    }
+
+    /// Looks for an invariant density, unless one was found `before` or a bracket gives it.
+    fn densities(
+        &self,
+        before: Option<&Found>,
+        tensors: &[PoissonTensor],
+        all_integrals: &[Formula],
+        random: &mut SplitMix64,
+        until: &Deadline<'_>,
+    ) -> (Vec<Formula>, DensitySearch) {
+        let (searched, symbols) = (self.searched, &self.field.symbols);
+        let of_tensor =
+            tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
+        let known = before.filter(|before| !before.densities.is_empty());
+        // A bracket of full rank implies a density. If none was found from it, the formula is long.
+        let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
+        let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
+        let until_densities = if is_implied { &for_formulas } else { until };
+        match (of_tensor, known) {
+            (Some(density), _) => {
+                let search = DensitySearch { seen: Some(density.degree), none_up_to: None };
+                (vec![density], search)
+            }
+            (None, Some(before)) => (before.densities.clone(), before.density_search),
+            (None, None) => densities(
+                searched,
+                self.claims,
+                all_integrals,
+                self.field,
+                self.is_even,
+                random,
+                until_densities,
+            ),
+        }
+    }
+}
