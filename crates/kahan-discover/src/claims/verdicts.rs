@@ -302,11 +302,7 @@ fn polynomial_brackets(report: &Report) -> Option<String> {
 
 fn densities(report: &Report) -> String {
     let long = report.densities.first().map(|density| density.text.len()).filter(|&len| len > MOST_READABLE);
-    let long = long.map(|len| {
-        format!(
-            " Its formula has {len} characters: it stands in the JSON object and in the block of `--macro`."
-        )
-    });
+    let long = long.map(|len| format!(" Its formula has {len} characters; the answer holds it in full."));
     density(report) + &long.unwrap_or_default()
 }
 
