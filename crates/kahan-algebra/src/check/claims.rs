@@ -107,12 +107,10 @@ fn resolve_next(
             return;
         };
         is_sound = false;
-        diagnostics.report(
-            Kind::Claim,
-            span,
-            format!("`{used}` is {what}, and the next value of `{name}` is to follow from `{name}`"),
-            format!("behind `by` stand `{name}`, parameters, `eps`, and earlier integrals and drifts"),
-        );
+        let message =
+            format!("`{used}` is {what}, and the next value of `{name}` is to follow from `{name}`");
+        let help = format!("behind `by` stand `{name}`, parameters, `eps`, and earlier integrals and drifts");
+        diagnostics.report(Kind::Claim, span, message, help);
     });
     is_sound
 }
@@ -122,12 +120,9 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
         && claim.conditions.is_empty()
         && earlier.iter().any(|other| other.kind == ClaimKind::Density && other.is_unconditional());
     if is_second {
-        diagnostics.report(
-            Kind::Claim,
-            claim.name.span,
-            "a block has at most one density without `when`",
-            "the quotient of two densities is an integral: write `integral R = …;`",
-        );
+        let message = "a block has at most one density without `when`";
+        let help = "the quotient of two densities is an integral: write `integral R = …;`";
+        diagnostics.report(Kind::Claim, claim.name.span, message, help);
     }
 }
 
@@ -187,12 +182,9 @@ impl Target for Compiler<'_> {
         let bits = self.builder.constant_size(a).map(|value| value.bits().max(1));
         let is_short_number = bits.is_some_and(|bits| bits.saturating_mul(exponent) <= MOST_BITS);
         if !is_short_number && exponent > HIGHEST_EXPONENT.unsigned_abs() {
-            return Err(Diagnostic::new(
-                Kind::Exponent,
-                span,
-                format!("exponents in claims go from −{HIGHEST_EXPONENT} to {HIGHEST_EXPONENT}"),
-                "write the claim with smaller powers",
-            ));
+            let message = format!("exponents in claims go from −{HIGHEST_EXPONENT} to {HIGHEST_EXPONENT}");
+            let help = "write the claim with smaller powers";
+            return Err(Diagnostic::new(Kind::Exponent, span, message, help));
         }
         Ok(self.builder.power(a, exponent as u32))
     }

@@ -110,12 +110,11 @@ fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<
         }
         match scope.variable(&name) {
             Some(variable) if scope.symbols.is_state(variable) => {
-                return Err(Diagnostic::new(
-                    Kind::Claim,
-                    span,
-                    format!("`{name}` is a state, and states move along an orbit: `when` cannot fix them"),
-                    "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`",
-                ));
+                let message =
+                    format!("`{name}` is a state, and states move along an orbit: `when` cannot fix them");
+                let help =
+                    "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`";
+                return Err(Diagnostic::new(Kind::Claim, span, message, help));
             }
             Some(variable) if !names.contains(&variable) => names.push(variable),
             Some(_) => {}
@@ -145,12 +144,9 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
 }
 
 fn too_large(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        span,
-        "this relation is too large to be solved, with those before it put in",
-        "write it with smaller powers",
-    )
+    let message = "this relation is too large to be solved, with those before it put in";
+    let help = "write it with smaller powers";
+    Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
 /// The mistake of a relation that cannot be solved.

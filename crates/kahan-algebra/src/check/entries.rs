@@ -14,12 +14,9 @@ pub(super) fn entry_places(
 ) -> Option<Vec<(usize, usize)>> {
     let Some(ClaimBody::Tensor(entries)) = &claim.body else { return Some(Vec::new()) };
     if entries.is_empty() {
-        diagnostics.report(
-            Kind::Claim,
-            claim.name.span,
-            format!("the bracket `{}` has no entries", claim.name.text),
-            "write its entries, as in `{x,y} = x*y;`",
-        );
+        let message = format!("the bracket `{}` has no entries", claim.name.text);
+        let help = "write its entries, as in `{x,y} = x*y;`";
+        diagnostics.report(Kind::Claim, claim.name.span, message, help);
         return None;
     }
     let mut places: Vec<(usize, usize)> = Vec::new();
@@ -40,12 +37,9 @@ fn entry_place(
 ) -> Result<(usize, usize), Diagnostic> {
     let index = |name: &syntax::Name| {
         scope.symbols.states.iter().position(|state| *state == name.text).ok_or_else(|| {
-            Diagnostic::new(
-                Kind::Claim,
-                name.span,
-                format!("`{}` is not a state variable", name.text),
-                format!("the entries of a bracket are pairs of {}", scope.symbols.states.join(", ")),
-            )
+            let message = format!("`{}` is not a state variable", name.text);
+            let help = format!("the entries of a bracket are pairs of {}", scope.symbols.states.join(", "));
+            Diagnostic::new(Kind::Claim, name.span, message, help)
         })
     };
     let (row, column) = (index(&entry.row)?, index(&entry.column)?);

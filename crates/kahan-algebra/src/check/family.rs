@@ -192,12 +192,9 @@ fn sum(
 fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic> {
     let density = expand_in_claim(&summand(written)?, scope)?.function();
     if density.contains(scope.symbols.epsilon()) {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            written.span,
-            "a sum over sites that is claimed is free of `eps`",
-            "write the sum that the field keeps; what the map keeps is made of it",
-        ));
+        let message = "a sum over sites that is claimed is free of `eps`";
+        let help = "write the sum that the field keeps; what the map keeps is made of it";
+        return Err(Diagnostic::new(Kind::Claim, written.span, message, help));
     }
     Ok(density)
 }

@@ -47,12 +47,9 @@ pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
 }
 
 fn outside(expr: &Expr) -> Diagnostic {
-    Diagnostic::new(
-        Kind::Claim,
-        expr.span,
-        "a claim of a family is a sum over all sites, and this stands outside of it",
-        "write `sum(…)` around what belongs to site `i`",
-    )
+    let message = "a claim of a family is a sum over all sites, and this stands outside of it";
+    let help = "write `sum(…)` around what belongs to site `i`";
+    Diagnostic::new(Kind::Claim, expr.span, message, help)
 }
 
 fn find_sum(expr: &Expr) -> Option<&Expr> {

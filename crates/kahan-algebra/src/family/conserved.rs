@@ -36,25 +36,19 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
     if degree > 1 {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            integral.written.span,
-            format!(
-                "`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain",
-                name.text
-            ),
-            "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others",
-        ));
+        let message = format!(
+            "`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain",
+            name.text
+        );
+        let help = "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others";
+        return Err(Diagnostic::new(Kind::Claim, integral.written.span, message, help));
     }
     let over_budget = |_| too_long(name);
     let middle = Middle::of(family);
     if degree == 0 || is_constant(&middle, integral, &mut budget()).map_err(over_budget)? {
-        return Err(Diagnostic::new(
-            Kind::FalseClaim,
-            name.span,
-            format!("`{}` says nothing: it depends on no state", name.text),
-            "write a sum of states, as in `sum(x[i])`",
-        ));
+        let message = format!("`{}` says nothing: it depends on no state", name.text);
+        let help = "write a sum of states, as in `sum(x[i])`";
+        return Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help));
     }
     if cancels(&middle, integral, &mut budget()).map_err(over_budget)? {
         return Ok(());
@@ -64,16 +58,13 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
         let symbols = family.symbols_at(sites);
         if let Some(left) = derivative(family, integral, sites, &symbols, budget).map_err(over_budget)? {
             let text = Text.polynomial(&symbols, &left);
-            return Err(Diagnostic::new(
-                Kind::FalseClaim,
-                name.span,
-                format!(
-                    "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
-                    name.text,
-                    plural(sites)
-                ),
-                "correct the claim or the equations; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
-            ));
+            let message = format!(
+                "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
+                name.text,
+                plural(sites)
+            );
+            let help = "correct the claim or the equations; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
+            return Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help));
         }
     }
     Ok(())
@@ -81,12 +72,9 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
 
 /// The mistake of a claim that is beyond the budget.
 pub(super) fn too_long(name: &Name) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        name.span,
-        format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text),
-        "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
-    )
+    let message = format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text);
+    let help = "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
+    Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
 /// Whether the sum over every chain depends on no state: its terms cancel, as those of

@@ -58,15 +58,12 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
                 Boundary::Open => format!(" (site {site} of {sites} {})", plural(sites)),
             };
             let array = &family.arrays[array];
-            Err(Diagnostic::new(
-                Kind::FalseClaim,
-                name.span,
-                format!(
-                    "`{0}` is no Hamiltonian of this family: for every constant antisymmetric stencil K of reach {1}, K∇{0} differs from `{array}[i]dot` at the term `{term}`{place}",
-                    name.text, family.reach
-                ),
-                "correct the Hamiltonian or the equations",
-            ))
+            let message = format!(
+                "`{0}` is no Hamiltonian of this family: for every constant antisymmetric stencil K of reach {1}, K∇{0} differs from `{array}[i]dot` at the term `{term}`{place}",
+                name.text, family.reach
+            );
+            let help = "correct the Hamiltonian or the equations";
+            Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help))
         }
     }
 }

@@ -97,12 +97,12 @@ pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnosti
         && operations(system) > MOST_OPERATIONS
     {
         let count = system.claims.len();
-        diagnostics.report(
-            Kind::TooLarge,
-            claim.name.span,
-            format!("the claims of this block, {count} in all, take more than {MOST_OPERATIONS} operations at a point to prove"),
-            "claim less in one block, or shorter formulas; of many equations that are alike write a family",
+        let message = format!(
+            "the claims of this block, {count} in all, take more than {MOST_OPERATIONS} operations at a point to prove"
         );
+        let help =
+            "claim less in one block, or shorter formulas; of many equations that are alike write a family";
+        diagnostics.report(Kind::TooLarge, claim.name.span, message, help);
         return;
     }
     for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
