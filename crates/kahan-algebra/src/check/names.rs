@@ -215,14 +215,8 @@ impl Scope {
     }
 
     fn list(&self) -> String {
-        let names: Vec<String> = self
-            .symbols
-            .states
-            .iter()
-            .chain(&self.symbols.parameters)
-            .map(|name| format!("`{name}`"))
-            .collect();
-        names.join(", ")
+        let names = self.symbols.states.iter().chain(&self.symbols.parameters);
+        names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
 
     /// The known name closest to `name`, if close enough to be a slip.

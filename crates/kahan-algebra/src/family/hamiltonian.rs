@@ -8,7 +8,7 @@ use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbol;
 
@@ -37,12 +37,8 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
             "write a sum of states",
         ));
     }
-    let divides_by_site = hamiltonian
-        .density
-        .denominator()
-        .variables()
-        .into_iter()
-        .any(|variable| matches!(family.role(variable), Role::SiteParameter { .. }));
+    let is_of_site = |&variable: &Variable| matches!(family.role(variable), Role::SiteParameter { .. });
+    let divides_by_site = hamiltonian.density.denominator().variables().iter().any(is_of_site);
     if divides_by_site {
         return Err(refuse(
             format!("`{}` divides by a parameter of a site", name.text),

@@ -58,15 +58,15 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     let scheme = Scheme::of(&system.field);
     let mut random = Shake256::new(&seed);
     // Claims on the same specialisation share their points.
-    let mut groups: Vec<(&[Condition], Samples)> = Vec::new();
+    let mut groups: Vec<Samples<'_>> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
-        let known = groups.iter().position(|(conditions, _)| are_equal(conditions, &claim.conditions));
+        let known = groups.iter().position(|group| are_equal(group.conditions, &claim.conditions));
         let group = known.unwrap_or_else(|| {
-            groups.push((&claim.conditions, Samples::new(random.next_seed())));
+            groups.push(Samples::new(&claim.conditions, random.next_seed()));
             groups.len() - 1
         });
-        verdicts.push(modular::decide(&scheme, claim, &mut groups[group].1));
+        verdicts.push(modular::decide(&scheme, claim, &mut groups[group]));
     }
     verdicts
 }

@@ -13,7 +13,7 @@ pub(in crate::plan) mod recurrence;
 pub(in crate::plan) mod signs;
 pub(in crate::plan) mod split;
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::OverRationals;
 use crate::field::Field;
 use crate::symbols::Symbols;
 
@@ -21,7 +21,6 @@ use self::split::split;
 use crate::plan::step::reciprocals::with_signs_of_reciprocals;
 use crate::plan::step::signs::with_signs;
 use crate::plan::{Input, Kernel, Node, Operation, Plan, PlanBuilder};
-use kahan_syntax::rational::Rational;
 
 /// The largest ‖εf′‖∞ at which the planner looks at what a step loses.
 pub const LARGEST_SIZE: u32 = 1000;
@@ -60,7 +59,7 @@ pub struct StepPlan {
 impl StepPlan {
     /// The plan that serves this arithmetic at this ε.
     #[must_use]
-    pub fn at<A: Arithmetic<Constant = Rational>>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
+    pub fn at<A: OverRationals>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
         if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 

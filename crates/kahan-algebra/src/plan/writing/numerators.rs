@@ -99,10 +99,9 @@ impl Products {
                 list.replace_pair(a, b, node);
             }
         }
-        self.lists
-            .into_iter()
-            .map(|list| Signed { node: writer.draft.product(&list.nodes), negative: list.negative })
-            .collect()
+        let mut product =
+            |Factors { nodes, negative }| Signed { node: writer.draft.product(&nodes), negative };
+        self.lists.into_iter().map(&mut product).collect()
     }
 
     /// The pair that most products contain, if at least two do.
