@@ -26,7 +26,7 @@ mod linear_relations;
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within, gcd_all_within, gcd_within};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
@@ -129,7 +129,7 @@ struct Flow<'a> {
 }
 
 impl<'a> Flow<'a> {
-    fn of(field: &'a Field, budget: &mut Budget) -> Result<Self, OverBudget> {
+    fn of(field: &'a Field, budget: &mut Budget) -> Within<Self> {
         let (components, divisor) = RationalFunction::over_common_within(field.components.iter(), budget)?;
         Ok(Flow { symbols: &field.symbols, components, divisor })
     }
@@ -139,12 +139,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Σ ∂P/∂xᵢ vᵢ.
-    fn along(
-        &self,
-        polynomial: &Polynomial,
-        v: &[Polynomial],
-        budget: &mut Budget,
-    ) -> Result<Polynomial, OverBudget> {
+    fn along(&self, polynomial: &Polynomial, v: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
         let slopes = polynomial.gradient(|variable| self.symbols.is_state(variable));
         slopes.iter().try_fold(Polynomial::zero(), |sum, (variable, slope)| {
             sum.add_within(&slope.mul_within(&v[usize::from(variable.0)], budget)?, budget)
@@ -197,7 +192,7 @@ impl<'a> Flow<'a> {
         relations: &[Relation],
         forms: &[WithSlope],
         budget: &mut Budget,
-    ) -> Result<Vec<Product>, OverBudget> {
+    ) -> Within<Vec<Product>> {
         let (mut of_two, mut squares) = (Vec::new(), Vec::new());
         for i in 0..relations.len() {
             for j in 0..=i {
@@ -266,7 +261,7 @@ impl<'a> Flow<'a> {
         constant: usize,
         further: Vec<WithSlope>,
         budget: &mut Budget,
-    ) -> Result<Vec<Polynomial>, OverBudget> {
+    ) -> Within<Vec<Polynomial>> {
         let (mut values, mut derivatives) = (Vec::new(), Vec::new());
         for (i, (first, first_slope)) in forms.iter().enumerate() {
             for (second, second_slope) in &forms[i.max(constant)..] {
@@ -288,7 +283,7 @@ impl<'a> Flow<'a> {
 
     /// The forms m by which two components at least can be divided, as far as a pair of variables
     /// could be turned by m: one of them occurs in the other's component, or each in its own.
-    fn multipliers(&self, budget: &mut Budget) -> Result<Vec<Polynomial>, OverBudget> {
+    fn multipliers(&self, budget: &mut Budget) -> Within<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
             let form = self.symbols.primitive_part(divisor);
@@ -429,11 +424,7 @@ fn last(relation: &Relation) -> usize {
 }
 
 /// Σ cₖ vₖ.
-fn combination(
-    relation: &Relation,
-    vectors: &[Polynomial],
-    budget: &mut Budget,
-) -> Result<Polynomial, OverBudget> {
+fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)
     })

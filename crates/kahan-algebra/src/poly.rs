@@ -23,7 +23,7 @@ mod tests;
 use std::convert::Infallible;
 use std::fmt;
 
-pub use budget::{Budget, OverBudget};
+pub use budget::{Budget, OverBudget, Within};
 pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
 pub use images::{RESIDUES_PER_TERM, degree_bounds};
 pub use monomial::{Monomial, Variable};

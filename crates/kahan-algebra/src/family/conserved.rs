@@ -7,7 +7,7 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Name};
 use rustc_hash::FxHashMap;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::poly::{Budget, Monomial, Polynomial, Within};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
@@ -79,7 +79,7 @@ pub(super) fn too_long(name: &Name) -> Diagnostic {
 
 /// Whether the sum over every chain depends on no state: its terms cancel, as those of
 /// `sum(x[i+1] - x[i])` do in a ring.
-fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
     // The slope of the whole sum by the state of an array in the middle.
     let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
@@ -105,7 +105,7 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Resul
 
 /// Whether the terms of the sum's derivative along the field cancel in every chain, those over one
 /// divisor among themselves. Where these do not, others may.
-pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
     // By divisor, monomial and length, wherever they begin.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
@@ -153,7 +153,7 @@ fn derivative(
     sites: usize,
     symbols: &Symbols,
     budget: &mut Budget,
-) -> Result<Option<Polynomial>, OverBudget> {
+) -> Within<Option<Polynomial>> {
     // Terms over one divisor cancel among themselves, most often all of them.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
     for site in 0..sites {

@@ -10,7 +10,7 @@
 
 use kahan_syntax::syntax::Boundary;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
 use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
@@ -138,7 +138,7 @@ impl<'a> Middle<'a> {
 }
 
 /// Everything that is multiplied out, charged to a budget.
-pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a.is_one() {
         budget.charge(b.len() as u64)?;
         return Ok(b.clone());

@@ -8,7 +8,7 @@ use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbol;
 
@@ -106,7 +106,7 @@ pub(super) fn missing(
     middle: &Middle<'_>,
     hamiltonian: &SiteSum,
     budget: &mut Budget,
-) -> Result<Option<Missing>, OverBudget> {
+) -> Within<Option<Missing>> {
     let unknowns = unknowns(middle.family);
     budget.charge(unknowns.len() as u64)?;
     let gradient = gradient(middle, hamiltonian, budget)?;
@@ -150,11 +150,7 @@ pub(super) fn missing(
 }
 
 /// The derivatives of H, but for its divisor, by the state of each array in the middle.
-fn gradient(
-    middle: &Middle<'_>,
-    hamiltonian: &SiteSum,
-    budget: &mut Budget,
-) -> Result<Vec<Vec<Term>>, OverBudget> {
+fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
     let mut gradient: Vec<Vec<Term>> = (0..middle.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
     for (monomial, value) in density.numerator().terms() {
@@ -185,7 +181,7 @@ fn row(
     divisor: &Polynomial,
     array: usize,
     budget: &mut Budget,
-) -> Result<Vec<RowTerm>, OverBudget> {
+) -> Within<Vec<RowTerm>> {
     let component = middle.at(&middle.family.components[array], 0);
     let here = middle.extent_of_site(0);
     let mut terms = Vec::new();

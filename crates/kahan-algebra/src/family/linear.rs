@@ -2,7 +2,7 @@
 
 use kahan_syntax::table::Table;
 
-use crate::poly::{Budget, OverBudget, Polynomial};
+use crate::poly::{Budget, Polynomial, Within};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
 /// Equations Σ aₖuₖ = r, each reduced by those before it. The right side has the number behind all
@@ -24,7 +24,7 @@ impl Equations {
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,
         budget: &mut Budget,
-    ) -> Result<bool, OverBudget> {
+    ) -> Within<bool> {
         let mut sums: Table<usize, RationalFunction> = Table::new();
         for (unknown, coefficient) in terms {
             let sum = sums.or_insert_with(unknown, |_| RationalFunction::zero());

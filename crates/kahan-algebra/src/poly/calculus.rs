@@ -3,7 +3,7 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
 
-use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
+use super::{Budget, Monomial, Polynomial, Term, Variable, Within};
 
 impl Polynomial {
     /// The partial derivative.
@@ -66,7 +66,7 @@ impl Polynomial {
         (a, b): (&Self, &Self),
         degree: u32,
         budget: &mut Budget,
-    ) -> Result<Self, OverBudget> {
+    ) -> Within<Self> {
         let mut sum = Self::zero();
         for (exponent, coefficient) in self.coefficients_in(variable) {
             let power = a.pow_within(exponent, budget)?;

@@ -5,7 +5,7 @@
 //! lowest terms are compared first: in most cases that do not divide, they tell.
 
 use super::arithmetic::merge;
-use super::{Budget, OverBudget, Polynomial};
+use super::{Budget, Polynomial, Within};
 
 impl Polynomial {
     /// The quotient self/divisor if it is a polynomial; `None` if not, or if `divisor` is zero.
@@ -14,7 +14,7 @@ impl Polynomial {
     }
 
     /// [`checked_div`](Self::checked_div) with the work charged to a budget.
-    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
         let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
         let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
         if lead.is_one() {

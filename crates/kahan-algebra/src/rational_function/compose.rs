@@ -1,7 +1,7 @@
 //! A variable replaced by a rational function.
 
 use super::RationalFunction;
-use crate::poly::{Budget, OverBudget, Variable};
+use crate::poly::{Budget, Variable, Within};
 
 impl RationalFunction {
     /// The function with `variable` replaced by `value`, within a budget; `None` where its
@@ -11,7 +11,7 @@ impl RationalFunction {
         variable: Variable,
         value: &Self,
         budget: &mut Budget,
-    ) -> Result<Option<Self>, OverBudget> {
+    ) -> Within<Option<Self>> {
         if !self.contains(variable) {
             return Ok(Some(self.clone()));
         }

@@ -34,7 +34,7 @@ impl Candidate {
 
     /// Makes a form from its numerators. Each comes with the reciprocal that multiplies it, and with
     /// whether the product changes its sign. A numerator that is 0 has no reciprocal.
-    pub(in crate::plan) fn over(
+    pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
     ) -> Self {

@@ -65,7 +65,7 @@ impl Forms<'_> {
 /// The forms of a field's step: from products of sums that are `kept`, and from nothing else where
 /// there are some; of the reduced map, if that
 /// is within the budget, or of A; `None` where the field is too large for straight lines.
-pub(in crate::plan) fn forms<'a>(
+pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&Kept>,
     map: Option<&'a RationalMap>,
@@ -98,11 +98,7 @@ fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
 
 /// The forms that may keep more digits in long steps than the `best` one does, the cheapest first:
 /// blocks solved whole. Each is at most half as expensive again.
-pub(in crate::plan) fn steady_forms(
-    field: &Field,
-    map: Option<&RationalMap>,
-    best: &Candidate,
-) -> Vec<Candidate> {
+pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
     }
