@@ -10,7 +10,6 @@
 mod arithmetic;
 mod budget;
 mod calculus;
-mod content;
 mod division;
 mod gcd;
 mod images;

@@ -8,7 +8,6 @@
 //! purpose: evaluation, and quotients left unreduced.
 
 mod common;
-mod compose;
 #[cfg(test)]
 mod tests;
 
@@ -165,6 +164,24 @@ impl RationalFunction {
         let denominator = self.denominator.mul_within(&cofactor, budget)?;
         let (numerator, denominator) = cancel(&numerator, &denominator, budget)?;
         Ok(Self::from_coprime(numerator, denominator))
+    }
+
+    /// The function with `variable` replaced by `value`, within a budget; `None` where its
+    /// denominator then vanishes identically.
+    pub fn compose_within(
+        &self,
+        variable: Variable,
+        value: &Self,
+        budget: &mut Budget,
+    ) -> Within<Option<Self>> {
+        if !self.contains(variable) {
+            return Ok(Some(self.clone()));
+        }
+        let degree = self.numerator.degree_in(variable).max(self.denominator.degree_in(variable));
+        let at = (&value.numerator, &value.denominator);
+        let above = self.numerator.homogenised_at(variable, at, degree, budget)?;
+        let below = self.denominator.homogenised_at(variable, at, degree, budget)?;
+        Self::new_within(above, below, budget)
     }
 
     /// The normal form of a quotient of coprime polynomials, the denominator not zero.

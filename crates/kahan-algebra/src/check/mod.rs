@@ -8,15 +8,12 @@
 mod claims;
 mod conditions;
 mod constants;
-mod entries;
 mod equations;
 mod expand;
 mod family;
 mod lower;
 mod names;
-mod outside;
 mod stand_in;
-mod sums;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Header};

@@ -9,14 +9,12 @@
 mod lines;
 mod listing;
 mod names;
-mod scheme;
 
 use std::sync::OnceLock;
 
 pub use lines::{Lines, Place};
 pub use listing::StepListing;
 pub use names::{ValueName, ValueNames, constant_names};
-pub(crate) use scheme::Scheme;
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;

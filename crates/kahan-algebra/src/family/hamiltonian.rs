@@ -7,14 +7,15 @@
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
+use kahan_syntax::table::Table;
 
 use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within};
+use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbol;
 
 use super::conserved::{plural, too_long};
 use super::everywhere::{Extent, Middle, budget, product};
-use super::linear::Equations;
 use super::{Family, Role, SiteSum};
 
 /// Proves that there is a K with ẋ = K∇H for every number of sites.
@@ -235,4 +236,44 @@ fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
     let factors: Vec<String> =
         powers.map(|&(variable, exponent)| Text.power(&name(variable), exponent.into())).collect();
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
+}
+
+/// Equations Σ aₖuₖ = r, each reduced by those before it. The right side has the number behind all
+/// unknowns.
+struct Equations {
+    unknowns: usize,
+    /// By the first unknown that occurs, whose coefficient is 1.
+    rows: Table<usize, Row>,
+}
+
+impl Equations {
+    fn new(unknowns: usize) -> Self {
+        Equations { unknowns, rows: Table::new() }
+    }
+
+    /// Adds an equation, whose terms of one unknown are added up; `false` if it contradicts those
+    /// before it.
+    fn add<'a>(
+        &mut self,
+        terms: impl Iterator<Item = (usize, &'a Polynomial)>,
+        budget: &mut Budget,
+    ) -> Within<bool> {
+        let mut sums: Table<usize, RationalFunction> = Table::new();
+        for (unknown, coefficient) in terms {
+            let sum = sums.or_insert_with(unknown, |_| RationalFunction::zero());
+            *sum = sum.add_within(&RationalFunction::from(coefficient.clone()), budget)?;
+        }
+        let mut equation: Row = sums.into_iter().filter(|(_, value)| !value.is_zero()).collect();
+        loop {
+            let Some((first, factor)) = equation.first() else { return Ok(true) };
+            if *first == self.unknowns {
+                return Ok(false);
+            }
+            let Some(row) = self.rows.get(first) else {
+                self.rows.insert(*first, with_leading_one(&equation, budget)?);
+                return Ok(true);
+            };
+            equation = reduced(&equation, factor, row, budget)?;
+        }
+    }
 }

@@ -23,13 +23,12 @@ pub use sizes::{ERROR_EXPONENT, points_needed};
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::derived::Scheme;
 use crate::poly::Polynomial;
 use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::system::{Claim, Condition, System};
 
-use sample::Samples;
+use sample::{Samples, Scheme};
 
 /// What is known of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]

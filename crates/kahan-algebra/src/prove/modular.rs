@@ -4,13 +4,12 @@
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::arithmetic::{Exact, OverRationals};
-use crate::derived::Scheme;
 use crate::system::Claim;
 
 use super::Verdict;
 use super::refute::{Refutation, refute};
 use super::residual::Test;
-use super::sample::{MOST_DRAWS, Samples};
+use super::sample::{MOST_DRAWS, Samples, Scheme};
 use super::sizes::points_for;
 
 /// On what a proof rests.

@@ -4,7 +4,6 @@
 use kahan_syntax::rational::Rational;
 
 use crate::arithmetic::{Arithmetic, Function, Functions};
-use crate::derived::Scheme;
 use crate::kahan::RationalMap;
 use crate::plan::plan_of;
 use crate::poly::{Budget, Polynomial, Variable};
@@ -12,7 +11,7 @@ use crate::relations::put_into;
 use crate::system::{Claim, System};
 
 use super::residual::Test;
-use super::sample::{Sample, impose, rows, run};
+use super::sample::{Sample, Scheme, impose, rows, run};
 
 /// Terms of any intermediate result, and products of terms in all: about a second at worst, with
 /// long coefficients.

@@ -5,13 +5,12 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::arithmetic::{Arithmetic, Exact, solve};
-use crate::derived::Scheme;
 use crate::prime_field::SplitMix64;
 use crate::symbols::Symbols;
 use crate::system::{Claim, upper_index};
 
 use super::residual::{Place, Test};
-use super::sample::{run, small_point, take_step};
+use super::sample::{Scheme, run, small_point, take_step};
 
 /// Heights searched, and points tried at each.
 const HIGHEST: u64 = 24;

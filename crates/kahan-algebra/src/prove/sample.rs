@@ -3,11 +3,36 @@
 use kahan_syntax::rational::Rational;
 
 use crate::arithmetic::{Exact, Modular, OverRationals, determinant, solve};
-use crate::derived::Scheme;
-use crate::plan::{Input, Plan, PlanBuilder};
+use crate::field::Field;
+use crate::kahan::scaled_matrix;
+use crate::plan::{Input, Plan, PlanBuilder, plan_of};
 use crate::poly::Variable;
 use crate::prime_field::{PrimeField, Random, Shake256};
+use crate::symbols::Symbols;
 use crate::system::Condition;
+
+/// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms
+/// lose nothing and divide by nothing.
+pub(super) struct Scheme {
+    pub(super) symbols: Symbols,
+    pub(super) numerators: Plan,
+    pub(super) matrix: Plan,
+    /// The number of variables: states, parameters and ε.
+    pub(super) variables: usize,
+}
+
+impl Scheme {
+    pub(super) fn of(field: &Field) -> Self {
+        let numerators = plan_of(field.numerators());
+        let matrix = plan_of(scaled_matrix(field).iter().flatten());
+        let variables = usize::from(field.symbols.epsilon().0) + 1;
+        Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
+    }
+
+    pub(super) fn dimension(&self) -> usize {
+        self.symbols.dimension()
+    }
+}
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {

@@ -25,11 +25,10 @@
 //! same residuals in the arithmetic of sizes ([`Sizes`]).
 
 use crate::arithmetic::{Arithmetic, Length, Size, Sizes};
-use crate::derived::Scheme;
 use crate::system::Claim;
 
 use super::residual::Test;
-use super::sample::{MOST_DRAWS, Sample, impose, rows, run};
+use super::sample::{MOST_DRAWS, Sample, Scheme, impose, rows, run};
 
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;

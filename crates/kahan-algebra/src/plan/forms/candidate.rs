@@ -2,10 +2,9 @@
 
 use kahan_syntax::table::distinct;
 
-use crate::plan::cost::DERIVED;
 use crate::plan::step::split::{derived_constants, split};
 use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::{DERIVED, Goal};
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 

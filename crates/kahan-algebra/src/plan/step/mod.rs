@@ -3,10 +3,8 @@
 //!
 //! - `split` separates prepared constants from the `kernel`.
 //! - `signs` and `reciprocals` rewrite the kernel, which has multiply-adds by then.
-//! - `increment` divides the increment of a single variable at once.
 //! - `recurrence` measures the way from a state to the next.
 
-mod increment;
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
 pub(in crate::plan) mod recurrence;
@@ -168,5 +166,27 @@ impl StepPlan {
     pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
         let general = self.general.map(|general| Box::new(general.mapped(change)));
         StepPlan { constants: change(&self.constants), general, ..self }
+    }
+}
+
+impl PlanBuilder {
+    /// Divides the increment of a single variable at once, x̃ = x ± 2εn/d: returns the numerator over
+    /// the divisor of this reciprocal ±1/d or ±2/d; `None` for another one.
+    ///
+    /// A reciprocal that is shared by several components costs one division for all of them. A
+    /// single component gains nothing by it: the multiplication that follows would be on the way
+    /// from each state to the next, and would round once more, so that an orbit might miss a pole
+    /// that it meets.
+    pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
+        let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
+        let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };
+        let is_negative = dividend.is_negative();
+        let dividend = match dividend.abs().as_i64()? {
+            1 => numerator,
+            2 => self.push(Operation::Add(numerator, numerator)),
+            _ => return None,
+        };
+        let quotient = self.divide(dividend, divisor);
+        Some(if is_negative { self.changed_sign(quotient) } else { quotient })
     }
 }
