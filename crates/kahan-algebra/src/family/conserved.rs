@@ -10,9 +10,9 @@ use rustc_hash::FxHashMap;
 use crate::poly::{Budget, Monomial, Polynomial, Within};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
-use crate::symbols::Symbols;
 
 use super::everywhere::{Extent, MOST_WORK, Middle, budget, product};
+use super::expand::Chain;
 use super::hamiltonian::check_hamiltonian;
 use super::{Family, SiteSum};
 
@@ -54,10 +54,10 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
         return Ok(());
     }
     let budget = &mut budget();
-    for sites in 1..=middle.sites {
-        let symbols = family.symbols_at(sites);
-        if let Some(left) = derivative(family, integral, sites, &symbols, budget).map_err(over_budget)? {
-            let text = Text.polynomial(&symbols, &left);
+    for sites in 1..=middle.chain.sites {
+        let chain = family.chain(sites);
+        if let Some(left) = derivative(&chain, integral, budget).map_err(over_budget)? {
+            let text = Text.polynomial(&chain.symbols, &left);
             let message = format!(
                 "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
                 name.text,
@@ -84,16 +84,15 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Withi
     // The slope of the whole sum by the state of an array in the middle.
     let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
-        let Some((state, _)) =
-            monomial.powers().iter().find(|(variable, _)| middle.symbols.is_state(*variable))
-        else {
+        let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
+        let Some(state) = variables.find(|variable| middle.chain.symbols.is_state(*variable)) else {
             continue;
         };
-        let (offset, array) = middle.state(*state);
+        let (offset, array) = middle.state(state);
         budget.charge(1 + density.denominator().len() as u64)?;
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         let extent = middle.moved(extent, -offset);
-        let slope = monomial.lowered(*state).expect("it occurs");
+        let slope = monomial.lowered(state).expect("it occurs");
         let slope = Polynomial::term(middle.shifted(&slope, -offset), value.clone());
         let below = middle.shifted_polynomial(density.denominator(), -offset);
         let slope = RationalFunction::new_within(slope, below, budget)?.expect("a divisor is not zero");
@@ -109,9 +108,11 @@ pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -
     let density = middle.at(&sum.density, 0);
     // By divisor, monomial and length, wherever they begin.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
-    for state in density.numerator().variables().into_iter().filter(|&state| middle.symbols.is_state(state)) {
+    for state in
+        density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))
+    {
         let (offset, array) = middle.state(state);
-        let component = middle.at(&middle.family.components[array], offset);
+        let component = middle.at(&middle.chain.family.components[array], offset);
         let place = middle.extent_of_site(0).with(middle.extent_of_site(offset));
         let below = product(density.denominator(), component.denominator(), budget)?;
         let content = below.monomial_content();
@@ -125,7 +126,7 @@ pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -
                 let common = above.gcd(&content);
                 let above = above.div(&common).expect("a common divisor divides");
                 let below = below.div_monomial(&common).expect("a common divisor divides");
-                let first = match middle.family.boundary {
+                let first = match middle.chain.family.boundary {
                     Boundary::Open => extent.first,
                     Boundary::Periodic => {
                         middle.first_site(below.terms().map(|(monomial, _)| monomial).chain([&above]))
@@ -147,24 +148,18 @@ pub(super) fn plural(sites: usize) -> &'static str {
 }
 
 /// The numerator of the sum's derivative along the field; `None` where it vanishes.
-fn derivative(
-    family: &Family,
-    sum: &SiteSum,
-    sites: usize,
-    symbols: &Symbols,
-    budget: &mut Budget,
-) -> Within<Option<Polynomial>> {
+fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<Option<Polynomial>> {
+    let Chain { family, symbols, sites } = chain;
     // Terms over one divisor cancel among themselves, most often all of them.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
-    for site in 0..sites {
-        let Some(density) = family.moved(&sum.density, site, sites, symbols) else { continue };
+    for site in 0..*sites {
+        let Some(density) = chain.moved(&sum.density, site) else { continue };
         let states =
             density.numerator().variables().into_iter().filter(|variable| symbols.is_state(*variable));
         for state in states {
             let place = usize::from(state.0);
             let (site, array) = (place / family.block(), place % family.block());
-            let component = family.moved(&family.components[array], site, sites, symbols);
-            let Some(component) = component else { continue };
+            let Some(component) = chain.moved(&family.components[array], site) else { continue };
             let slope = density.numerator().derivative(state);
             let above = product(&slope, component.numerator(), budget)?;
             let below = product(density.denominator(), component.denominator(), budget)?;

@@ -108,12 +108,12 @@ pub(super) fn missing(
     hamiltonian: &SiteSum,
     budget: &mut Budget,
 ) -> Within<Option<Missing>> {
-    let unknowns = unknowns(middle.family);
+    let unknowns = unknowns(middle.chain.family);
     budget.charge(unknowns.len() as u64)?;
     let gradient = gradient(middle, hamiltonian, budget)?;
     let divisor = middle.at(&hamiltonian.density, 0).denominator().clone();
     let mut rows = Vec::new();
-    for array in 0..middle.family.block() {
+    for array in 0..middle.chain.family.block() {
         rows.push(row(middle, &unknowns, &gradient, &divisor, array, budget)?);
     }
     let mut equations = Equations::new(unknowns.len());
@@ -124,7 +124,7 @@ pub(super) fn missing(
         sites: extent.sites(),
     };
     // Far from the ends all terms of a monomial stand together; those of ẋ first, to be named.
-    let long = Extent { first: 0, last: middle.sites - 1 };
+    let long = Extent { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
             let given = |term: &RowTerm| term.unknown == unknowns.len();
@@ -152,12 +152,12 @@ pub(super) fn missing(
 
 /// The derivatives of H, but for its divisor, by the state of each array in the middle.
 fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
-    let mut gradient: Vec<Vec<Term>> = (0..middle.family.block()).map(|_| Vec::new()).collect();
+    let mut gradient: Vec<Vec<Term>> = (0..middle.chain.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
     for (monomial, value) in density.numerator().terms() {
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         for &(state, exponent) in monomial.powers() {
-            if !middle.symbols.is_state(state) {
+            if !middle.chain.symbols.is_state(state) {
                 continue;
             }
             budget.charge(1)?;
@@ -183,7 +183,7 @@ fn row(
     array: usize,
     budget: &mut Budget,
 ) -> Within<Vec<RowTerm>> {
-    let component = middle.at(&middle.family.components[array], 0);
+    let component = middle.at(&middle.chain.family.components[array], 0);
     let here = middle.extent_of_site(0);
     let mut terms = Vec::new();
     let mut add = |unknown, monomial: &Monomial, coefficient: Rational, extent: Extent| {
@@ -218,19 +218,21 @@ fn row(
 
 /// A monomial as one of the family, seen from the middle.
 fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
-    let family = middle.family;
-    let name = |variable| match middle.symbols.symbol(variable) {
+    let family = middle.chain.family;
+    let name = |variable| match middle.chain.symbols.symbol(variable) {
         Symbol::State(_) => {
             let (offset, array) = middle.state(variable);
             Reference::Site { array: &family.arrays[array], offset }.to_string()
         }
         Symbol::Parameter(k) if k >= family.parameters.len() => {
-            let (index, site) =
-                ((k - family.parameters.len()) / middle.sites, (k - family.parameters.len()) % middle.sites);
+            let (index, site) = (
+                (k - family.parameters.len()) / middle.chain.sites,
+                (k - family.parameters.len()) % middle.chain.sites,
+            );
             let offset = site as i64 - middle.site as i64;
             Reference::Site { array: &family.site_parameters[index], offset }.to_string()
         }
-        _ => middle.symbols.name(variable),
+        _ => middle.chain.symbols.name(variable),
     };
     let powers = monomial.powers().iter();
     let factors: Vec<String> =
