@@ -139,12 +139,11 @@ impl Values {
 
     /// Whether a polynomial over the values divides by nothing but factors of the `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
-        polynomial.variables().into_iter().filter_map(|variable| self.place(variable)).all(
-            |place| match &self.values[place] {
-                Value::Reciprocal(divisor) => denominator.checked_div(&self.with_sums(divisor)).is_some(),
-                Value::Sum(sum) => self.divide_only_by(sum, denominator),
-            },
-        )
+        let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
+        places.all(|place| match &self.values[place] {
+            Value::Reciprocal(divisor) => denominator.checked_div(&self.with_sums(divisor)).is_some(),
+            Value::Sum(sum) => self.divide_only_by(sum, denominator),
+        })
     }
 
     /// Replaces each value in a polynomial by the sum that it is. The caller guarantees that no

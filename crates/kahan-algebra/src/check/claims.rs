@@ -269,16 +269,12 @@ fn entry_place(
         Err(Diagnostic::new(Kind::Claim, entry.row.span.to(entry.column.span), message, help))
     };
     if row == column {
-        return wrong(
-            format!("{{{0},{0}}} is zero for every bracket", entry.row.text),
-            "remove the entry, or name two different states",
-        );
+        let message = format!("{{{0},{0}}} is zero for every bracket", entry.row.text);
+        return wrong(message, "remove the entry, or name two different states");
     }
     if earlier.contains(&(row, column)) || earlier.contains(&(column, row)) {
-        return wrong(
-            format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text),
-            "give each pair once; {y,x} is −{x,y} by itself",
-        );
+        let message = format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text);
+        return wrong(message, "give each pair once; {y,x} is −{x,y} by itself");
     }
     Ok((row, column))
 }

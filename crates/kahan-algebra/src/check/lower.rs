@@ -10,6 +10,8 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 use kahan_syntax::token::Span;
 
+use crate::render::{Notation, Text};
+
 /// The largest exponent of a parameter in an equation, and of anything but a short number in a
 /// claim.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
@@ -83,14 +85,10 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             if target.inverts() {
                 return Ok(inverse);
             }
-            let shown = match (&base.kind, exponent.unsigned_abs()) {
-                (ExprKind::Name(name), 1) => format!("1/{name}"),
-                (ExprKind::Name(name), exponent) => format!("1/{name}^{exponent}"),
-                (_, 1) => "1/(…)".to_owned(),
-                (_, exponent) => format!("1/(…)^{exponent}"),
-            };
+            let base = if let ExprKind::Name(name) = &base.kind { name } else { "(…)" };
+            let shown = Text.power(base, exponent.saturating_neg());
             let message = format!("the exponent {exponent} is negative");
-            let help = format!("in an equation write a quotient, `{shown}`");
+            let help = format!("in an equation write a quotient, `1/{shown}`");
             Err(Diagnostic::new(Kind::Exponent, expr.span, message, help))
         }
         ExprKind::Special(InFamily::OverSites(_)) => Err(sum_out_of_place(expr.span)),

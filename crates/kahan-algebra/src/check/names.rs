@@ -163,7 +163,6 @@ impl Scope {
             )
         };
         let message = format!("`{name}` is neither a state nor a parameter");
-        let help = help;
         diagnostics.report(Kind::UnknownName, span, message, help);
         self.poison(name);
     }

@@ -257,10 +257,8 @@ impl Derived {
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
             let Planned { with_constants: with, map } = self.planned();
-            Some(
-                StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?
-                    .mapped(&|plan| with.put_into(plan)),
-            )
+            let step = StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?;
+            Some(step.mapped(&|plan| with.put_into(plan)))
         };
         let is_written = self.system.field.dimension() <= MOST_EXPANDED;
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()

@@ -21,30 +21,21 @@ use super::{Family, Role, SiteSum};
 /// Proves that there is a K with ẋ = K∇H for every number of sites.
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
-    let refuse = |message: String, help: &str| Diagnostic::new(Kind::Claim, name.span, message, help);
+    let refuse = |message: &str, help: &str| {
+        Err(Diagnostic::new(Kind::Claim, name.span, format!("`{}` {message}", name.text), help))
+    };
     let degree = family.symbols.degree(hamiltonian.density.numerator());
     if degree > 3 {
-        return Err(refuse(
-            format!(
-                "`{}` is of degree {degree}: the map keeps a modified energy where it is at most 3",
-                name.text
-            ),
-            "write a Hamiltonian of degree three at most",
-        ));
+        let message = format!("is of degree {degree}: the map keeps a modified energy where it is at most 3");
+        return refuse(&message, "write a Hamiltonian of degree three at most");
     }
     if degree == 0 {
-        return Err(refuse(
-            format!("`{}` says nothing: it depends on no state", name.text),
-            "write a sum of states",
-        ));
+        return refuse("says nothing: it depends on no state", "write a sum of states");
     }
     let is_of_site = |&variable: &Variable| matches!(family.role(variable), Role::SiteParameter { .. });
     let divides_by_site = hamiltonian.density.denominator().variables().iter().any(is_of_site);
     if divides_by_site {
-        return Err(refuse(
-            format!("`{}` divides by a parameter of a site", name.text),
-            "declare the reciprocal as the parameter",
-        ));
+        return refuse("divides by a parameter of a site", "declare the reciprocal as the parameter");
     }
     match missing(&Middle::of(family), hamiltonian, &mut budget()) {
         Ok(None) => Ok(()),
@@ -225,12 +216,9 @@ fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
             Reference::Site { array: &family.arrays[array], offset }.to_string()
         }
         Symbol::Parameter(k) if k >= family.parameters.len() => {
-            let (index, site) = (
-                (k - family.parameters.len()) / middle.chain.sites,
-                (k - family.parameters.len()) % middle.chain.sites,
-            );
-            let offset = site as i64 - middle.site as i64;
-            Reference::Site { array: &family.site_parameters[index], offset }.to_string()
+            let (k, sites) = (k - family.parameters.len(), middle.chain.sites);
+            let offset = (k % sites) as i64 - middle.site as i64;
+            Reference::Site { array: &family.site_parameters[k / sites], offset }.to_string()
         }
         _ => middle.chain.symbols.name(variable),
     };

@@ -127,21 +127,19 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
             let help = "claim something that depends on the states, or remove the claim";
             (Kind::Claim, format!("says nothing: {why}"), help)
         }
-        Verdict::Undefined => (
-            Kind::Claim,
-            "divides by zero identically".to_owned(),
-            "no point gives it a value: correct its divisors",
-        ),
-        Verdict::NoMap => (
-            Kind::Claim,
-            format!("is about no map: at {} det A is 0 everywhere", condition_text(system, claim)),
-            "choose other values behind `when`",
-        ),
-        Verdict::TooLarge => (
-            Kind::TooLarge,
-            format!("has too high a degree to be proved: with its map put in, more than {HIGHEST_DEGREE}"),
-            "write the claim with smaller powers",
-        ),
+        Verdict::Undefined => {
+            let help = "no point gives it a value: correct its divisors";
+            (Kind::Claim, "divides by zero identically".to_owned(), help)
+        }
+        Verdict::NoMap => {
+            let conditions = condition_text(system, claim);
+            let message = format!("is about no map: at {conditions} det A is 0 everywhere");
+            (Kind::Claim, message, "choose other values behind `when`")
+        }
+        Verdict::TooLarge => {
+            let why = "has too high a degree to be proved: with its map put in, more than";
+            (Kind::TooLarge, format!("{why} {HIGHEST_DEGREE}"), "write the claim with smaller powers")
+        }
     };
     diagnostics.report(kind, claim.name.span, format!("the {keyword} `{name}` {message}"), help);
 }

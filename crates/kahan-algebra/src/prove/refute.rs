@@ -84,19 +84,16 @@ impl Refutation {
         let at: Vec<String> = names.zip(point).map(|(name, value)| format!("{name} = {value}")).collect();
         let at = at.join(", ");
         let (left, right) = (shorten(left), shorten(right));
-        let state = |i: usize| symbols.states[i].as_str();
+        let state = |i: &usize| symbols.states[*i].as_str();
         match (place, kind) {
-            (Place::Entry(i, j), _) => format!(
-                "at {at} the map carries {{{0},{1}}} to {left}, but {{{0},{1}}} at the next point is {right}",
-                state(*i),
-                state(*j)
-            ),
-            (Place::Jacobi(i, j, k), _) => format!(
-                "at {at} the Jacobi sum of {}, {}, {} is {left}, not 0",
-                state(*i),
-                state(*j),
-                state(*k)
-            ),
+            (Place::Entry(i, j), _) => {
+                let entry = format!("{{{},{}}}", state(i), state(j));
+                format!("at {at} the map carries {entry} to {left}, but {entry} at the next point is {right}")
+            }
+            (Place::Jacobi(i, j, k), _) => {
+                let [i, j, k] = [i, j, k].map(state);
+                format!("at {at} the Jacobi sum of {i}, {j}, {k} is {left}, not 0")
+            }
             (Place::Value, ClaimKind::Density) => {
                 format!("at {at} it is {right}, but its next value times the Jacobian determinant is {left}")
             }
