@@ -69,10 +69,9 @@ fn equations(vectors: &[Polynomial], symbols: &Symbols) -> (Vec<Row>, Vec<bool>)
         entries.extend(by_states.into_iter().map(|(states, entry)| (states, column, entry)));
     }
     entries.sort_by(|left, right| left.0.cmp(&right.0));
-    let mut rows: Vec<Vec<(usize, Polynomial)>> = Vec::new();
-    for row in entries.chunk_by(|left, right| left.0 == right.0) {
-        rows.push(row.iter().map(|(_, column, entry)| (*column, entry.clone())).collect());
-    }
+    let rows = entries.chunk_by(|left, right| left.0 == right.0);
+    let entry = |(_, column, entry): &(Monomial, usize, Polynomial)| (*column, entry.clone());
+    let mut rows: Vec<Vec<_>> = rows.map(|row| row.iter().map(entry).collect()).collect();
     let mut is_zero = vec![false; vectors.len()];
     loop {
         let alone: Vec<usize> = rows.iter().filter(|row| row.len() == 1).map(|row| row[0].0).collect();
