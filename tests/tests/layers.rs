@@ -90,7 +90,6 @@ const PLAN: Layered = Layered {
     module: Some(("plan", &[])),
     layers: &[
         "operation",
-        "cost",
         "builder",
         "horner",
         "values",

@@ -7,7 +7,7 @@ mod map;
 
 use kahan_syntax::rational::Rational;
 
-use crate::arithmetic::{Arithmetic, determinant};
+use crate::arithmetic::{Arithmetic, OverRationals, determinant};
 use crate::derived::{Derived, derive};
 use crate::plan::Plan;
 use crate::poly::Variable;
@@ -74,129 +74,141 @@ impl Interpreter {
         Interpreter { derived: derive(system) }
     }
 
+    fn at<'a, A: OverRationals>(&'a self, arithmetic: &'a A, point: &'a Point<A::Value>) -> At<'a, A> {
+        At { derived: &self.derived, arithmetic, point }
+    }
+
     /// Everything at one point.
     ///
     /// # Errors
     /// Where a parameter makes the field divide by zero.
-    pub fn evaluate<A: Arithmetic<Constant = Rational>>(
+    pub fn evaluate<A: OverRationals>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,
     ) -> Result<Evaluation<A::Value>, UndefinedField> {
-        let derived = &self.derived;
-        if !derived.is_defined_at(arithmetic, &point.parameters, &point.eps) {
-            return Err(UndefinedField);
+        match self.derived.is_defined_at(arithmetic, &point.parameters, &point.eps) {
+            true => self.at(arithmetic, point).evaluation().ok_or(UndefinedField),
+            false => Err(UndefinedField),
         }
-        let vector = |plan: &Plan| self.run(arithmetic, plan, point, None).ok_or(UndefinedField);
-        let rows = |entries: Vec<A::Value>| -> Vec<Vec<A::Value>> {
-            entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect()
-        };
-        let matrix = rows(vector(derived.matrix())?);
+    }
+
+    /// Q(x, y).
+    pub fn bilinear<A: OverRationals>(
+        &self,
+        arithmetic: &A,
+        x: &Point<A::Value>,
+        y: &[A::Value],
+    ) -> Option<Vec<A::Value>> {
+        self.at(arithmetic, x).run_with(self.derived.at_eps_zero().bilinear(), y)
+    }
+
+    /// Q(x,y) + ½B(x+y) + c.
+    pub fn polarized<A: OverRationals>(
+        &self,
+        arithmetic: &A,
+        x: &Point<A::Value>,
+        y: &[A::Value],
+    ) -> Option<Vec<A::Value>> {
+        self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
+    }
+
+    /// x̃ of the reduced map; `None` at a pole, where a float divides by zero, too.
+    pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
+        self.at(arithmetic, point).next()
+    }
+
+    /// ∂x̃/∂x, where x̃ is `next`: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
+    pub fn jacobian<A: OverRationals>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+        next: &[A::Value],
+    ) -> Option<Vec<Vec<A::Value>>> {
+        self.at(arithmetic, point).jacobian(next)
+    }
+}
+
+/// A system at a point, in an arithmetic.
+struct At<'a, A: Arithmetic> {
+    derived: &'a Derived,
+    arithmetic: &'a A,
+    point: &'a Point<A::Value>,
+}
+
+impl<A: OverRationals> At<'_, A> {
+    fn evaluation(&self) -> Option<Evaluation<A::Value>> {
+        let derived = self.derived;
+        let matrix = self.matrix()?;
         let det_matrix = match &derived.det_matrix {
-            Some(plan) => vector(plan)?.pop(),
-            None => determinant(arithmetic, &matrix),
+            Some(plan) => self.run(plan)?.pop(),
+            None => determinant(self.arithmetic, &matrix),
         };
-        let next = self.next(arithmetic, point);
-        let jacobian = next.as_ref().and_then(|next| self.jacobian(arithmetic, point, next));
-        let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(arithmetic, jacobian));
-        let integrals = self.run_partly(arithmetic, &derived.integrals, point, None);
-        let drifts = derived.drifts.iter();
-        let drifts = drifts.map(|(name, plan)| (name.clone(), self.run(arithmetic, plan, point, None)));
-        Ok(Evaluation {
-            field: vector(derived.at_eps_zero().field())?,
-            field_jacobian: rows(vector(derived.at_eps_zero().field_jacobian())?),
+        let next = self.next();
+        let jacobian = next.as_ref().and_then(|next| self.jacobian(next));
+        let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(self.arithmetic, jacobian));
+        let integrals = self.run_partly(&derived.integrals, &self.point.state);
+        let drifts = derived.drifts.iter().map(|(name, plan)| (name.clone(), self.run(plan)));
+        let brackets = derived.brackets.iter();
+        let brackets =
+            brackets.map(|(name, plan)| (name.clone(), self.run(plan).and_then(|of| self.full(&of))));
+        Some(Evaluation {
+            field: self.run(derived.at_eps_zero().field())?,
+            field_jacobian: self.rows(derived.at_eps_zero().field_jacobian())?,
             matrix,
-            rhs: vector(derived.rhs())?,
-            det_matrix: det_matrix.ok_or(UndefinedField)?,
+            rhs: self.run(derived.rhs())?,
+            det_matrix: det_matrix?,
             next,
             jacobian,
             det_jacobian,
             integrals: derived.integral_names.iter().cloned().zip(integrals).collect(),
-            density: derived.density.as_ref().map(|plan| self.run(arithmetic, plan, point, None)?.pop()),
-            brackets: self.brackets(arithmetic, point),
+            density: derived.density.as_ref().map(|plan| self.run(plan)?.pop()),
+            brackets: brackets.collect(),
             drifts: drifts.collect(),
         })
     }
 
-    /// Q(x, y).
-    pub fn bilinear<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        x: &Point<A::Value>,
-        y: &[A::Value],
-    ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, self.derived.at_eps_zero().bilinear(), x, Some(y))
-    }
-
-    /// Q(x,y) + ½B(x+y) + c.
-    pub fn polarized<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        x: &Point<A::Value>,
-        y: &[A::Value],
-    ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, self.derived.at_eps_zero().polarized(), x, Some(y))
-    }
-
     /// A(x,ε), row by row.
-    fn matrix<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-    ) -> Option<Vec<Vec<A::Value>>> {
-        let entries = self.run(arithmetic, self.derived.matrix(), point, None)?;
-        Some(entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect())
+    fn matrix(&self) -> Option<Vec<Vec<A::Value>>> {
+        self.rows(self.derived.matrix())
+    }
+
+    fn rows(&self, plan: &Plan) -> Option<Vec<Vec<A::Value>>> {
+        let entries = self.run(plan)?;
+        Some(entries.chunks(self.point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 
     /// The results of a plan, if all have a value.
-    fn run<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        plan: &Plan,
-        point: &Point<A::Value>,
-        second: Option<&[A::Value]>,
-    ) -> Option<Vec<A::Value>> {
-        self.run_partly(arithmetic, plan, point, second).into_iter().collect()
+    fn run(&self, plan: &Plan) -> Option<Vec<A::Value>> {
+        self.run_with(plan, &self.point.state)
     }
 
-    fn run_partly<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        plan: &Plan,
-        point: &Point<A::Value>,
-        second: Option<&[A::Value]>,
-    ) -> Vec<Option<A::Value>> {
-        plan.evaluate(arithmetic, |input| Some(self.value_of(input.variable()?, point, second)))
+    fn run_with(&self, plan: &Plan, second: &[A::Value]) -> Option<Vec<A::Value>> {
+        self.run_partly(plan, second).into_iter().collect()
     }
 
-    fn value_of<V: Clone>(&self, variable: Variable, point: &Point<V>, second: Option<&[V]>) -> V {
+    fn run_partly(&self, plan: &Plan, second: &[A::Value]) -> Vec<Option<A::Value>> {
+        plan.evaluate(self.arithmetic, |input| Some(self.value_of(input.variable()?, second)))
+    }
+
+    fn value_of(&self, variable: Variable, second: &[A::Value]) -> A::Value {
         match self.derived.system.field.symbols.symbol(variable) {
-            Symbol::State(i) => point.state[i].clone(),
-            Symbol::Parameter(k) => point.parameters[k].clone(),
-            Symbol::Epsilon => point.eps.clone(),
-            Symbol::SecondState(i) => second.unwrap_or(&point.state)[i].clone(),
+            Symbol::State(i) => self.point.state[i].clone(),
+            Symbol::Parameter(k) => self.point.parameters[k].clone(),
+            Symbol::Epsilon => self.point.eps.clone(),
+            Symbol::SecondState(i) => second[i].clone(),
         }
     }
 
-    fn brackets<A: Arithmetic<Constant = Rational>>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-    ) -> Vec<NamedTensor<A::Value>> {
-        let n = point.state.len();
-        let full = |upper: &[A::Value]| -> Option<Vec<Vec<A::Value>>> {
-            let zero = arithmetic.constant(&Rational::zero())?;
-            let entry = |i: usize, j: usize| match i.cmp(&j) {
-                std::cmp::Ordering::Less => upper[upper_index(n, i, j)].clone(),
-                std::cmp::Ordering::Equal => zero.clone(),
-                std::cmp::Ordering::Greater => arithmetic.negate(&upper[upper_index(n, j, i)]),
-            };
-            Some((0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect())
+    /// The antisymmetric matrix with these entries above its diagonal.
+    fn full(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
+        let n = self.point.state.len();
+        let zero = self.arithmetic.constant(&Rational::zero())?;
+        let entry = |i: usize, j: usize| match i.cmp(&j) {
+            std::cmp::Ordering::Less => upper[upper_index(n, i, j)].clone(),
+            std::cmp::Ordering::Equal => zero.clone(),
+            std::cmp::Ordering::Greater => self.arithmetic.negate(&upper[upper_index(n, j, i)]),
         };
-        let named = self.derived.brackets.iter().map(|(name, plan)| {
-            let upper = self.run(arithmetic, plan, point, None);
-            (name.clone(), upper.and_then(|upper| full(&upper)))
-        });
-        named.collect()
+        Some((0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect())
     }
 }

@@ -73,10 +73,10 @@ impl Value {
         polynomial
     }
 
-    fn renamed(&self, rename: &impl Fn(Variable) -> Variable) -> Self {
+    fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Self {
         match self {
-            Value::Sum(sum) => Value::Sum(sum.map_variables(rename)),
-            Value::Reciprocal(divisor) => Value::Reciprocal(divisor.map_variables(rename)),
+            Value::Sum(sum) => Value::Sum(change(sum)),
+            Value::Reciprocal(divisor) => Value::Reciprocal(change(divisor)),
         }
     }
 }
@@ -85,43 +85,6 @@ impl Values {
     /// None yet.
     pub(crate) fn of(symbols: &Symbols) -> Self {
         Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
-    }
-
-    /// Puts ε² as the first value and writes powers of ε in the values and `components` by it, so
-    /// that plans of a step treat ε² as a parameter. Changes nothing if an odd power of ε occurs.
-    fn over_square(self, components: Vec<Polynomial>) -> (Self, Vec<Polynomial>) {
-        let mut polynomials = self.values.iter().map(Value::polynomial).chain(&components);
-        let has_eps = polynomials.clone().any(|of| of.contains(self.epsilon));
-        if !has_eps || !polynomials.all(|of| of.is_even_in(self.epsilon)) {
-            return (self, components);
-        }
-        let square = Value::Sum(Polynomial::term(Monomial::power(self.epsilon, 2), Rational::ONE));
-        let mut over = Values { values: Numbered::default(), ..self };
-        let own = over.intern(square.clone()).expect("the first value has a number");
-        let mut renamed: Vec<Variable> = Vec::with_capacity(self.values.len());
-        let halved = |polynomial: &Polynomial, renamed: &[Variable]| {
-            polynomial.map_monomials(|monomial| {
-                let mut term = Monomial::one();
-                for &(variable, exponent) in monomial.powers() {
-                    match self.place(variable) {
-                        Some(place) => term.multiply_by(renamed[place], exponent),
-                        None if variable == self.epsilon => term.multiply_by(own, exponent / 2),
-                        None => term.multiply_by(variable, exponent),
-                    }
-                }
-                Some(term)
-            })
-        };
-        for value in self.values.iter() {
-            let value = match value {
-                value if *value == square => square.clone(),
-                Value::Sum(sum) => Value::Sum(halved(sum, &renamed)),
-                Value::Reciprocal(divisor) => Value::Reciprocal(halved(divisor, &renamed)),
-            };
-            renamed.push(over.intern(value).expect("values are fewer than 16 bits can number"));
-        }
-        let components = components.iter().map(|component| halved(component, &renamed)).collect();
-        (over, components)
     }
 
     /// The index of the value that this variable stands for.
@@ -176,12 +139,11 @@ impl Values {
 
     /// Whether a polynomial over the values divides by nothing but factors of the `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
-        polynomial.variables().into_iter().filter_map(|variable| self.place(variable)).all(
-            |place| match &self.values[place] {
-                Value::Reciprocal(divisor) => denominator.checked_div(&self.with_sums(divisor)).is_some(),
-                Value::Sum(sum) => self.divide_only_by(sum, denominator),
-            },
-        )
+        let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
+        places.all(|place| match &self.values[place] {
+            Value::Reciprocal(divisor) => denominator.checked_div(&self.with_sums(divisor)).is_some(),
+            Value::Sum(sum) => self.divide_only_by(sum, denominator),
+        })
     }
 
     /// Replaces each value in a polynomial by the sum that it is. The caller guarantees that no
@@ -218,10 +180,10 @@ impl Values {
         let slopes = polynomial.gradient(|variable| is_wanted(variable) || self.place(variable).is_some());
         for (variable, slope) in slopes {
             if is_wanted(variable) {
-                gradient.add(variable, slope);
+                add_slope(&mut gradient, variable, slope);
             } else if let Some(place) = self.place(variable) {
-                for (inner_variable, inner) in self.gradient_of_value(place, is_wanted, of_values).0 {
-                    gradient.add(inner_variable, &slope * &inner);
+                for (inner_variable, inner) in self.gradient_of_value(place, is_wanted, of_values) {
+                    add_slope(&mut gradient, inner_variable, &slope * &inner);
                 }
             }
         }
@@ -240,48 +202,39 @@ impl Values {
         if let Some(known) = &of_values[place] {
             return known.clone();
         }
-        let gradient = match self.values[place].clone() {
+        let value = self.values[place].clone();
+        let factor = match value {
+            Value::Sum(_) => Polynomial::one(),
             // (1/q)′ = −q′·(1/q)²
-            Value::Reciprocal(divisor) => {
-                let Gradient(slopes) = self.gradient(&divisor, is_wanted, of_values);
+            Value::Reciprocal(_) => {
                 let own = self.variable(place).expect("it has a variable");
-                let square = Polynomial::term(Monomial::power(own, 2), -Rational::ONE);
-                let mut times = |slope: Polynomial| &self.factor(&slope) * &square;
-                Gradient(slopes.into_iter().map(|(variable, slope)| (variable, times(slope))).collect())
-            }
-            Value::Sum(sum) => {
-                let Gradient(slopes) = self.gradient(&sum, is_wanted, of_values);
-                let factor = |(variable, slope)| (variable, self.factor(&slope));
-                Gradient(slopes.into_iter().map(factor).collect())
+                Polynomial::term(Monomial::power(own, 2), -Rational::ONE)
             }
         };
+        let slopes = self.gradient(value.polynomial(), is_wanted, of_values).into_iter();
+        let times = |(variable, slope)| (variable, &self.factor(&slope) * &factor);
+        let gradient: Gradient = slopes.map(times).collect();
         of_values[place] = Some(gradient.clone());
         gradient
     }
 }
 
 /// The derivatives by the variables on which something depends, in no order.
-#[derive(Clone, Debug, Default)]
-struct Gradient(Vec<(Variable, Polynomial)>);
+type Gradient = Vec<(Variable, Polynomial)>;
 
-impl Gradient {
-    fn add(&mut self, variable: Variable, slope: Polynomial) {
-        match self.0.iter_mut().find(|(known, _)| *known == variable) {
-            Some((_, sum)) => *sum = &*sum + &slope,
-            None => self.0.push((variable, slope)),
-        }
+fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
+    match gradient.iter_mut().find(|(known, _)| *known == variable) {
+        Some((_, sum)) => *sum = &*sum + &slope,
+        None => gradient.push((variable, slope)),
     }
 }
 
 impl Kept {
     /// These components over values, of which those that none needs are left out.
+    ///
+    /// Where ε occurs in even powers only, ε² becomes the first value, so that plans of a step
+    /// treat it as a parameter.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
-        let (values, components) = values.over_square(components);
-        if values.values.is_empty() {
-            return Kept { values, components };
-        }
-        let mut kept = Values { values: Numbered::default(), ..values };
-        let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
             for place in polynomial.variables().into_iter().filter_map(|variable| values.place(variable)) {
@@ -294,17 +247,35 @@ impl Kept {
                 mark(&mut is_needed, values.values[place].polynomial());
             }
         }
-        let rename = |renamed: &[Option<Variable>], variable: Variable| match values.place(variable) {
-            Some(place) => renamed[place].expect("values stand behind those that they are made of"),
-            None => variable,
+        let needed = values.values.iter().enumerate().filter(|(place, _)| is_needed[*place]);
+        let mut polynomials = needed.clone().map(|(_, value)| value.polynomial()).chain(&components);
+        let epsilon = values.epsilon;
+        let is_over_square = polynomials.clone().any(|of| of.contains(epsilon))
+            && polynomials.all(|of| of.is_even_in(epsilon));
+        if values.values.is_empty() && !is_over_square {
+            return Kept { values, components };
+        }
+        let mut kept = Values { values: Numbered::default(), ..values };
+        let square = Value::Sum(Polynomial::term(Monomial::power(epsilon, 2), Rational::ONE));
+        let own = if is_over_square { kept.intern(square.clone()) } else { None };
+        let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
+        let changed = |polynomial: &Polynomial, renamed: &[Option<Variable>]| {
+            let power = |&(variable, exponent): &(Variable, u32)| match (values.place(variable), own) {
+                (Some(place), _) => {
+                    (renamed[place].expect("values stand behind those that they are made of"), exponent)
+                }
+                (None, Some(square)) if variable == epsilon => (square, exponent / 2),
+                (None, _) => (variable, exponent),
+            };
+            polynomial.map_monomials(|monomial| Some(monomial.powers().iter().map(power).collect()))
         };
-        for (place, value) in values.values.iter().enumerate().filter(|(place, _)| is_needed[*place]) {
-            let value = value.renamed(&|variable| rename(&renamed, variable));
+        for (place, value) in needed {
+            let is_square = is_over_square && *value == square;
+            let value = if is_square { square.clone() } else { value.map(|of| changed(of, &renamed)) };
             renamed[place] = kept.intern(value);
         }
-        let components =
-            components.iter().map(|component| component.map_variables(|variable| rename(&renamed, variable)));
-        Kept { components: components.collect(), values: kept }
+        let components = components.iter().map(|component| changed(component, &renamed)).collect();
+        Kept { components, values: kept }
     }
 
     /// What stands for a field that was made of another one: its polynomials, its denominators
@@ -313,11 +284,7 @@ impl Kept {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
             let reciprocal = values.reciprocal(component.denominator()).expect("a state has one divisor");
-            if reciprocal.is_one() {
-                component.numerator().clone()
-            } else {
-                component.numerator() * &reciprocal
-            }
+            component.numerator() * &reciprocal
         });
         let components = components.collect();
         Kept::new(values, components)
@@ -368,7 +335,7 @@ impl Kept {
                 }));
             }
         }
-        let renamed = values.values.iter().map(|value| value.renamed(&rename));
+        let renamed = values.values.iter().map(|value| value.map(|of| of.map_variables(rename)));
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
@@ -381,7 +348,7 @@ impl Kept {
         };
         let mut of_values = Vec::new();
         let source = |component: &Polynomial| {
-            let Gradient(slopes) = values.gradient(component, &|variable| variable == name, &mut of_values);
+            let slopes = values.gradient(component, &|variable| variable == name, &mut of_values);
             let slope = slopes.into_iter().next().map_or_else(Polynomial::zero, |(_, slope)| slope);
             if by == By::Epsilon { component + &(&slope * &Polynomial::variable(name)) } else { slope }
         };
@@ -395,7 +362,7 @@ impl Kept {
         let mut of_values = Vec::new();
         let row = |component: &Polynomial| {
             let is_state = |variable| symbols.is_state(variable);
-            let Gradient(slopes) = values.gradient(component, &is_state, &mut of_values);
+            let slopes = values.gradient(component, &is_state, &mut of_values);
             let slopes = slopes.into_iter().filter(|(_, slope)| !slope.is_zero());
             sorted_by_key(slopes.map(|(state, slope)| (usize::from(state.0), slope)), |(state, _)| *state)
         };
@@ -444,7 +411,7 @@ impl Kept {
             },
             None => over.variable(symbols.symbol(variable)),
         };
-        let values = moving.iter().map(|&place| self.values.values[place].renamed(&rename));
+        let values = moving.iter().map(|&place| self.values.values[place].map(|of| of.map_variables(rename)));
         let values = Values::of(&over).with(values);
         let components = self.components.iter().map(|component| component.map_variables(rename)).collect();
         let kept = Kept { values, components };
@@ -454,10 +421,8 @@ impl Kept {
         };
         let expanded: Vec<RationalFunction> =
             kept.components.iter().map(|of| kept.values.with_sums(of).into()).collect();
-        let is_as_sparse = expanded
-            .iter()
-            .zip(&field.components)
-            .all(|(over, own)| states(over.numerator()) == states(own.numerator()));
+        let mut pairs = expanded.iter().zip(&field.components);
+        let is_as_sparse = pairs.all(|(over, own)| states(over.numerator()) == states(own.numerator()));
         if !is_as_sparse {
             return WithConstants::plain(field);
         }

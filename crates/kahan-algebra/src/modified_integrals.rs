@@ -26,7 +26,7 @@ mod linear_relations;
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within, gcd_all_within, gcd_within};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
@@ -95,17 +95,13 @@ fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The reason for which a theorem gives nothing.
+/// A theorem gives nothing: its premises do not hold, or the budget is spent.
 #[derive(Clone, Copy, Debug)]
-enum No {
-    /// Its premises do not hold.
-    Rule,
-    Budget,
-}
+struct No;
 
 impl From<OverBudget> for No {
     fn from(OverBudget: OverBudget) -> Self {
-        No::Budget
+        No
     }
 }
 
@@ -129,7 +125,7 @@ struct Flow<'a> {
 }
 
 impl<'a> Flow<'a> {
-    fn of(field: &'a Field, budget: &mut Budget) -> Result<Self, OverBudget> {
+    fn of(field: &'a Field, budget: &mut Budget) -> Within<Self> {
         let (components, divisor) = RationalFunction::over_common_within(field.components.iter(), budget)?;
         Ok(Flow { symbols: &field.symbols, components, divisor })
     }
@@ -139,12 +135,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Σ ∂P/∂xᵢ vᵢ.
-    fn along(
-        &self,
-        polynomial: &Polynomial,
-        v: &[Polynomial],
-        budget: &mut Budget,
-    ) -> Result<Polynomial, OverBudget> {
+    fn along(&self, polynomial: &Polynomial, v: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
         let slopes = polynomial.gradient(|variable| self.symbols.is_state(variable));
         slopes.iter().try_fold(Polynomial::zero(), |sum, (variable, slope)| {
             sum.add_within(&slope.mul_within(&v[usize::from(variable.0)], budget)?, budget)
@@ -197,7 +188,7 @@ impl<'a> Flow<'a> {
         relations: &[Relation],
         forms: &[WithSlope],
         budget: &mut Budget,
-    ) -> Result<Vec<Product>, OverBudget> {
+    ) -> Within<Vec<Product>> {
         let (mut of_two, mut squares) = (Vec::new(), Vec::new());
         for i in 0..relations.len() {
             for j in 0..=i {
@@ -241,10 +232,10 @@ impl<'a> Flow<'a> {
             }
             for delta in deltas {
                 // The forms λ with λN² = −δλ.
-                let mut vectors = Vec::with_capacity(values.len());
-                for (value, twice) in values.iter().zip(&second) {
-                    vectors.push(twice.add_within(&delta.mul_within(value, budget)?, budget)?);
-                }
+                let vector = |(value, twice): (&Polynomial, &Polynomial)| {
+                    twice.add_within(&delta.mul_within(value, budget)?, budget)
+                };
+                let vectors = values.iter().zip(&second).map(vector).collect::<Within<Vec<_>>>()?;
                 let mut forms = Vec::new();
                 for relation in linear_relations(&vectors, self.symbols, budget)? {
                     let form = combination(&relation, &values, budget)?;
@@ -266,7 +257,7 @@ impl<'a> Flow<'a> {
         constant: usize,
         further: Vec<WithSlope>,
         budget: &mut Budget,
-    ) -> Result<Vec<Polynomial>, OverBudget> {
+    ) -> Within<Vec<Polynomial>> {
         let (mut values, mut derivatives) = (Vec::new(), Vec::new());
         for (i, (first, first_slope)) in forms.iter().enumerate() {
             for (second, second_slope) in &forms[i.max(constant)..] {
@@ -288,7 +279,7 @@ impl<'a> Flow<'a> {
 
     /// The forms m by which two components at least can be divided, as far as a pair of variables
     /// could be turned by m: one of them occurs in the other's component, or each in its own.
-    fn multipliers(&self, budget: &mut Budget) -> Result<Vec<Polynomial>, OverBudget> {
+    fn multipliers(&self, budget: &mut Budget) -> Within<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
             let form = self.symbols.primitive_part(divisor);
@@ -339,7 +330,7 @@ impl<'a> Flow<'a> {
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
             let second = self.along(&slope, &self.components, budget)?;
             if self.symbols.degree(&second) > 1 {
-                return Err(No::Rule);
+                return Err(No);
             }
             let product = second.mul_within(&self.components[usize::from(variable.0)], budget)?;
             twice = twice.add_within(&product, budget)?;
@@ -365,25 +356,23 @@ impl<'a> Flow<'a> {
         }
         let forms: Vec<Polynomial> =
             std::iter::once(first).chain(slopes.into_iter().map(|(_, y)| y)).collect();
-        let mut derivatives = Vec::with_capacity(forms.len());
-        for form in &forms {
-            derivatives.push(self.along(form, &self.components, budget)?);
-        }
+        let derivatives = forms.iter().map(|form| self.along(form, &self.components, budget));
+        let derivatives = derivatives.collect::<Within<Vec<_>>>()?;
         let multiplier = symbols.primitive_part(&gcd_all_within(&derivatives, budget)?);
         if symbols.degree(&multiplier) != 1 {
-            return Err(No::Rule);
+            return Err(No);
         }
         let mut second = Vec::with_capacity(forms.len());
         for derivative in &derivatives {
-            let over = derivative.div_within(&multiplier, budget)?.ok_or(No::Rule)?;
+            let over = derivative.div_within(&multiplier, budget)?.ok_or(No)?;
             let twice = self.along(&over, &self.components, budget)?;
-            second.push(twice.div_within(&multiplier, budget)?.ok_or(No::Rule)?);
+            second.push(twice.div_within(&multiplier, budget)?.ok_or(No)?);
         }
         let [form, turned] = [&forms, &second].map(|list| list[1].clone());
-        let delta = RationalFunction::new_within(-&turned, form, budget)?.ok_or(No::Rule)?;
+        let delta = RationalFunction::new_within(-&turned, form, budget)?.ok_or(No)?;
         let (above, below) = (delta.numerator(), delta.denominator());
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
-            return Err(No::Rule);
+            return Err(No);
         }
         // u̇/m + δy, which is 0 except in the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
@@ -392,7 +381,7 @@ impl<'a> Flow<'a> {
             rest.push(turned.add_within(&form.mul_within(above, budget)?, budget)?);
         }
         if symbols.has_state(&rest[0]) || rest[1..].iter().any(|rest| !rest.is_zero()) {
-            return Err(No::Rule);
+            return Err(No);
         }
         let twice = above.scale(&Rational::from(2));
         let centred = integral.mul_within(&twice, budget)?.add_within(&-&rest[0], budget)?;
@@ -419,7 +408,7 @@ impl<'a> Flow<'a> {
         let is_fit = (1..=2).contains(&self.symbols.degree(integral))
             && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
             && self.along(integral, &self.components, budget)?.is_zero();
-        if is_fit { Ok(()) } else { Err(No::Rule) }
+        if is_fit { Ok(()) } else { Err(No) }
     }
 }
 
@@ -429,11 +418,7 @@ fn last(relation: &Relation) -> usize {
 }
 
 /// Σ cₖ vₖ.
-fn combination(
-    relation: &Relation,
-    vectors: &[Polynomial],
-    budget: &mut Budget,
-) -> Result<Polynomial, OverBudget> {
+fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)
     })

@@ -10,7 +10,6 @@
 mod arithmetic;
 mod budget;
 mod calculus;
-mod content;
 mod division;
 mod gcd;
 mod images;
@@ -23,7 +22,7 @@ mod tests;
 use std::convert::Infallible;
 use std::fmt;
 
-pub use budget::{Budget, OverBudget};
+pub use budget::{Budget, OverBudget, Within};
 pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
 pub use images::{RESIDUES_PER_TERM, degree_bounds};
 pub use monomial::{Monomial, Variable};

@@ -8,7 +8,6 @@
 //! purpose: evaluation, and quotients left unreduced.
 
 mod common;
-mod compose;
 #[cfg(test)]
 mod tests;
 
@@ -19,7 +18,7 @@ use kahan_syntax::rational::Rational;
 
 pub(crate) use common::{Row, reduced, with_leading_one};
 
-use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
+use crate::poly::{Budget, Polynomial, Variable, Within, gcd_within};
 
 /// A quotient of two polynomials, in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -59,7 +58,7 @@ impl RationalFunction {
         numerator: Polynomial,
         denominator: Polynomial,
         budget: &mut Budget,
-    ) -> Result<Option<Self>, OverBudget> {
+    ) -> Within<Option<Self>> {
         if denominator.is_zero() {
             return Ok(None);
         }
@@ -117,7 +116,7 @@ impl RationalFunction {
     }
 
     /// The sum, within a budget.
-    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still
         // cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
@@ -135,12 +134,12 @@ impl RationalFunction {
     }
 
     /// The difference, within a budget.
-    pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         self.add_within(&-other, budget)
     }
 
     /// The product, within a budget.
-    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         // Both factors are reduced, so what cancels cancels crosswise.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
@@ -148,12 +147,12 @@ impl RationalFunction {
     }
 
     /// The quotient, within a budget; `None` if `divisor` is zero.
-    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
     }
 
     /// The partial derivative, within a budget.
-    pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> Within<Self> {
         // (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′)
         let slope = self.denominator.derivative(variable);
         let common = gcd_within(&self.denominator, &slope, budget)?;
@@ -165,6 +164,24 @@ impl RationalFunction {
         let denominator = self.denominator.mul_within(&cofactor, budget)?;
         let (numerator, denominator) = cancel(&numerator, &denominator, budget)?;
         Ok(Self::from_coprime(numerator, denominator))
+    }
+
+    /// The function with `variable` replaced by `value`, within a budget; `None` where its
+    /// denominator then vanishes identically.
+    pub fn compose_within(
+        &self,
+        variable: Variable,
+        value: &Self,
+        budget: &mut Budget,
+    ) -> Within<Option<Self>> {
+        if !self.contains(variable) {
+            return Ok(Some(self.clone()));
+        }
+        let degree = self.numerator.degree_in(variable).max(self.denominator.degree_in(variable));
+        let at = (&value.numerator, &value.denominator);
+        let above = self.numerator.homogenised_at(variable, at, degree, budget)?;
+        let below = self.denominator.homogenised_at(variable, at, degree, budget)?;
+        Self::new_within(above, below, budget)
     }
 
     /// The normal form of a quotient of coprime polynomials, the denominator not zero.
@@ -182,11 +199,7 @@ impl RationalFunction {
 }
 
 /// Both polynomials divided by their gcd; not both may be zero.
-fn cancel(
-    a: &Polynomial,
-    b: &Polynomial,
-    budget: &mut Budget,
-) -> Result<(Polynomial, Polynomial), OverBudget> {
+fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polynomial, Polynomial)> {
     if a.is_one() || b.is_one() {
         return Ok((a.clone(), b.clone()));
     }
@@ -195,11 +208,7 @@ fn cancel(
 }
 
 /// The quotient by a known divisor.
-fn divide(
-    multiple: &Polynomial,
-    divisor: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, OverBudget> {
+fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if divisor.is_one() {
         return Ok(multiple.clone());
     }
@@ -210,7 +219,7 @@ fn divide(
 ///
 /// # Panics
 /// Beyond a total degree of 2^24, where exponents might overflow.
-fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> Result<T, OverBudget>) -> T {
+fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> Within<T>) -> T {
     compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
 }
 

@@ -7,7 +7,7 @@
 //! them. Where coefficient and rest have no common factor the relation is irreducible, so that
 //! "generic on the relations" means the same whichever name is solved for.
 
-use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
+use crate::poly::{Budget, OverBudget, Polynomial, Variable, Within, gcd_within};
 use crate::rational_function::RationalFunction;
 
 /// The most terms of a value or of a relation after the values before it are put in, and products
@@ -137,7 +137,7 @@ impl Relations {
         Err(Obstacle::Product(other.primitive_part(), factor))
     }
 
-    fn rank(&mut self, relation: &Polynomial, name: Variable) -> Result<Rank, OverBudget> {
+    fn rank(&mut self, relation: &Polynomial, name: Variable) -> Within<Rank> {
         let (coefficient, rest) = linear_in(relation, name);
         Ok(if coefficient.as_constant().is_some() {
             Rank::Number
@@ -151,7 +151,7 @@ impl Relations {
     }
 
     /// Notes that `polynomial` is not 0 where the relations hold; `false` if they make it vanish.
-    pub fn require(&mut self, polynomial: &Polynomial) -> Result<bool, OverBudget> {
+    pub fn require(&mut self, polynomial: &Polynomial) -> Within<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
             self.nonzero.push(polynomial.primitive_part());
@@ -160,7 +160,7 @@ impl Relations {
     }
 
     /// Whether `polynomial` is 0 where the relations hold, or has no value there.
-    pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> Result<bool, OverBudget> {
+    pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> Within<bool> {
         Ok(self.put_into(polynomial)?.is_none_or(|value| value.is_zero()))
     }
 
@@ -182,7 +182,7 @@ impl Relations {
 
     /// The polynomial with every name replaced by its value; `None` where that divides by zero
     /// identically.
-    pub fn put_into(&mut self, polynomial: &Polynomial) -> Result<Option<RationalFunction>, OverBudget> {
+    pub fn put_into(&mut self, polynomial: &Polynomial) -> Within<Option<RationalFunction>> {
         put_into(polynomial, self.values.iter().map(|(name, value)| (*name, value)), &mut self.budget)
     }
 }
@@ -193,7 +193,7 @@ pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,
     budget: &mut Budget,
-) -> Result<Option<RationalFunction>, OverBudget> {
+) -> Within<Option<RationalFunction>> {
     let mut function = RationalFunction::from(polynomial.clone());
     for (name, value) in values {
         match function.compose_within(name, value, budget)? {
@@ -211,11 +211,7 @@ fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial
 }
 
 /// The polynomial without the factors that it shares with `other`.
-fn without(
-    mut polynomial: Polynomial,
-    other: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, OverBudget> {
+fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     loop {
         let common = gcd_within(&polynomial, other, budget)?;
         if common.as_constant().is_some() {

@@ -2,7 +2,7 @@
 
 use kahan_syntax::rational::Rational;
 
-use super::Arithmetic;
+use super::{Arithmetic, OverRationals};
 
 /// First-order jets in `directions` directions over `base`.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ pub struct DualNumber<V> {
     pub gradient: Vec<V>,
 }
 
-impl<A: Arithmetic<Constant = Rational>> Dual<'_, A> {
+impl<A: OverRationals> Dual<'_, A> {
     /// A value that does not move.
     pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
         DualNumber { value, gradient: Vec::new() }
@@ -43,16 +43,12 @@ impl<A: Arithmetic<Constant = Rational>> Dual<'_, A> {
         match (a.is_empty(), b.is_empty()) {
             (true, _) => scaled(beta, b),
             (_, true) => scaled(alpha, a),
-            _ => a
-                .iter()
-                .zip(b)
-                .map(|(a, b)| self.base.add(&self.base.multiply(alpha, a), &self.base.multiply(beta, b)))
-                .collect(),
+            _ => scaled(alpha, a).iter().zip(scaled(beta, b)).map(|(a, b)| self.base.add(a, &b)).collect(),
         }
     }
 }
 
-impl<A: Arithmetic<Constant = Rational>> Arithmetic for Dual<'_, A> {
+impl<A: OverRationals> Arithmetic for Dual<'_, A> {
     type Value = DualNumber<A::Value>;
     type Constant = Rational;
 

@@ -2,7 +2,7 @@
 
 use kahan_syntax::rational::Rational;
 
-use super::Arithmetic;
+use super::OverRationals;
 
 /// The solution of a system, and the determinant of its matrix.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub struct Solved<V> {
 }
 
 /// Solves M X = R for the n×n matrix M and n rows R; `None` where det M = 0.
-pub fn solve<A: Arithmetic<Constant = Rational>>(
+pub fn solve<A: OverRationals>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
     right: &[Vec<A::Value>],
@@ -56,10 +56,7 @@ pub fn solve<A: Arithmetic<Constant = Rational>>(
 }
 
 /// det M.
-pub fn determinant<A: Arithmetic<Constant = Rational>>(
-    arithmetic: &A,
-    matrix: &[Vec<A::Value>],
-) -> Option<A::Value> {
+pub fn determinant<A: OverRationals>(arithmetic: &A, matrix: &[Vec<A::Value>]) -> Option<A::Value> {
     let nothing = vec![Vec::new(); matrix.len()];
     match solve(arithmetic, matrix, &nothing) {
         Some(solved) => Some(solved.determinant),

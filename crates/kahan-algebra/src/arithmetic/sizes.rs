@@ -10,30 +10,54 @@ use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 
+/// Bounds on an integer polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Length {
+    /// Its total degree.
+    pub degree: u64,
+    /// log₂ of its 1-norm, rounded up.
+    pub bits: u64,
+}
+
 /// Bounds on a fraction N/M of integer polynomials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Size {
-    /// deg N
-    pub degree: u64,
-    /// deg M
-    pub denominator_degree: u64,
-    /// log₂ ‖N‖₁, rounded up
-    pub bits: u64,
-    /// log₂ ‖M‖₁, rounded up
-    pub denominator_bits: u64,
+    /// N
+    pub above: Length,
+    /// M
+    pub below: Length,
+}
+
+impl Length {
+    fn times(self, other: Self) -> Self {
+        let degree = self.degree.saturating_add(other.degree);
+        Length { degree, bits: self.bits.saturating_add(other.bits) }
+    }
+
+    /// Bounds both of two polynomials.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Length { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
+    }
+
+    /// Bounds the sum of 2^`bits` polynomials that are within this bound.
+    fn summed(self, bits: u64) -> Self {
+        self.times(Length { degree: 0, bits })
+    }
 }
 
 impl Size {
     /// A variable: degree 1, norm 1.
     #[must_use]
     pub fn variable() -> Self {
-        Size { degree: 1, ..Size::default() }
+        Size { above: Length { degree: 1, bits: 0 }, ..Size::default() }
     }
 
     /// An exact constant p/q.
     #[must_use]
     pub fn constant(value: &Rational) -> Self {
-        Size { bits: value.bits(), denominator_bits: value.bits(), ..Size::default() }
+        let length = Length { degree: 0, bits: value.bits() };
+        Size { above: length, below: length }
     }
 }
 
@@ -47,20 +71,14 @@ impl Sizes {
     /// numerator a row and no more than all denominators.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<Size>]) -> Size {
-        let all = || rows.iter().flatten();
-        let denominator_degree = all().fold(0u64, |sum, size| sum.saturating_add(size.denominator_degree));
-        let denominator_bits = all().fold(0u64, |sum, size| sum.saturating_add(size.denominator_bits));
-        let largest = |of: fn(&Size) -> u64| {
-            rows.iter().map(|row| row.iter().map(of).max().unwrap_or(0)).fold(0u64, u64::saturating_add)
-        };
+        let product =
+            |lengths: &mut dyn Iterator<Item = Length>| lengths.fold(Length::default(), Length::times);
+        let below = product(&mut rows.iter().flatten().map(|size| size.below));
+        let largest =
+            |row: &Vec<Size>| row.iter().map(|size| size.above).fold(Length::default(), Length::max);
         let order = rows.len() as u64;
         let permutations = order.saturating_mul(u64::from(u64::BITS - order.leading_zeros()));
-        Size {
-            degree: largest(|size| size.degree).saturating_add(denominator_degree),
-            denominator_degree,
-            bits: largest(|size| size.bits).saturating_add(denominator_bits).saturating_add(permutations),
-            denominator_bits,
-        }
+        Size { above: product(&mut rows.iter().map(largest)).times(below).summed(permutations), below }
     }
 }
 
@@ -73,19 +91,8 @@ impl Arithmetic for Sizes {
     }
 
     fn add(&self, a: &Size, b: &Size) -> Size {
-        Size {
-            degree: a
-                .degree
-                .saturating_add(b.denominator_degree)
-                .max(b.degree.saturating_add(a.denominator_degree)),
-            denominator_degree: a.denominator_degree.saturating_add(b.denominator_degree),
-            bits: a
-                .bits
-                .saturating_add(b.denominator_bits)
-                .max(b.bits.saturating_add(a.denominator_bits))
-                .saturating_add(1),
-            denominator_bits: a.denominator_bits.saturating_add(b.denominator_bits),
-        }
+        let above = a.above.times(b.below).max(b.above.times(a.below)).summed(1);
+        Size { above, below: a.below.times(b.below) }
     }
 
     fn subtract(&self, a: &Size, b: &Size) -> Size {
@@ -93,12 +100,7 @@ impl Arithmetic for Sizes {
     }
 
     fn multiply(&self, a: &Size, b: &Size) -> Size {
-        Size {
-            degree: a.degree.saturating_add(b.degree),
-            denominator_degree: a.denominator_degree.saturating_add(b.denominator_degree),
-            bits: a.bits.saturating_add(b.bits),
-            denominator_bits: a.denominator_bits.saturating_add(b.denominator_bits),
-        }
+        Size { above: a.above.times(b.above), below: a.below.times(b.below) }
     }
 
     fn negate(&self, a: &Size) -> Size {
@@ -106,13 +108,7 @@ impl Arithmetic for Sizes {
     }
 
     fn divide(&self, a: &Size, b: &Size) -> Option<Size> {
-        let inverse = Size {
-            degree: b.denominator_degree,
-            denominator_degree: b.degree,
-            bits: b.denominator_bits,
-            denominator_bits: b.bits,
-        };
-        Some(self.multiply(a, &inverse))
+        Some(self.multiply(a, &Size { above: b.below, below: b.above }))
     }
 
     fn is_zero(&self, _: &Size) -> bool {

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
+use kahan_syntax::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference, TensorEntry};
 use kahan_syntax::token::Span;
 
 use crate::plan::{Node, PlanBuilder};
@@ -12,7 +12,6 @@ use crate::rational_function::RationalFunction;
 use crate::system::{Claim, upper_index};
 
 use super::conditions;
-use super::entries::entry_places;
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 use super::stand_in::StandIn;
@@ -107,12 +106,10 @@ fn resolve_next(
             return;
         };
         is_sound = false;
-        diagnostics.report(
-            Kind::Claim,
-            span,
-            format!("`{used}` is {what}, and the next value of `{name}` is to follow from `{name}`"),
-            format!("behind `by` stand `{name}`, parameters, `eps`, and earlier integrals and drifts"),
-        );
+        let message =
+            format!("`{used}` is {what}, and the next value of `{name}` is to follow from `{name}`");
+        let help = format!("behind `by` stand `{name}`, parameters, `eps`, and earlier integrals and drifts");
+        diagnostics.report(Kind::Claim, span, message, help);
     });
     is_sound
 }
@@ -122,12 +119,9 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
         && claim.conditions.is_empty()
         && earlier.iter().any(|other| other.kind == ClaimKind::Density && other.is_unconditional());
     if is_second {
-        diagnostics.report(
-            Kind::Claim,
-            claim.name.span,
-            "a block has at most one density without `when`",
-            "the quotient of two densities is an integral: write `integral R = …;`",
-        );
+        let message = "a block has at most one density without `when`";
+        let help = "the quotient of two densities is an integral: write `integral R = …;`";
+        diagnostics.report(Kind::Claim, claim.name.span, message, help);
     }
 }
 
@@ -187,12 +181,9 @@ impl Target for Compiler<'_> {
         let bits = self.builder.constant_size(a).map(|value| value.bits().max(1));
         let is_short_number = bits.is_some_and(|bits| bits.saturating_mul(exponent) <= MOST_BITS);
         if !is_short_number && exponent > HIGHEST_EXPONENT.unsigned_abs() {
-            return Err(Diagnostic::new(
-                Kind::Exponent,
-                span,
-                format!("exponents in claims go from −{HIGHEST_EXPONENT} to {HIGHEST_EXPONENT}"),
-                "write the claim with smaller powers",
-            ));
+            let message = format!("exponents in claims go from −{HIGHEST_EXPONENT} to {HIGHEST_EXPONENT}");
+            let help = "write the claim with smaller powers";
+            return Err(Diagnostic::new(Kind::Exponent, span, message, help));
         }
         Ok(self.builder.power(a, exponent as u32))
     }
@@ -234,4 +225,56 @@ impl Compiler<'_> {
             }
         }
     }
+}
+
+/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is
+/// wrong. All wrong entries are reported.
+fn entry_places(
+    claim: &syntax::Claim,
+    scope: &Scope,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(usize, usize)>> {
+    let Some(ClaimBody::Tensor(entries)) = &claim.body else { return Some(Vec::new()) };
+    if entries.is_empty() {
+        let message = format!("the bracket `{}` has no entries", claim.name.text);
+        let help = "write its entries, as in `{x,y} = x*y;`";
+        diagnostics.report(Kind::Claim, claim.name.span, message, help);
+        return None;
+    }
+    let mut places: Vec<(usize, usize)> = Vec::new();
+    for entry in entries {
+        match entry_place(entry, &places, scope) {
+            Ok(place) => places.push(place),
+            Err(diagnostic) => diagnostics.push(diagnostic),
+        }
+    }
+    (places.len() == entries.len()).then_some(places)
+}
+
+/// The indices of an entry's states.
+fn entry_place(
+    entry: &TensorEntry,
+    earlier: &[(usize, usize)],
+    scope: &Scope,
+) -> Result<(usize, usize), Diagnostic> {
+    let index = |name: &syntax::Name| {
+        scope.symbols.states.iter().position(|state| *state == name.text).ok_or_else(|| {
+            let message = format!("`{}` is not a state variable", name.text);
+            let help = format!("the entries of a bracket are pairs of {}", scope.symbols.states.join(", "));
+            Diagnostic::new(Kind::Claim, name.span, message, help)
+        })
+    };
+    let (row, column) = (index(&entry.row)?, index(&entry.column)?);
+    let wrong = |message: String, help: &str| {
+        Err(Diagnostic::new(Kind::Claim, entry.row.span.to(entry.column.span), message, help))
+    };
+    if row == column {
+        let message = format!("{{{0},{0}}} is zero for every bracket", entry.row.text);
+        return wrong(message, "remove the entry, or name two different states");
+    }
+    if earlier.contains(&(row, column)) || earlier.contains(&(column, row)) {
+        let message = format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text);
+        return wrong(message, "give each pair once; {y,x} is −{x,y} by itself");
+    }
+    Ok((row, column))
 }

@@ -62,25 +62,19 @@ fn one_relation(
         .add(&polynomial, &names)
         .map_err(|obstacle| explain(&obstacle, span, is_first, &scope.symbols))?;
     if relations.value(scope.symbols.epsilon()).is_some_and(RationalFunction::is_zero) {
-        return Err(wrong(
-            "at eps = 0 the map is the identity, and every claim says nothing",
-            "choose another value",
-        ));
+        let message = "at eps = 0 the map is the identity, and every claim says nothing";
+        return Err(wrong(message, "choose another value"));
     }
     for divisor in divisors {
         if !relations.require(divisor).map_err(over_budget)? {
-            return Err(wrong(
-                "where this relation holds it divides by zero",
-                "write it without the division",
-            ));
+            let message = "where this relation holds it divides by zero";
+            return Err(wrong(message, "write it without the division"));
         }
     }
     for component in components {
         if relations.makes_vanish(component.denominator()).map_err(over_budget)? {
-            return Err(wrong(
-                "here the field divides by zero, so it has no map",
-                "fix values at which every divisor of the equations is different from zero",
-            ));
+            let help = "fix values at which every divisor of the equations is different from zero";
+            return Err(wrong("here the field divides by zero, so it has no map", help));
         }
     }
     Ok(Some(name))
@@ -110,12 +104,11 @@ fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<
         }
         match scope.variable(&name) {
             Some(variable) if scope.symbols.is_state(variable) => {
-                return Err(Diagnostic::new(
-                    Kind::Claim,
-                    span,
-                    format!("`{name}` is a state, and states move along an orbit: `when` cannot fix them"),
-                    "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`",
-                ));
+                let message =
+                    format!("`{name}` is a state, and states move along an orbit: `when` cannot fix them");
+                let help =
+                    "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`";
+                return Err(Diagnostic::new(Kind::Claim, span, message, help));
             }
             Some(variable) if !names.contains(&variable) => names.push(variable),
             Some(_) => {}
@@ -145,45 +138,36 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
 }
 
 fn too_large(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        span,
-        "this relation is too large to be solved, with those before it put in",
-        "write it with smaller powers",
-    )
+    let message = "this relation is too large to be solved, with those before it put in";
+    let help = "write it with smaller powers";
+    Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
 /// The mistake of a relation that cannot be solved.
 fn explain(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -> Diagnostic {
-    let (message, help) = match obstacle {
-        Obstacle::TooLarge => return too_large(span),
+    let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
+    match obstacle {
+        Obstacle::TooLarge => too_large(span),
         Obstacle::Identity if is_first => {
-            ("this relation always holds, so it says nothing".to_owned(), "remove it".to_owned())
+            wrong("this relation always holds, so it says nothing", "remove it")
         }
-        Obstacle::Identity => {
-            ("this relation follows from those before it".to_owned(), "remove it".to_owned())
+        Obstacle::Identity => wrong("this relation follows from those before it", "remove it"),
+        Obstacle::Contradiction if is_first => {
+            wrong("this relation never holds, so nothing is claimed", "correct it, or remove the claim")
         }
-        Obstacle::Contradiction if is_first => (
-            "this relation never holds, so nothing is claimed".to_owned(),
-            "correct it, or remove the claim".to_owned(),
-        ),
-        Obstacle::Contradiction => (
-            "this relation contradicts those before it".to_owned(),
-            "keep one of them; what a relation is divided by to be solved is not 0 either".to_owned(),
-        ),
-        Obstacle::NotLinear => (
-            "no name enters this relation linearly, so it cannot be solved".to_owned(),
-            "write it with a parameter or `eps` of degree 1, as in `when c = -a - b` or `when a*b = c^2`"
-                .to_owned(),
-        ),
+        Obstacle::Contradiction => {
+            let help = "keep one of them; what a relation is divided by to be solved is not 0 either";
+            wrong("this relation contradicts those before it", help)
+        }
+        Obstacle::NotLinear => {
+            let form = "as in `when c = -a - b` or `when a*b = c^2`";
+            let help = format!("write it with a parameter or `eps` of degree 1, {form}");
+            wrong("no name enters this relation linearly, so it cannot be solved", &help)
+        }
         Obstacle::Product(a, b) => {
-            let text = |factor: &Polynomial| Text.polynomial(symbols, factor);
-            let (a, b) = (text(a), text(b));
-            (
-                format!("this relation is a product, which holds where {a} = 0 and where {b} = 0"),
-                format!("write the factor that is meant, as in `when {a} = 0`"),
-            )
+            let [a, b] = [a, b].map(|factor| Text.polynomial(symbols, factor));
+            let message = format!("this relation is a product, which holds where {a} = 0 and where {b} = 0");
+            wrong(&message, &format!("write the factor that is meant, as in `when {a} = 0`"))
         }
-    };
-    Diagnostic::new(Kind::Claim, span, message, help)
+    }
 }

@@ -45,12 +45,9 @@ fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagno
         }
     });
     if let Some((name, span)) = foreign {
-        return Err(Diagnostic::new(
-            Kind::UnknownName,
-            span,
-            format!("`{name}` is no constant"),
-            "write a number here, or a `const` declared above",
-        ));
+        let message = format!("`{name}` is no constant");
+        let help = "write a number here, or a `const` declared above";
+        return Err(Diagnostic::new(Kind::UnknownName, span, message, help));
     }
     if poisoned {
         return Ok(None);

@@ -232,12 +232,9 @@ impl Target for Fractions<'_> {
                 return Ok(self.number(&if one { Rational::one() } else { value }));
             }
             if value.bits().saturating_mul(exponent) > MOST_BITS {
-                return Err(Diagnostic::new(
-                    Kind::TooLarge,
-                    span,
-                    "this number is too large",
-                    "rescale the variables or the time",
-                ));
+                let message = "this number is too large";
+                let help = "rescale the variables or the time";
+                return Err(Diagnostic::new(Kind::TooLarge, span, message, help));
             }
             let exponent = i32::try_from(exponent).expect("it is no more than the bits");
             return Ok(self.number(&value.pow(exponent).expect("the exponent is not negative")));
@@ -400,12 +397,10 @@ impl Fractions<'_> {
 /// The mistake of a term of degree `degree` > 2 that `product`, of two states, divides.
 pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, degree: u64) -> Diagnostic {
     let new = scope.new_variable();
-    Diagnostic::new(
-        Kind::Degree,
-        span,
-        format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field"),
-        instead_of(&new, &format!("`{product}`")),
-    )
+    let message =
+        format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field");
+    let help = instead_of(&new, &format!("`{product}`"));
+    Diagnostic::new(Kind::Degree, span, message, help)
 }
 
 /// The way out: a new variable for what is not quadratic. A family is not lifted.
@@ -429,24 +424,19 @@ fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span
         "the quotient".to_owned()
     };
     let new = scope.new_variable();
-    Diagnostic::new(
-        Kind::StateDivisor,
-        span,
-        format!("this divisor depends on the state `{name}`, and the field must be polynomial in the states"),
-        instead_of(&new, &quotient),
-    )
+    let message =
+        format!("this divisor depends on the state `{name}`, and the field must be polynomial in the states");
+    let help = instead_of(&new, &quotient);
+    Diagnostic::new(Kind::StateDivisor, span, message, help)
 }
 
 /// The mistake of an expansion beyond the limits of terms or of work.
 fn too_large(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        span,
-        format!(
-            "the expansion has more than {MOST_TERMS} terms, or takes more than {MOST_WORK} products of terms"
-        ),
-        "write the field in fewer terms, with shorter numbers",
-    )
+    let message = format!(
+        "the expansion has more than {MOST_TERMS} terms, or takes more than {MOST_WORK} products of terms"
+    );
+    let help = "write the field in fewer terms, with shorter numbers";
+    Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
 /// The parameter, or ε, with the highest power in an expansion.
@@ -458,22 +448,17 @@ fn highest_power(expansion: &Expansion, symbols: &Symbols) -> Option<(Variable, 
 
 /// The mistake of a power of a parameter that is too high; `place` says where it stands.
 fn exponent_too_high(span: Span, place: &str) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        span,
-        format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}"),
-        "declare the power as a parameter of its own",
-    )
+    let message = format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}");
+    let help = "declare the power as a parameter of its own";
+    Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
 /// The mistake of the expression at which the expansions of its block have taken all that they may.
 fn block_too_large(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        span,
-        format!(
-            "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"
-        ),
-        "give powers and products of long sums names of their own: parameters, or states with an equation",
-    )
+    let message = format!(
+        "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"
+    );
+    let help =
+        "give powers and products of long sums names of their own: parameters, or states with an equation";
+    Diagnostic::new(Kind::TooLarge, span, message, help)
 }

@@ -3,9 +3,13 @@
 use rustc_hash::FxHashSet;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
-use kahan_syntax::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
+use kahan_syntax::syntax::{
+    Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, ExprKind, Factor, FamilyHead, InFamily, Reference,
+    Term,
+};
 
-use crate::family::{Family, SiteSum};
+use crate::family::{Family, Role, SiteSum};
+use crate::poly::Monomial;
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
@@ -13,9 +17,7 @@ use super::constants;
 use super::equations;
 use super::expand::{expand_in_claim, is_spent};
 use super::names::{Scope, references};
-use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
-use super::sums::summand;
 use super::{report_names, report_size};
 
 /// Checks the family of a block. There is always a stand-in, and a family where the block has no
@@ -192,12 +194,118 @@ fn sum(
 fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic> {
     let density = expand_in_claim(&summand(written)?, scope)?.function();
     if density.contains(scope.symbols.epsilon()) {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            written.span,
-            "a sum over sites that is claimed is free of `eps`",
-            "write the sum that the field keeps; what the map keeps is made of it",
-        ));
+        let message = "a sum over sites that is claimed is free of `eps`";
+        let help = "write the sum that the field keeps; what the map keeps is made of it";
+        return Err(Diagnostic::new(Kind::Claim, written.span, message, help));
     }
     Ok(density)
+}
+
+/// What a claim sums over all sites: the claim with `sum` taken off, as sums are linear.
+fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
+    let with = |kind| Ok(Expr { kind, span: expr.span });
+    match &expr.kind {
+        ExprKind::Special(InFamily::OverSites(inner)) => match find_sum(inner) {
+            Some(nested) => Err(Diagnostic::new(
+                Kind::Claim,
+                nested.span,
+                "a `sum(…)` inside of a `sum(…)`",
+                "sum once: densities couple neighbours, as in `sum(x[i]*x[i+1])`",
+            )),
+            None => Ok((**inner).clone()),
+        },
+        ExprKind::Negation(inner) => with(ExprKind::Negation(Box::new(summand(inner)?))),
+        ExprKind::Sum(terms) => {
+            let term = |term: &Term| Ok(Term { negative: term.negative, expr: summand(&term.expr)? });
+            with(ExprKind::Sum(terms.iter().map(term).collect::<Result<_, Diagnostic>>()?))
+        }
+        ExprKind::Product(factors) => {
+            let sums = factors.iter().filter(|factor| !factor.divides && find_sum(&factor.expr).is_some());
+            let others = factors.iter().filter(|factor| find_sum(&factor.expr).is_none());
+            if sums.count() != 1 || others.clone().count() + 1 != factors.len() {
+                return Err(outside(expr));
+            }
+            if let Some(factor) = others.clone().find(|factor| is_at_sites(&factor.expr)) {
+                return Err(outside(&factor.expr));
+            }
+            let factor = |factor: &Factor| {
+                let expr = match find_sum(&factor.expr) {
+                    Some(_) => summand(&factor.expr)?,
+                    None => factor.expr.clone(),
+                };
+                Ok(Factor { divides: factor.divides, expr })
+            };
+            with(ExprKind::Product(factors.iter().map(factor).collect::<Result<_, Diagnostic>>()?))
+        }
+        ExprKind::Number(_)
+        | ExprKind::Name(_)
+        | ExprKind::Special(InFamily::Site { .. })
+        | ExprKind::Power(..) => Err(outside(expr)),
+    }
+}
+
+fn outside(expr: &Expr) -> Diagnostic {
+    let message = "a claim of a family is a sum over all sites, and this stands outside of it";
+    let help = "write `sum(…)` around what belongs to site `i`";
+    Diagnostic::new(Kind::Claim, expr.span, message, help)
+}
+
+fn find_sum(expr: &Expr) -> Option<&Expr> {
+    match &expr.kind {
+        ExprKind::Special(InFamily::OverSites(_)) => Some(expr),
+        _ => expr.parts().into_iter().find_map(find_sum),
+    }
+}
+
+/// Whether a value at a site occurs.
+fn is_at_sites(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.visit_names(&mut |name, _| found |= matches!(name, Reference::Site { .. }));
+    found
+}
+
+/// Reports parameters of neighbours that are needed where there is no neighbour: they may only
+/// multiply a state that lies as far outside, which is 0.
+fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
+    let equations = family.components.iter().zip(&block.equations);
+    let equations =
+        equations.filter_map(|(component, equation)| Some((component, equation.value.as_ref()?.span)));
+    let sums = family.sums().map(|sum| (&sum.density, sum.written.span));
+    for (component, span) in equations.chain(sums) {
+        if let Some(name) = undefined(family, component) {
+            let message = format!("`{name}` has no value where site `i` is the last one on that side");
+            let help = "beyond the ends of an open chain only states have a value, 0: use the parameter of site `i`, \
+                        or multiply by a state at the same site";
+            diagnostics.report(Kind::Name, span, message, help);
+        }
+    }
+}
+
+/// A parameter that a quotient needs beyond an end.
+fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
+    let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
+    let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();
+    divisor.or_else(|| {
+        let terms = component.numerator().terms();
+        terms.filter_map(|(monomial, _)| beyond(family, monomial, states(family, monomial))).next()
+    })
+}
+
+/// The smallest and the largest offset of the states of a monomial, and 0.
+fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
+    let offsets = monomial.powers().iter().filter_map(|&(variable, _)| match family.role(variable) {
+        Role::State { offset, .. } => Some(offset),
+        _ => None,
+    });
+    offsets.fold((0, 0), |(least, most), offset| (least.min(offset), most.max(offset)))
+}
+
+/// A parameter of a site outside of these offsets.
+fn beyond(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
+    monomial.powers().iter().find_map(|&(variable, _)| match family.role(variable) {
+        Role::SiteParameter { offset, index } if offset < least || offset > most => {
+            Some(Reference::Site { array: &family.site_parameters[index], offset }.to_string())
+        }
+        _ => None,
+    })
 }

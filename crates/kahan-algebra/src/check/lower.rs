@@ -10,6 +10,8 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 use kahan_syntax::token::Span;
 
+use crate::render::{Notation, Text};
+
 /// The largest exponent of a parameter in an equation, and of anything but a short number in a
 /// claim.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
@@ -83,18 +85,11 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             if target.inverts() {
                 return Ok(inverse);
             }
-            let shown = match (&base.kind, exponent.unsigned_abs()) {
-                (ExprKind::Name(name), 1) => format!("1/{name}"),
-                (ExprKind::Name(name), exponent) => format!("1/{name}^{exponent}"),
-                (_, 1) => "1/(…)".to_owned(),
-                (_, exponent) => format!("1/(…)^{exponent}"),
-            };
-            Err(Diagnostic::new(
-                Kind::Exponent,
-                expr.span,
-                format!("the exponent {exponent} is negative"),
-                format!("in an equation write a quotient, `{shown}`"),
-            ))
+            let base = if let ExprKind::Name(name) = &base.kind { name } else { "(…)" };
+            let shown = Text.power(base, exponent.saturating_neg());
+            let message = format!("the exponent {exponent} is negative");
+            let help = format!("in an equation write a quotient, `1/{shown}`");
+            Err(Diagnostic::new(Kind::Exponent, expr.span, message, help))
         }
         ExprKind::Special(InFamily::OverSites(_)) => Err(sum_out_of_place(expr.span)),
     }
@@ -107,22 +102,16 @@ fn divide<T: Target>(
     span: Span,
 ) -> Result<T::Value, Diagnostic> {
     if target.is_zero(&divisor) {
-        return Err(Diagnostic::new(
-            Kind::ZeroDivisor,
-            span,
-            "this divisor is zero",
-            "correct the divisor, or remove the division",
-        ));
+        let message = "this divisor is zero";
+        let help = "correct the divisor, or remove the division";
+        return Err(Diagnostic::new(Kind::ZeroDivisor, span, message, help));
     }
     target.divide(dividend, divisor, span)
 }
 
 /// The mistake of a sum over sites where there are none to sum over.
 fn sum_out_of_place(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::Claim,
-        span,
-        "`sum(…)` runs over all sites, and stands in the claims of a family",
-        "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`",
-    )
+    let message = "`sum(…)` runs over all sites, and stands in the claims of a family";
+    let help = "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`";
+    Diagnostic::new(Kind::Claim, span, message, help)
 }

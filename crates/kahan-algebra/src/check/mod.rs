@@ -8,15 +8,12 @@
 mod claims;
 mod conditions;
 mod constants;
-mod entries;
 mod equations;
 mod expand;
 mod family;
 mod lower;
 mod names;
-mod outside;
 mod stand_in;
-mod sums;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Header};
@@ -44,12 +41,9 @@ const MOST_CLAIMS: usize = 500;
 /// The mistake of a family where a plain system is wanted.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::Empty,
-        span,
-        "a family of equations stands here, and the number of its sites is not known",
-        "say how many there are: `--sites 8` in the command, `sites=8` in Python; programs step chains of any length, by `kahan_runtime::Lattice` or `kahan.Lattice`",
-    )
+    let message = "a family of equations stands here, and the number of its sites is not known";
+    let help = "say how many there are: `--sites 8` in the command, `sites=8` in Python; programs step chains of any length, by `kahan_runtime::Lattice` or `kahan.Lattice`";
+    Diagnostic::new(Kind::Empty, span, message, help)
 }
 
 /// What a block says.
@@ -112,21 +106,15 @@ impl Checked {
 /// Reports a block that declares too much; `true` if it does.
 fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
-        diagnostics.report(
-            Kind::TooLarge,
-            equation.state.span,
-            format!("the block has more than {MOST_EQUATIONS} equations"),
-            "write the equations of many sites once, as in `for i in periodic { x[i]dot = x[i+1]; }`",
-        );
+        let message = format!("the block has more than {MOST_EQUATIONS} equations");
+        let help = "write the equations of many sites once, as in `for i in periodic { x[i]dot = x[i+1]; }`";
+        diagnostics.report(Kind::TooLarge, equation.state.span, message, help);
         return true;
     }
     if let Some(claim) = block.claims.iter().chain(&block.hamiltonians).nth(MOST_CLAIMS) {
-        diagnostics.report(
-            Kind::TooLarge,
-            claim.name.span,
-            format!("the block has more than {MOST_CLAIMS} claims"),
-            "leave those out that follow from others",
-        );
+        let message = format!("the block has more than {MOST_CLAIMS} claims");
+        let help = "leave those out that follow from others";
+        diagnostics.report(Kind::TooLarge, claim.name.span, message, help);
         return true;
     }
     let parameters = block.header.as_ref().map_or(0, |header| header.parameters.len());
@@ -156,12 +144,9 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         return (StandIn::of_type(block.header), None);
     }
     if block.equations.is_empty() && diagnostics.is_empty() {
-        diagnostics.report(
-            Kind::Empty,
-            Span::token(0),
-            "the block holds no equation",
-            "write one equation a state, as in `xdot = y*z;`",
-        );
+        let message = "the block holds no equation";
+        let help = "write one equation a state, as in `xdot = y*z;`";
+        diagnostics.report(Kind::Empty, Span::token(0), message, help);
     }
     let before = diagnostics.len();
     let mut scope = Scope::new(&block, diagnostics);

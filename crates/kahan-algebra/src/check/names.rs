@@ -130,12 +130,9 @@ impl Scope {
             return;
         }
         if in_claim && self.all_claims.contains(name) {
-            diagnostics.report(
-                Kind::UnknownName,
-                span,
-                format!("`{name}` is not known yet: a claim may use the claims above it"),
-                format!("move the claim `{name}` above this one"),
-            );
+            let message = format!("`{name}` is not known yet: a claim may use the claims above it");
+            let help = format!("move the claim `{name}` above this one");
+            diagnostics.report(Kind::UnknownName, span, message, help);
             self.poison(name);
             return;
         }
@@ -165,12 +162,8 @@ impl Scope {
                 "give it an equation `{name}dot = …;`, or declare it as a parameter: `struct Name {{ {name} }}`"
             )
         };
-        diagnostics.report(
-            Kind::UnknownName,
-            span,
-            format!("`{name}` is neither a state nor a parameter"),
-            help,
-        );
+        let message = format!("`{name}` is neither a state nor a parameter");
+        diagnostics.report(Kind::UnknownName, span, message, help);
         self.poison(name);
     }
 
@@ -221,14 +214,8 @@ impl Scope {
     }
 
     fn list(&self) -> String {
-        let names: Vec<String> = self
-            .symbols
-            .states
-            .iter()
-            .chain(&self.symbols.parameters)
-            .map(|name| format!("`{name}`"))
-            .collect();
-        names.join(", ")
+        let names = self.symbols.states.iter().chain(&self.symbols.parameters);
+        names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
 
     /// The known name closest to `name`, if close enough to be a slip.
@@ -254,12 +241,9 @@ impl Scope {
         };
         for name in &header.parameters {
             if self.is_parameter_name(&name.text) && !self.used.contains(&name.text) {
-                diagnostics.report(
-                    Kind::UnusedParameter,
-                    name.span,
-                    format!("nothing uses the parameter `{}`", name.text),
-                    "remove it, or use it in an equation",
-                );
+                let message = format!("nothing uses the parameter `{}`", name.text);
+                let help = "remove it, or use it in an equation";
+                diagnostics.report(Kind::UnusedParameter, name.span, message, help);
             }
         }
     }
@@ -278,12 +262,9 @@ impl Scope {
         } else {
             return !report_reserved(name, diagnostics);
         };
-        diagnostics.report(
-            Kind::Name,
-            name.span,
-            format!("the {what} `{text}` has the name of {taken}"),
-            format!("rename the {what}"),
-        );
+        let message = format!("the {what} `{text}` has the name of {taken}");
+        let help = format!("rename the {what}");
+        diagnostics.report(Kind::Name, name.span, message, help);
         false
     }
 }

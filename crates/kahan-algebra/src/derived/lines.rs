@@ -147,10 +147,8 @@ impl Family {
         };
         let states = (-reach..=reach)
             .flat_map(|offset| self.arrays.iter().map(move |array| identifier(array, offset)));
-        let of_sites = self
-            .site_parameters
-            .iter()
-            .flat_map(|name| (-reach..=reach).map(move |offset| identifier(name, offset)));
+        let at_sites = |name| (-reach..=reach).map(move |offset| identifier(name, offset));
+        let of_sites = self.site_parameters.iter().flat_map(at_sites);
         let names: Vec<String> = states.chain(of_sites).collect();
         let is_clear =
             distinct(names.iter().chain(&self.parameters)).len() == names.len() + self.parameters.len();

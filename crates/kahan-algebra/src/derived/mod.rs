@@ -9,19 +9,17 @@
 mod lines;
 mod listing;
 mod names;
-mod scheme;
 
 use std::sync::OnceLock;
 
 pub use lines::{Lines, Place};
 pub use listing::StepListing;
 pub use names::{ValueName, ValueNames, constant_names};
-pub(crate) use scheme::Scheme;
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::OverRationals;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::field::Field;
 use crate::kahan::{RationalMap, SparseRows, bilinear_form, matrix_of, polarization, scaled_rhs};
@@ -259,10 +257,8 @@ impl Derived {
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
             let Planned { with_constants: with, map } = self.planned();
-            Some(
-                StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?
-                    .mapped(&|plan| with.put_into(plan)),
-            )
+            let step = StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?;
+            Some(step.mapped(&|plan| with.put_into(plan)))
         };
         let is_written = self.system.field.dimension() <= MOST_EXPANDED;
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
@@ -274,11 +270,11 @@ impl Derived {
     /// elimination.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
-            let of_all = self.dense().map(Couplings::of_all);
-            of_all.unwrap_or_else(|| {
-                let (values, slopes) = self.slopes();
-                Couplings::of(&values, &slopes)
-            })
+            let (values, slopes) = match self.dense() {
+                Some(dense) => return Couplings::of_all(dense),
+                None => self.slopes(),
+            };
+            Couplings::of(&values, &slopes)
         };
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
@@ -305,7 +301,7 @@ impl Derived {
 
     /// Whether all divisors of the field differ from 0 at this ε and these parameters, in their
     /// order.
-    pub fn is_defined_at<A: Arithmetic<Constant = Rational>>(
+    pub fn is_defined_at<A: OverRationals>(
         &self,
         arithmetic: &A,
         parameters: &[A::Value],
@@ -339,12 +335,10 @@ impl Derived {
             ("prepared constants".to_owned(), step.map(constants)),
             ("step".to_owned(), step.map(next)),
         ];
-        functions.extend(general.into_iter().flat_map(|general| {
-            [
-                ("general constants".to_owned(), Some(constants(general))),
-                ("general step".to_owned(), Some(next(general))),
-            ]
-        }));
+        if let Some(general) = general {
+            functions.push(("general constants".to_owned(), Some(constants(general))));
+            functions.push(("general step".to_owned(), Some(next(general))));
+        }
         functions.push(perhaps("det A", self.det_matrix.as_ref()));
         functions.push(perhaps("(N, D)", self.rational_map.as_ref()));
         functions.extend(self.reduced_map.iter().map(|plan| some("(N, D) reduced", plan)));
@@ -354,12 +348,9 @@ impl Derived {
         functions.extend(self.density.iter().map(|plan| some("density", plan)));
         functions.extend(self.brackets.iter().map(|(name, plan)| some(&format!("bracket {name}"), plan)));
         functions.extend(self.drifts.iter().map(|(name, plan)| some(&format!("drift {name}"), plan)));
-        functions.extend(
-            self.system
-                .conditional()
-                .zip(&self.conditional)
-                .map(|(claim, plan)| some(&format!("{} {}", claim.kind.keyword(), claim.name.text), plan)),
-        );
+        let conditional = self.system.conditional().zip(&self.conditional);
+        let named = |claim: &Claim| format!("{} {}", claim.kind.keyword(), claim.name.text);
+        functions.extend(conditional.map(|(claim, plan)| some(&named(claim), plan)));
         functions
     }
 }

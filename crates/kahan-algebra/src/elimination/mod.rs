@@ -78,12 +78,10 @@ pub struct Row {
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
-        Diagnostic::new(
-            Kind::TooLarge,
-            span,
-            format!("{parameters} parameters are too many to compile: a block has at most {MOST_PARAMETERS}"),
-            "write numbers for parameters that do not change",
-        )
+        let message =
+            format!("{parameters} parameters are too many to compile: a block has at most {MOST_PARAMETERS}");
+        let help = "write numbers for parameters that do not change";
+        Diagnostic::new(Kind::TooLarge, span, message, help)
     })
 }
 
@@ -98,15 +96,12 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     let slopes = field.components.iter().map(|component| component.numerator().gradient(is_state).len());
     let slopes: usize = slopes.sum();
     (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
-        Diagnostic::new(
-            Kind::TooLarge,
-            span,
-            format!(
-                "{variables} variables with {slopes} couplings take too long to compile: a block has at most \
-                 {MOST_VARIABLES} and {MOST_SLOPES}"
-            ),
-            "write the equations once, as a family: `for i in periodic { x[i]dot = …; }`",
-        )
+        let message = format!(
+            "{variables} variables with {slopes} couplings take too long to compile: a block has at most \
+             {MOST_VARIABLES} and {MOST_SLOPES}"
+        );
+        let help = "write the equations once, as a family: `for i in periodic { x[i]dot = …; }`";
+        Diagnostic::new(Kind::TooLarge, span, message, help)
     })
 }
 

@@ -7,12 +7,12 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Name};
 use rustc_hash::FxHashMap;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::poly::{Budget, Monomial, Polynomial, Within};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
-use crate::symbols::Symbols;
 
 use super::everywhere::{Extent, MOST_WORK, Middle, budget, product};
+use super::expand::Chain;
 use super::hamiltonian::check_hamiltonian;
 use super::{Family, SiteSum};
 
@@ -36,44 +36,35 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
     if degree > 1 {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            integral.written.span,
-            format!(
-                "`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain",
-                name.text
-            ),
-            "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others",
-        ));
+        let message = format!(
+            "`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain",
+            name.text
+        );
+        let help = "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others";
+        return Err(Diagnostic::new(Kind::Claim, integral.written.span, message, help));
     }
     let over_budget = |_| too_long(name);
     let middle = Middle::of(family);
     if degree == 0 || is_constant(&middle, integral, &mut budget()).map_err(over_budget)? {
-        return Err(Diagnostic::new(
-            Kind::FalseClaim,
-            name.span,
-            format!("`{}` says nothing: it depends on no state", name.text),
-            "write a sum of states, as in `sum(x[i])`",
-        ));
+        let message = format!("`{}` says nothing: it depends on no state", name.text);
+        let help = "write a sum of states, as in `sum(x[i])`";
+        return Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help));
     }
     if cancels(&middle, integral, &mut budget()).map_err(over_budget)? {
         return Ok(());
     }
     let budget = &mut budget();
-    for sites in 1..=middle.sites {
-        let symbols = family.symbols_at(sites);
-        if let Some(left) = derivative(family, integral, sites, &symbols, budget).map_err(over_budget)? {
-            let text = Text.polynomial(&symbols, &left);
-            return Err(Diagnostic::new(
-                Kind::FalseClaim,
-                name.span,
-                format!(
-                    "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
-                    name.text,
-                    plural(sites)
-                ),
-                "correct the claim or the equations; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
-            ));
+    for sites in 1..=middle.chain.sites {
+        let chain = family.chain(sites);
+        if let Some(left) = derivative(&chain, integral, budget).map_err(over_budget)? {
+            let text = Text.polynomial(&chain.symbols, &left);
+            let message = format!(
+                "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
+                name.text,
+                plural(sites)
+            );
+            let help = "correct the claim or the equations; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
+            return Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help));
         }
     }
     Ok(())
@@ -81,31 +72,27 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
 
 /// The mistake of a claim that is beyond the budget.
 pub(super) fn too_long(name: &Name) -> Diagnostic {
-    Diagnostic::new(
-        Kind::TooLarge,
-        name.span,
-        format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text),
-        "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
-    )
+    let message = format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text);
+    let help = "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
+    Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
 /// Whether the sum over every chain depends on no state: its terms cancel, as those of
 /// `sum(x[i+1] - x[i])` do in a ring.
-fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
     // The slope of the whole sum by the state of an array in the middle.
     let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
-        let Some((state, _)) =
-            monomial.powers().iter().find(|(variable, _)| middle.symbols.is_state(*variable))
-        else {
+        let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
+        let Some(state) = variables.find(|variable| middle.chain.symbols.is_state(*variable)) else {
             continue;
         };
-        let (offset, array) = middle.state(*state);
+        let (offset, array) = middle.state(state);
         budget.charge(1 + density.denominator().len() as u64)?;
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         let extent = middle.moved(extent, -offset);
-        let slope = monomial.lowered(*state).expect("it occurs");
+        let slope = monomial.lowered(state).expect("it occurs");
         let slope = Polynomial::term(middle.shifted(&slope, -offset), value.clone());
         let below = middle.shifted_polynomial(density.denominator(), -offset);
         let slope = RationalFunction::new_within(slope, below, budget)?.expect("a divisor is not zero");
@@ -117,13 +104,15 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Resul
 
 /// Whether the terms of the sum's derivative along the field cancel in every chain, those over one
 /// divisor among themselves. Where these do not, others may.
-pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
     // By divisor, monomial and length, wherever they begin.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
-    for state in density.numerator().variables().into_iter().filter(|&state| middle.symbols.is_state(state)) {
+    for state in
+        density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))
+    {
         let (offset, array) = middle.state(state);
-        let component = middle.at(&middle.family.components[array], offset);
+        let component = middle.at(&middle.chain.family.components[array], offset);
         let place = middle.extent_of_site(0).with(middle.extent_of_site(offset));
         let below = product(density.denominator(), component.denominator(), budget)?;
         let content = below.monomial_content();
@@ -137,7 +126,7 @@ pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -
                 let common = above.gcd(&content);
                 let above = above.div(&common).expect("a common divisor divides");
                 let below = below.div_monomial(&common).expect("a common divisor divides");
-                let first = match middle.family.boundary {
+                let first = match middle.chain.family.boundary {
                     Boundary::Open => extent.first,
                     Boundary::Periodic => {
                         middle.first_site(below.terms().map(|(monomial, _)| monomial).chain([&above]))
@@ -159,24 +148,18 @@ pub(super) fn plural(sites: usize) -> &'static str {
 }
 
 /// The numerator of the sum's derivative along the field; `None` where it vanishes.
-fn derivative(
-    family: &Family,
-    sum: &SiteSum,
-    sites: usize,
-    symbols: &Symbols,
-    budget: &mut Budget,
-) -> Result<Option<Polynomial>, OverBudget> {
+fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<Option<Polynomial>> {
+    let Chain { family, symbols, sites } = chain;
     // Terms over one divisor cancel among themselves, most often all of them.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
-    for site in 0..sites {
-        let Some(density) = family.moved(&sum.density, site, sites, symbols) else { continue };
+    for site in 0..*sites {
+        let Some(density) = chain.moved(&sum.density, site) else { continue };
         let states =
             density.numerator().variables().into_iter().filter(|variable| symbols.is_state(*variable));
         for state in states {
             let place = usize::from(state.0);
             let (site, array) = (place / family.block(), place % family.block());
-            let component = family.moved(&family.components[array], site, sites, symbols);
-            let Some(component) = component else { continue };
+            let Some(component) = chain.moved(&family.components[array], site) else { continue };
             let slope = density.numerator().derivative(state);
             let above = product(&slope, component.numerator(), budget)?;
             let below = product(density.denominator(), component.denominator(), budget)?;

@@ -10,11 +10,12 @@
 
 use kahan_syntax::syntax::Boundary;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
 use crate::rational_function::RationalFunction;
-use crate::symbols::{Symbol, Symbols};
+use crate::symbols::Symbol;
 
 use super::Family;
+use super::expand::Chain;
 
 /// The most terms of a polynomial that is multiplied with others.
 const MOST_TERMS: usize = 100_000;
@@ -46,11 +47,7 @@ impl Extent {
 
 /// One site of a long chain, and what is around it.
 pub(super) struct Middle<'a> {
-    pub family: &'a Family,
-    /// The names of the chain.
-    pub symbols: Symbols,
-    /// The number of sites.
-    pub sites: usize,
+    pub chain: Chain<'a>,
     /// The site.
     pub site: usize,
 }
@@ -59,27 +56,28 @@ impl<'a> Middle<'a> {
     /// Equations and sums reach `reach` sites far each, and what they name as far again.
     pub(super) fn of(family: &'a Family) -> Self {
         let sites = 8 * family.reach + 2;
-        Middle { family, symbols: family.symbols_at(sites), sites, site: sites / 2 }
+        Middle { chain: family.chain(sites), site: sites / 2 }
     }
 
     /// A quotient written for site i, at the site that is `offset` from the middle.
     pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
         let site = (self.site as i64 + offset) as usize;
-        let moved = self.family.moved(component, site, self.sites, &self.symbols);
-        moved.expect("no two sites are one in a long chain")
+        self.chain.moved(component, site).expect("no two sites are one in a long chain")
     }
 
     /// How far the site of a state is from the middle, and its array.
     pub(super) fn state(&self, state: Variable) -> (i64, usize) {
-        let (place, block) = (usize::from(state.0), self.family.block());
+        let (place, block) = (usize::from(state.0), self.chain.family.block());
         ((place / block) as i64 - self.site as i64, place % block)
     }
 
     /// The site of a variable; none of a parameter of the chain.
     fn site_of(&self, variable: Variable) -> Option<usize> {
-        match self.symbols.symbol(variable) {
-            Symbol::State(k) => Some(k / self.family.block()),
-            Symbol::Parameter(k) => k.checked_sub(self.family.parameters.len()).map(|k| k % self.sites),
+        match self.chain.symbols.symbol(variable) {
+            Symbol::State(k) => Some(k / self.chain.family.block()),
+            Symbol::Parameter(k) => {
+                k.checked_sub(self.chain.family.parameters.len()).map(|k| k % self.chain.sites)
+            }
             Symbol::Epsilon | Symbol::SecondState(_) => None,
         }
     }
@@ -91,14 +89,14 @@ impl<'a> Middle<'a> {
 
     /// The extent of a site.
     pub(super) fn extent_of_site(&self, offset: i64) -> Extent {
-        let offset = if self.family.boundary == Boundary::Open { offset } else { 0 };
+        let offset = if self.chain.family.boundary == Boundary::Open { offset } else { 0 };
         let site = (self.site as i64 + offset) as usize;
         Extent { first: site, last: site }
     }
 
     /// The extent of a term that stands at a place of this extent.
     pub(super) fn extent(&self, monomial: &Monomial, place: Extent) -> Extent {
-        if self.family.boundary == Boundary::Periodic {
+        if self.chain.family.boundary == Boundary::Periodic {
             return place;
         }
         let sites = monomial.powers().iter().filter_map(|(variable, _)| self.site_of(*variable));
@@ -107,7 +105,7 @@ impl<'a> Middle<'a> {
 
     /// Moves an extent by a number of sites; in a ring it stays.
     pub(super) fn moved(&self, extent: Extent, by: i64) -> Extent {
-        let by = if self.family.boundary == Boundary::Open { by } else { 0 };
+        let by = if self.chain.family.boundary == Boundary::Open { by } else { 0 };
         let [first, last] = [extent.first, extent.last].map(|site| (site as i64 + by) as usize);
         Extent { first, last }
     }
@@ -121,9 +119,9 @@ impl<'a> Middle<'a> {
     /// Moves every site of a monomial by `by` sites.
     pub(super) fn shifted(&self, monomial: &Monomial, by: i64) -> Monomial {
         let shift = |variable: Variable| {
-            let step = match self.symbols.symbol(variable) {
-                Symbol::State(_) => self.family.block() as i64,
-                Symbol::Parameter(k) if k >= self.family.parameters.len() => 1,
+            let step = match self.chain.symbols.symbol(variable) {
+                Symbol::State(_) => self.chain.family.block() as i64,
+                Symbol::Parameter(k) if k >= self.chain.family.parameters.len() => 1,
                 _ => 0,
             };
             Variable((i64::from(variable.0) + step * by) as u16)
@@ -138,7 +136,7 @@ impl<'a> Middle<'a> {
 }
 
 /// Everything that is multiplied out, charged to a budget.
-pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a.is_one() {
         budget.charge(b.len() as u64)?;
         return Ok(b.clone());

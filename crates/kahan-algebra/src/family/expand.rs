@@ -22,11 +22,9 @@ impl Family {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
         // `x` and `x1` side by side would make one name twice.
-        let is_prefix = |name: &String, other: &String| {
-            other
-                .strip_prefix(name.as_str())
-                .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
-        };
+        let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
+        let is_prefix =
+            |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
         let is_unclear = names().any(|name| all.iter().any(|other| is_prefix(name, other)));
         let infix = if is_unclear { "_" } else { "" };
         let at = |name: &String, site: usize| format!("{name}{infix}{site}");
@@ -44,34 +42,47 @@ impl Family {
     /// as `x[i]/(c[i] - c[i+1])` does at one site.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
-        let symbols = self.symbols_at(sites);
+        let chain = self.chain(sites);
         let mut components = Vec::with_capacity(sites * self.block());
-        let mut values = Values::of(&symbols);
+        let mut values = Values::of(&chain.symbols);
         let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
             for component in &self.components {
-                components.push(self.moved(component, site, sites, &symbols)?);
+                components.push(chain.moved(component, site)?);
             }
             kept.extend(self.kept.with(&mut values, |variable| {
-                let moved = self.moved_variable(variable, site, sites, &symbols);
-                moved.map_or_else(Polynomial::zero, Polynomial::variable)
+                chain.moved_variable(variable, site).map_or_else(Polynomial::zero, Polynomial::variable)
             }));
         }
-        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols));
-        let claims = claims.collect::<Option<_>>()?;
-        let field = Field { symbols, components };
+        let claims = self.integrals.iter().map(|sum| chain.claim(sum)).collect::<Option<_>>()?;
+        let field = Field { symbols: chain.symbols, components };
         let kept = Kept::new(values, kept);
         let (header, constants) = (self.header.clone(), self.constants.clone());
         Some(System { header, constants, claims, ..System::of(field, kept) })
     }
 
-    /// A linear integral of a chain, which was proved for every number of sites.
-    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Option<Claim> {
+    pub(super) fn chain(&self, sites: usize) -> Chain<'_> {
+        Chain { family: self, symbols: self.symbols_at(sites), sites }
+    }
+}
+
+/// A chain of the family.
+pub(super) struct Chain<'a> {
+    pub family: &'a Family,
+    /// The names of the chain.
+    pub symbols: Symbols,
+    /// The number of sites.
+    pub sites: usize,
+}
+
+impl Chain<'_> {
+    /// A linear integral of the chain, which was proved for every number of sites.
+    fn claim(&self, sum: &SiteSum) -> Option<Claim> {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
-        let mut terms = Vec::with_capacity(sites);
-        for site in 0..sites {
-            let density = self.moved(&sum.density, site, sites, symbols)?;
+        let mut terms = Vec::with_capacity(self.sites);
+        for site in 0..self.sites {
+            let density = self.moved(&sum.density, site)?;
             let term = builder.quotient(density.numerator(), density.denominator());
             total = builder.add(total, term);
             terms.push(density);
@@ -79,50 +90,37 @@ impl Family {
         Some(Claim {
             kind: ClaimKind::Integral,
             name: sum.name.clone(),
-            body: ClaimBody::Function(written(&terms, symbols, sum.written.span)),
+            body: ClaimBody::Function(written(&terms, &self.symbols, sum.written.span)),
             plan: builder.finish(&[total]),
             conditions: Vec::new(),
         })
     }
 
     /// A quotient written for site i, at one site of a chain, where it divides by something.
-    pub(super) fn moved(
-        &self,
-        function: &RationalFunction,
-        site: usize,
-        sites: usize,
-        symbols: &Symbols,
-    ) -> Option<RationalFunction> {
+    pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
         // A value beyond the end of an open chain makes a term zero.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
-            let powers = monomial.powers().iter().map(|&(variable, exponent)| {
-                Some((self.moved_variable(variable, site, sites, symbols)?, exponent))
-            });
-            powers.collect()
+            let powers = monomial.powers().iter();
+            powers.map(|&(variable, power)| Some((self.moved_variable(variable, site)?, power))).collect()
         };
         function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
     /// `None` beyond the end of an open chain.
-    fn moved_variable(
-        &self,
-        variable: Variable,
-        site: usize,
-        sites: usize,
-        symbols: &Symbols,
-    ) -> Option<Variable> {
+    fn moved_variable(&self, variable: Variable, site: usize) -> Option<Variable> {
+        let Chain { family, symbols, sites } = self;
         let neighbour = |offset: i64| {
             let place = site as i64 + offset;
-            match self.boundary {
-                Boundary::Periodic => Some(place.rem_euclid(sites as i64) as usize),
-                Boundary::Open => usize::try_from(place).ok().filter(|place| *place < sites),
+            match family.boundary {
+                Boundary::Periodic => Some(place.rem_euclid(*sites as i64) as usize),
+                Boundary::Open => usize::try_from(place).ok().filter(|place| place < sites),
             }
         };
-        Some(match self.role(variable) {
-            Role::State { offset, array } => symbols.state(neighbour(offset)? * self.block() + array),
+        Some(match family.role(variable) {
+            Role::State { offset, array } => symbols.state(neighbour(offset)? * family.block() + array),
             Role::Parameter(k) => symbols.parameter(k),
             Role::SiteParameter { offset, index } => {
-                symbols.parameter(self.parameters.len() + index * sites + neighbour(offset)?)
+                symbols.parameter(family.parameters.len() + index * sites + neighbour(offset)?)
             }
             Role::Epsilon => symbols.epsilon(),
         })

@@ -7,47 +7,35 @@
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
+use kahan_syntax::table::Table;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within};
+use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbol;
 
 use super::conserved::{plural, too_long};
 use super::everywhere::{Extent, Middle, budget, product};
-use super::linear::Equations;
 use super::{Family, Role, SiteSum};
 
 /// Proves that there is a K with ẋ = K∇H for every number of sites.
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
-    let refuse = |message: String, help: &str| Diagnostic::new(Kind::Claim, name.span, message, help);
+    let refuse = |message: &str, help: &str| {
+        Err(Diagnostic::new(Kind::Claim, name.span, format!("`{}` {message}", name.text), help))
+    };
     let degree = family.symbols.degree(hamiltonian.density.numerator());
     if degree > 3 {
-        return Err(refuse(
-            format!(
-                "`{}` is of degree {degree}: the map keeps a modified energy where it is at most 3",
-                name.text
-            ),
-            "write a Hamiltonian of degree three at most",
-        ));
+        let message = format!("is of degree {degree}: the map keeps a modified energy where it is at most 3");
+        return refuse(&message, "write a Hamiltonian of degree three at most");
     }
     if degree == 0 {
-        return Err(refuse(
-            format!("`{}` says nothing: it depends on no state", name.text),
-            "write a sum of states",
-        ));
+        return refuse("says nothing: it depends on no state", "write a sum of states");
     }
-    let divides_by_site = hamiltonian
-        .density
-        .denominator()
-        .variables()
-        .into_iter()
-        .any(|variable| matches!(family.role(variable), Role::SiteParameter { .. }));
+    let is_of_site = |&variable: &Variable| matches!(family.role(variable), Role::SiteParameter { .. });
+    let divides_by_site = hamiltonian.density.denominator().variables().iter().any(is_of_site);
     if divides_by_site {
-        return Err(refuse(
-            format!("`{}` divides by a parameter of a site", name.text),
-            "declare the reciprocal as the parameter",
-        ));
+        return refuse("divides by a parameter of a site", "declare the reciprocal as the parameter");
     }
     match missing(&Middle::of(family), hamiltonian, &mut budget()) {
         Ok(None) => Ok(()),
@@ -58,15 +46,12 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
                 Boundary::Open => format!(" (site {site} of {sites} {})", plural(sites)),
             };
             let array = &family.arrays[array];
-            Err(Diagnostic::new(
-                Kind::FalseClaim,
-                name.span,
-                format!(
-                    "`{0}` is no Hamiltonian of this family: for every constant antisymmetric stencil K of reach {1}, K∇{0} differs from `{array}[i]dot` at the term `{term}`{place}",
-                    name.text, family.reach
-                ),
-                "correct the Hamiltonian or the equations",
-            ))
+            let message = format!(
+                "`{0}` is no Hamiltonian of this family: for every constant antisymmetric stencil K of reach {1}, K∇{0} differs from `{array}[i]dot` at the term `{term}`{place}",
+                name.text, family.reach
+            );
+            let help = "correct the Hamiltonian or the equations";
+            Err(Diagnostic::new(Kind::FalseClaim, name.span, message, help))
         }
     }
 }
@@ -113,13 +98,13 @@ pub(super) fn missing(
     middle: &Middle<'_>,
     hamiltonian: &SiteSum,
     budget: &mut Budget,
-) -> Result<Option<Missing>, OverBudget> {
-    let unknowns = unknowns(middle.family);
+) -> Within<Option<Missing>> {
+    let unknowns = unknowns(middle.chain.family);
     budget.charge(unknowns.len() as u64)?;
     let gradient = gradient(middle, hamiltonian, budget)?;
     let divisor = middle.at(&hamiltonian.density, 0).denominator().clone();
     let mut rows = Vec::new();
-    for array in 0..middle.family.block() {
+    for array in 0..middle.chain.family.block() {
         rows.push(row(middle, &unknowns, &gradient, &divisor, array, budget)?);
     }
     let mut equations = Equations::new(unknowns.len());
@@ -130,7 +115,7 @@ pub(super) fn missing(
         sites: extent.sites(),
     };
     // Far from the ends all terms of a monomial stand together; those of ẋ first, to be named.
-    let long = Extent { first: 0, last: middle.sites - 1 };
+    let long = Extent { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
             let given = |term: &RowTerm| term.unknown == unknowns.len();
@@ -157,17 +142,13 @@ pub(super) fn missing(
 }
 
 /// The derivatives of H, but for its divisor, by the state of each array in the middle.
-fn gradient(
-    middle: &Middle<'_>,
-    hamiltonian: &SiteSum,
-    budget: &mut Budget,
-) -> Result<Vec<Vec<Term>>, OverBudget> {
-    let mut gradient: Vec<Vec<Term>> = (0..middle.family.block()).map(|_| Vec::new()).collect();
+fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
+    let mut gradient: Vec<Vec<Term>> = (0..middle.chain.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
     for (monomial, value) in density.numerator().terms() {
         let extent = middle.extent(monomial, middle.extent_of_site(0));
         for &(state, exponent) in monomial.powers() {
-            if !middle.symbols.is_state(state) {
+            if !middle.chain.symbols.is_state(state) {
                 continue;
             }
             budget.charge(1)?;
@@ -192,8 +173,8 @@ fn row(
     divisor: &Polynomial,
     array: usize,
     budget: &mut Budget,
-) -> Result<Vec<RowTerm>, OverBudget> {
-    let component = middle.at(&middle.family.components[array], 0);
+) -> Within<Vec<RowTerm>> {
+    let component = middle.at(&middle.chain.family.components[array], 0);
     let here = middle.extent_of_site(0);
     let mut terms = Vec::new();
     let mut add = |unknown, monomial: &Monomial, coefficient: Rational, extent: Extent| {
@@ -228,22 +209,61 @@ fn row(
 
 /// A monomial as one of the family, seen from the middle.
 fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
-    let family = middle.family;
-    let name = |variable| match middle.symbols.symbol(variable) {
+    let family = middle.chain.family;
+    let name = |variable| match middle.chain.symbols.symbol(variable) {
         Symbol::State(_) => {
             let (offset, array) = middle.state(variable);
             Reference::Site { array: &family.arrays[array], offset }.to_string()
         }
         Symbol::Parameter(k) if k >= family.parameters.len() => {
-            let (index, site) =
-                ((k - family.parameters.len()) / middle.sites, (k - family.parameters.len()) % middle.sites);
-            let offset = site as i64 - middle.site as i64;
-            Reference::Site { array: &family.site_parameters[index], offset }.to_string()
+            let (k, sites) = (k - family.parameters.len(), middle.chain.sites);
+            let offset = (k % sites) as i64 - middle.site as i64;
+            Reference::Site { array: &family.site_parameters[k / sites], offset }.to_string()
         }
-        _ => middle.symbols.name(variable),
+        _ => middle.chain.symbols.name(variable),
     };
     let powers = monomial.powers().iter();
     let factors: Vec<String> =
         powers.map(|&(variable, exponent)| Text.power(&name(variable), exponent.into())).collect();
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
+}
+
+/// Equations Σ aₖuₖ = r, each reduced by those before it. The right side has the number behind all
+/// unknowns.
+struct Equations {
+    unknowns: usize,
+    /// By the first unknown that occurs, whose coefficient is 1.
+    rows: Table<usize, Row>,
+}
+
+impl Equations {
+    fn new(unknowns: usize) -> Self {
+        Equations { unknowns, rows: Table::new() }
+    }
+
+    /// Adds an equation, whose terms of one unknown are added up; `false` if it contradicts those
+    /// before it.
+    fn add<'a>(
+        &mut self,
+        terms: impl Iterator<Item = (usize, &'a Polynomial)>,
+        budget: &mut Budget,
+    ) -> Within<bool> {
+        let mut sums: Table<usize, RationalFunction> = Table::new();
+        for (unknown, coefficient) in terms {
+            let sum = sums.or_insert_with(unknown, |_| RationalFunction::zero());
+            *sum = sum.add_within(&RationalFunction::from(coefficient.clone()), budget)?;
+        }
+        let mut equation: Row = sums.into_iter().filter(|(_, value)| !value.is_zero()).collect();
+        loop {
+            let Some((first, factor)) = equation.first() else { return Ok(true) };
+            if *first == self.unknowns {
+                return Ok(false);
+            }
+            let Some(row) = self.rows.get(first) else {
+                self.rows.insert(*first, with_leading_one(&equation, budget)?);
+                return Ok(true);
+            };
+            equation = reduced(&equation, factor, row, budget)?;
+        }
+    }
 }

@@ -8,7 +8,6 @@ pub mod conserved;
 pub mod everywhere;
 mod expand;
 mod hamiltonian;
-mod linear;
 #[cfg(test)]
 mod tests;
 

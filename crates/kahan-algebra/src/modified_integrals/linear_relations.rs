@@ -1,7 +1,7 @@
 //! Linear relations between polynomials in the states, over the field of rational functions of the
 //! parameters: sparse elimination to reduced row echelon form.
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
+use crate::poly::{Budget, Monomial, Polynomial, Within};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 use crate::symbols::Symbols;
 
@@ -17,7 +17,7 @@ pub(super) fn linear_relations(
     vectors: &[Polynomial],
     symbols: &Symbols,
     budget: &mut Budget,
-) -> Result<Vec<Relation>, OverBudget> {
+) -> Within<Vec<Relation>> {
     let (rows, is_zero) = equations(vectors, symbols);
     let mut by_first: Vec<Vec<Row>> = vec![Vec::new(); vectors.len()];
     rows.into_iter().for_each(|row| by_first[row[0].0].push(row));
@@ -69,10 +69,9 @@ fn equations(vectors: &[Polynomial], symbols: &Symbols) -> (Vec<Row>, Vec<bool>)
         entries.extend(by_states.into_iter().map(|(states, entry)| (states, column, entry)));
     }
     entries.sort_by(|left, right| left.0.cmp(&right.0));
-    let mut rows: Vec<Vec<(usize, Polynomial)>> = Vec::new();
-    for row in entries.chunk_by(|left, right| left.0 == right.0) {
-        rows.push(row.iter().map(|(_, column, entry)| (*column, entry.clone())).collect());
-    }
+    let rows = entries.chunk_by(|left, right| left.0 == right.0);
+    let entry = |(_, column, entry): &(Monomial, usize, Polynomial)| (*column, entry.clone());
+    let mut rows: Vec<Vec<_>> = rows.map(|row| row.iter().map(entry).collect()).collect();
     let mut is_zero = vec![false; vectors.len()];
     loop {
         let alone: Vec<usize> = rows.iter().filter(|row| row.len() == 1).map(|row| row[0].0).collect();
@@ -88,7 +87,7 @@ fn equations(vectors: &[Polynomial], symbols: &Symbols) -> (Vec<Row>, Vec<bool>)
 }
 
 /// The relation times the least common denominator of its coefficients, over their content.
-fn cleared(relation: &Row, budget: &mut Budget) -> Result<Relation, OverBudget> {
+fn cleared(relation: &Row, budget: &mut Budget) -> Within<Relation> {
     let entries = relation.iter().map(|(_, entry)| entry);
     let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;
     let contents = numerators.iter().map(Polynomial::content);

@@ -170,7 +170,7 @@ impl<'a> Runner<'a> {
             let increment = by.map_or(*numerator, |reciprocal| short(numerator * reciprocal));
             short(x + increment)
         });
-        trial.error(&next.collect::<Vec<_>>())
+        trial.error_from(0, &next.collect::<Vec<_>>())
     }
 }
 

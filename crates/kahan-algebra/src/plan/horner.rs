@@ -98,10 +98,7 @@ impl PlanBuilder {
         let mut sum: Option<Node> = None;
         for (monomial, coefficient) in polynomial.terms() {
             let term = self.term(monomial, coefficient);
-            sum = Some(match sum {
-                Some(sum) => self.add(sum, term),
-                None => term,
-            });
+            sum = Some(sum.map_or(term, |sum| self.add(sum, term)));
         }
         sum.unwrap_or_else(|| self.constant(&Rational::zero()))
     }
@@ -110,12 +107,8 @@ impl PlanBuilder {
 /// The variable that most terms contain, the later one of equals; none where no variable is in two
 /// terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
-    polynomial
-        .frequencies()
-        .into_iter()
-        .filter(|&(_, count)| count > 1)
-        .max_by_key(|&(variable, count)| (count, variable))
-        .map(|(v, _)| v)
+    let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
+    counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)
 }
 
 /// Returns Σ v·q and r: each term in the product with that of its variables that most terms of the

@@ -20,30 +20,22 @@ struct Nodes<'a> {
     known: Vec<Option<Node>>,
 }
 
-impl<'a> Nodes<'a> {
-    fn of(values: &'a Values, rename: &'a dyn Fn(Variable) -> Variable) -> Self {
-        Nodes { values, rename, known: vec![None; values.values.len()] }
-    }
-
+impl Nodes<'_> {
     fn value(&mut self, builder: &mut PlanBuilder, place: usize) -> Node {
         if let Some(node) = self.known[place] {
             return node;
         }
-        let value = &self.values.values[place];
-        let outputs = builder.include_mapped(&plan_of([value.polynomial()]), |builder, variable| match self
-            .values
-            .place(variable)
-        {
+        let Values { values, .. } = self.values;
+        let plan = plan_of([values[place].polynomial()]);
+        let outputs = builder.include_mapped(&plan, |builder, variable| match self.values.place(variable) {
             Some(place) => self.value(builder, place),
             None => builder.input((self.rename)(variable)),
         });
-        let node = match value {
-            Value::Sum(_) => outputs[0],
-            Value::Reciprocal(_) => {
-                let one = builder.constant(&Rational::one());
-                builder.divide(one, outputs[0])
-            }
-        };
+        let mut node = outputs[0];
+        if let Value::Reciprocal(_) = values[place] {
+            let one = builder.constant(&Rational::one());
+            node = builder.divide(one, node);
+        }
         self.known[place] = Some(node);
         node
     }
@@ -72,7 +64,7 @@ impl Values {
         rename: &dyn Fn(Variable) -> Variable,
     ) -> Plan {
         let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(self, rename);
+        let mut nodes = Nodes { values: self, rename, known: vec![None; self.values.len()] };
         let outputs = builder.include_mapped(plan, |builder, variable| match value(variable) {
             Ok(place) => nodes.value(builder, place),
             Err(other) => builder.input(other),

@@ -25,6 +25,9 @@ pub struct Budget {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;
 
+/// The result of a computation that keeps to a budget.
+pub type Within<T> = Result<T, OverBudget>;
+
 impl Budget {
     /// At most `max_terms` terms in any result, and `work` term products in all.
     pub fn new(max_terms: usize, work: u64) -> Self {
@@ -42,7 +45,7 @@ impl Budget {
     }
 
     /// Takes `work` off the budget.
-    pub fn charge(&mut self, work: u64) -> Result<(), OverBudget> {
+    pub fn charge(&mut self, work: u64) -> Within<()> {
         match self.work.checked_sub(work) {
             Some(rest) => {
                 self.work = rest;
@@ -56,7 +59,7 @@ impl Budget {
     }
 
     /// Whether a result may have that many terms.
-    pub fn admit(&self, terms: usize) -> Result<(), OverBudget> {
+    pub fn admit(&self, terms: usize) -> Within<()> {
         if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
     }
 }
@@ -71,7 +74,7 @@ impl Error for OverBudget {}
 
 impl Polynomial {
     /// The sum, if it has no more terms than the budget admits.
-    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         budget.charge((self.len() + other.len()) as u64)?;
         let sum = self + other;
         budget.admit(sum.len())?;
@@ -84,7 +87,7 @@ impl Polynomial {
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
-    ) -> Result<Self, OverBudget> {
+    ) -> Within<Self> {
         let sum = Self::sum_with(summands, |a, b| {
             let words = a.bits() / 64 + b.bits() / 64;
             budget.charge(words.saturating_mul(words))?;
@@ -95,7 +98,7 @@ impl Polynomial {
     }
 
     /// The product, if the budget allows for it.
-    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {
             return Err(OverBudget);
         }
@@ -111,7 +114,7 @@ impl Polynomial {
     /// The size is bounded beforehand: by the number C(e+t−1, t−1) of products of e out of t terms,
     /// and by the number of monomials whose degree in each variable is at most e times that of the
     /// base.
-    pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Result<Self, OverBudget> {
+    pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Within<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);
         }

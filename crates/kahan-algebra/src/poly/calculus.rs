@@ -3,7 +3,7 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
 
-use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
+use super::{Budget, Monomial, Polynomial, Term, Variable, Within};
 
 impl Polynomial {
     /// The partial derivative.
@@ -66,7 +66,7 @@ impl Polynomial {
         (a, b): (&Self, &Self),
         degree: u32,
         budget: &mut Budget,
-    ) -> Result<Self, OverBudget> {
+    ) -> Within<Self> {
         let mut sum = Self::zero();
         for (exponent, coefficient) in self.coefficients_in(variable) {
             let power = a.pow_within(exponent, budget)?;
@@ -142,22 +142,17 @@ impl Polynomial {
     /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the
     /// variable.
     pub fn coefficients_in(&self, variable: Variable) -> Table<u32, Self> {
-        self.group(|other| other == variable)
-            .into_iter()
-            .map(|(power, coefficient)| (power.degree(), coefficient))
-            .collect()
+        let groups = self.group(|other| other == variable).into_iter();
+        groups.map(|(power, coefficient)| (power.degree(), coefficient)).collect()
     }
 
     /// The coefficient of the highest power of `variable`; 0 for 0.
     pub fn leading_coefficient_in(&self, variable: Variable) -> Self {
         let degree = self.degree_in(variable);
         let power = Monomial::power(variable, degree);
-        Self::from_sorted(
-            self.terms()
-                .filter(|(monomial, _)| monomial.exponent(variable) == degree)
-                .filter_map(|(monomial, coefficient)| Some((monomial.div(&power)?, coefficient.clone())))
-                .collect(),
-        )
+        let highest = self.terms().filter(|(monomial, _)| monomial.exponent(variable) == degree);
+        let divided = highest.filter_map(|(monomial, value)| Some((monomial.div(&power)?, value.clone())));
+        Self::from_sorted(divided.collect())
     }
 
     /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in

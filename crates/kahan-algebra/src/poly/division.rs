@@ -1,11 +1,14 @@
-//! Exact division: the quotient where there is one, and nothing where there is a remainder.
+//! Exact division: the quotient where there is one, and nothing where there is a remainder; and what
+//! can be taken out of every term, a rational and a monomial.
 //!
 //! Leading terms are divided out one after another; the order is admissible, so the first leading
 //! term that the divisor's does not divide proves that no polynomial quotient exists. Degrees and
 //! lowest terms are compared first: in most cases that do not divide, they tell.
 
+use kahan_syntax::rational::Rational;
+
 use super::arithmetic::merge;
-use super::{Budget, OverBudget, Polynomial};
+use super::{Budget, Monomial, Polynomial, Within};
 
 impl Polynomial {
     /// The quotient self/divisor if it is a polynomial; `None` if not, or if `divisor` is zero.
@@ -14,7 +17,7 @@ impl Polynomial {
     }
 
     /// [`checked_div`](Self::checked_div) with the work charged to a budget.
-    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
         let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
         let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
         if lead.is_one() {
@@ -43,5 +46,51 @@ impl Polynomial {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
+    }
+
+    /// The rational c such that self/c is primitive: integer coefficients without a common factor,
+    /// the leading one positive. Its sign is that of the leading coefficient; the content of 0 is
+    /// 1.
+    pub fn content(&self) -> Rational {
+        let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
+        let mut content = leading.abs();
+        for (_, coefficient) in &self.terms {
+            content = content.gcd(coefficient);
+        }
+        if leading.is_negative() { -content } else { content }
+    }
+
+    /// self divided by its content: the primitive polynomial with the same zeros. 0 stays 0.
+    pub fn primitive_part(&self) -> Self {
+        let content = self.content();
+        match content.recip() {
+            Some(inverse) => self.scale(&inverse),
+            None => self.clone(),
+        }
+    }
+
+    /// The greatest monomial that divides every term; 1 for the zero polynomial.
+    pub fn monomial_content(&self) -> Monomial {
+        let Some((leading, _)) = self.leading_term() else { return Monomial::one() };
+        let mut common = leading.clone();
+        for (monomial, _) in &self.terms {
+            if common.is_one() {
+                break;
+            }
+            common = common.gcd(monomial);
+        }
+        common
+    }
+
+    /// The quotient by a monomial; `None` where it does not divide every term.
+    pub fn div_monomial(&self, divisor: &Monomial) -> Option<Self> {
+        if divisor.is_one() {
+            return Some(self.clone());
+        }
+        let mut terms = Vec::with_capacity(self.terms.len());
+        for (monomial, coefficient) in &self.terms {
+            terms.push((monomial.div(divisor)?, coefficient.clone()));
+        }
+        Some(Self::from_sorted(terms))
     }
 }

@@ -15,7 +15,7 @@
 
 use kahan_syntax::table::Table;
 
-use super::{Budget, OverBudget, Polynomial, Variable};
+use super::{Budget, Polynomial, Variable, Within};
 use crate::prime_field::{PrimeField, SplitMix64};
 
 /// Where the images are taken.
@@ -37,11 +37,7 @@ type Univariate = Vec<u64>;
 ///
 /// # Panics
 /// If a coefficient of one that is not primitive has a denominator that 2^61 − 1 divides.
-pub fn degree_bounds(
-    a: &Polynomial,
-    b: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Table<Variable, u32>, OverBudget> {
+pub fn degree_bounds(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Table<Variable, u32>> {
     let (degrees_a, degrees_b) = (degrees(a), degrees(b));
     budget.charge((a.len() + b.len()) as u64)?;
     for (variable, &degree_a) in degrees_a.iter() {

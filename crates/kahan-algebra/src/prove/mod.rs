@@ -23,13 +23,12 @@ pub use sizes::{ERROR_EXPONENT, points_needed};
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::derived::Scheme;
 use crate::poly::Polynomial;
 use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::system::{Claim, Condition, System};
 
-use sample::Samples;
+use sample::{Samples, Scheme};
 
 /// What is known of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,15 +57,15 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     let scheme = Scheme::of(&system.field);
     let mut random = Shake256::new(&seed);
     // Claims on the same specialisation share their points.
-    let mut groups: Vec<(&[Condition], Samples)> = Vec::new();
+    let mut groups: Vec<Samples<'_>> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
-        let known = groups.iter().position(|(conditions, _)| are_equal(conditions, &claim.conditions));
+        let known = groups.iter().position(|group| are_equal(group.conditions, &claim.conditions));
         let group = known.unwrap_or_else(|| {
-            groups.push((&claim.conditions, Samples::new(random.next_seed())));
+            groups.push(Samples::new(&claim.conditions, random.next_seed()));
             groups.len() - 1
         });
-        verdicts.push(modular::decide(&scheme, claim, &mut groups[group].1));
+        verdicts.push(modular::decide(&scheme, claim, &mut groups[group]));
     }
     verdicts
 }
@@ -97,12 +96,12 @@ pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnosti
         && operations(system) > MOST_OPERATIONS
     {
         let count = system.claims.len();
-        diagnostics.report(
-            Kind::TooLarge,
-            claim.name.span,
-            format!("the claims of this block, {count} in all, take more than {MOST_OPERATIONS} operations at a point to prove"),
-            "claim less in one block, or shorter formulas; of many equations that are alike write a family",
+        let message = format!(
+            "the claims of this block, {count} in all, take more than {MOST_OPERATIONS} operations at a point to prove"
         );
+        let help =
+            "claim less in one block, or shorter formulas; of many equations that are alike write a family";
+        diagnostics.report(Kind::TooLarge, claim.name.span, message, help);
         return;
     }
     for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
@@ -128,21 +127,19 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
             let help = "claim something that depends on the states, or remove the claim";
             (Kind::Claim, format!("says nothing: {why}"), help)
         }
-        Verdict::Undefined => (
-            Kind::Claim,
-            "divides by zero identically".to_owned(),
-            "no point gives it a value: correct its divisors",
-        ),
-        Verdict::NoMap => (
-            Kind::Claim,
-            format!("is about no map: at {} det A is 0 everywhere", condition_text(system, claim)),
-            "choose other values behind `when`",
-        ),
-        Verdict::TooLarge => (
-            Kind::TooLarge,
-            format!("has too high a degree to be proved: with its map put in, more than {HIGHEST_DEGREE}"),
-            "write the claim with smaller powers",
-        ),
+        Verdict::Undefined => {
+            let help = "no point gives it a value: correct its divisors";
+            (Kind::Claim, "divides by zero identically".to_owned(), help)
+        }
+        Verdict::NoMap => {
+            let conditions = condition_text(system, claim);
+            let message = format!("is about no map: at {conditions} det A is 0 everywhere");
+            (Kind::Claim, message, "choose other values behind `when`")
+        }
+        Verdict::TooLarge => {
+            let why = "has too high a degree to be proved: with its map put in, more than";
+            (Kind::TooLarge, format!("{why} {HIGHEST_DEGREE}"), "write the claim with smaller powers")
+        }
     };
     diagnostics.report(kind, claim.name.span, format!("the {keyword} `{name}` {message}"), help);
 }

@@ -3,15 +3,13 @@
 
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::arithmetic::{Arithmetic, Exact};
-use crate::derived::Scheme;
+use crate::arithmetic::{Exact, OverRationals};
 use crate::system::Claim;
-use kahan_syntax::rational::Rational;
 
 use super::Verdict;
 use super::refute::{Refutation, refute};
-use super::residual::{gradients, pairs};
-use super::sample::{MOST_DRAWS, Sample, Samples};
+use super::residual::Test;
+use super::sample::{MOST_DRAWS, Samples, Scheme};
 use super::sizes::points_for;
 
 /// On what a proof rests.
@@ -30,19 +28,18 @@ struct Evidence {
 }
 
 /// Decides one claim.
-pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Verdict {
+pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Verdict {
     let Some(needed) = points_for(scheme, claim) else { return Verdict::TooLarge };
-    let n = scheme.dimension();
     let (mut accepted, mut drawn, mut says_something) = (0, 0, false);
     while accepted < needed {
         if drawn >= accepted as usize + MOST_DRAWS {
             return Verdict::Undefined;
         }
-        let Some((arithmetic, sample)) = samples.modular(scheme, &claim.conditions, drawn) else {
+        let Some((arithmetic, sample)) = samples.modular(scheme, drawn) else {
             return Verdict::NoMap;
         };
         drawn += 1;
-        let Some(evidence) = examine(claim, arithmetic, sample, n) else { continue };
+        let Some(evidence) = examine(&Test { claim, arithmetic, sample }) else { continue };
         if !evidence.holds {
             return Verdict::Refuted(refute(scheme, claim));
         }
@@ -60,10 +57,10 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> V
 }
 
 /// Whether the claim holds at an exact point of small rationals; `None` if it has a value at none.
-fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Option<bool> {
+fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
-        let sample = samples.exact(scheme, &claim.conditions, index)?;
-        if let Some(evidence) = examine(claim, &Exact, sample, scheme.dimension()) {
+        let sample = samples.exact(scheme, index)?;
+        if let Some(evidence) = examine(&Test { claim, arithmetic: &Exact, sample }) {
             return Some(evidence.holds);
         }
     }
@@ -71,16 +68,10 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Option<
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 
-fn examine<A: Arithmetic<Constant = Rational>>(
-    claim: &Claim,
-    arithmetic: &A,
-    sample: &Sample<A::Value>,
-    n: usize,
-) -> Option<Evidence> {
-    let pairs = pairs(claim, arithmetic, sample, n)?;
+fn examine<A: OverRationals>(test: &Test<'_, A>) -> Option<Evidence> {
+    let (pairs, arithmetic) = (test.pairs()?, test.arithmetic);
     let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
-    let values = gradients(claim, arithmetic, &sample.here, n)?;
-    let says_something = values.iter().any(|value| match claim.kind {
+    let says_something = test.gradients()?.iter().any(|value| match test.claim.kind {
         ClaimKind::Integral | ClaimKind::Drift => {
             value.gradient.iter().any(|slope| !arithmetic.is_zero(slope))
         }

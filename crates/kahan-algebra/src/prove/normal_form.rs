@@ -4,15 +4,14 @@
 use kahan_syntax::rational::Rational;
 
 use crate::arithmetic::{Arithmetic, Function, Functions};
-use crate::derived::Scheme;
 use crate::kahan::RationalMap;
 use crate::plan::plan_of;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::relations::put_into;
 use crate::system::{Claim, System};
 
-use super::residual::pairs;
-use super::sample::{Sample, impose, rows, run};
+use super::residual::Test;
+use super::sample::{Sample, Scheme, impose, rows, run};
 
 /// Terms of any intermediate result, and products of terms in all: about a second at worst, with
 /// long coefficients.
@@ -28,7 +27,7 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
     let sample = sample(&scheme, &map, claim, &functions)?;
     let mut holds = true;
-    for pair in pairs(claim, &functions, &sample, scheme.dimension())? {
+    for pair in (Test { claim, arithmetic: &functions, sample: &sample }).pairs()? {
         holds &= functions.subtract(&pair.left, &pair.right)?.numerator.is_zero();
     }
     Some(holds)

@@ -5,13 +5,12 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::arithmetic::{Arithmetic, Exact, solve};
-use crate::derived::Scheme;
 use crate::prime_field::SplitMix64;
 use crate::symbols::Symbols;
 use crate::system::{Claim, upper_index};
 
-use super::residual::{Place, congruence, pairs};
-use super::sample::{Sample, run, small_point, take_step};
+use super::residual::{Place, Test};
+use super::sample::{Scheme, run, small_point, take_step};
 
 /// Heights searched, and points tried at each.
 const HIGHEST: u64 = 24;
@@ -44,7 +43,7 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
         for _ in 0..POINTS_PER_HEIGHT {
             let here = small_point(scheme, &claim.conditions, height, &mut random);
             let Some(sample) = here.and_then(|here| take_step(scheme, &Exact, here)) else { continue };
-            if let Some(refutation) = at(claim, &sample, scheme.dimension()) {
+            if let Some(refutation) = at(&Test { claim, arithmetic: &Exact, sample: &sample }) {
                 return refutation;
             }
         }
@@ -53,27 +52,23 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
 }
 
 /// The refutation that this point is, if it is one.
-fn at(claim: &Claim, sample: &Sample<Rational>, n: usize) -> Option<Refutation> {
-    let failing = pairs(claim, &Exact, sample, n)?.into_iter().find(|pair| pair.left != pair.right)?;
+fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
+    let Test { claim, sample, .. } = *test;
+    let failing = test.pairs()?.into_iter().find(|pair| pair.left != pair.right)?;
     let (left, right) = match failing.place {
-        Place::Entry(i, j) => transported(claim, sample, i, j, n)?,
+        Place::Entry(i, j) => transported(test, i, j)?,
         Place::Value | Place::Jacobi(..) => (failing.left, failing.right),
     };
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
 /// (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the two sides as a person would compare them.
-fn transported(
-    claim: &Claim,
-    sample: &Sample<Rational>,
-    i: usize,
-    j: usize,
-    n: usize,
-) -> Option<(Rational, Rational)> {
+fn transported(test: &Test<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
+    let Test { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;
-    let entry = upper_index(n, i, j);
+    let entry = upper_index(jacobian.len(), i, j);
     let here = run(&Exact, &claim.plan, &sample.here)?;
-    let left = congruence(&Exact, &jacobian, &here, n).into_iter().nth(entry)?;
+    let left = test.congruence(&jacobian, &here).into_iter().nth(entry)?;
     let right = run(&Exact, &claim.plan, &sample.there)?.into_iter().nth(entry)?;
     (!Exact.is_zero(&Exact.subtract(&left, &right))).then_some((left, right))
 }
@@ -89,19 +84,16 @@ impl Refutation {
         let at: Vec<String> = names.zip(point).map(|(name, value)| format!("{name} = {value}")).collect();
         let at = at.join(", ");
         let (left, right) = (shorten(left), shorten(right));
-        let state = |i: usize| symbols.states[i].as_str();
+        let state = |i: &usize| symbols.states[*i].as_str();
         match (place, kind) {
-            (Place::Entry(i, j), _) => format!(
-                "at {at} the map carries {{{0},{1}}} to {left}, but {{{0},{1}}} at the next point is {right}",
-                state(*i),
-                state(*j)
-            ),
-            (Place::Jacobi(i, j, k), _) => format!(
-                "at {at} the Jacobi sum of {}, {}, {} is {left}, not 0",
-                state(*i),
-                state(*j),
-                state(*k)
-            ),
+            (Place::Entry(i, j), _) => {
+                let entry = format!("{{{},{}}}", state(i), state(j));
+                format!("at {at} the map carries {entry} to {left}, but {entry} at the next point is {right}")
+            }
+            (Place::Jacobi(i, j, k), _) => {
+                let [i, j, k] = [i, j, k].map(state);
+                format!("at {at} the Jacobi sum of {i}, {j}, {k} is {left}, not 0")
+            }
             (Place::Value, ClaimKind::Density) => {
                 format!("at {at} it is {right}, but its next value times the Jacobian determinant is {left}")
             }

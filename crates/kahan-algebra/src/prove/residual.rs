@@ -14,7 +14,7 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
-use crate::arithmetic::{Arithmetic, Dual, DualNumber};
+use crate::arithmetic::{Arithmetic, Dual, DualNumber, OverRationals};
 use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};
@@ -37,133 +37,114 @@ pub enum Place {
     Jacobi(usize, usize, usize),
 }
 
-/// All pairs of a claim at a sample; `None` where the claim has no value.
-pub(super) fn pairs<A: Arithmetic<Constant = Rational>>(
-    claim: &Claim,
-    arithmetic: &A,
-    sample: &Sample<A::Value>,
-    n: usize,
-) -> Option<Vec<Pair<A::Value>>> {
-    let here = run(arithmetic, &claim.plan, &sample.here)?;
-    let there = run(arithmetic, &claim.plan, &sample.there)?;
-    match claim.kind {
-        ClaimKind::Integral => {
-            Some(vec![Pair { place: Place::Value, left: there[0].clone(), right: here[0].clone() }])
-        }
-        ClaimKind::Drift => {
-            Some(vec![Pair { place: Place::Value, left: there[0].clone(), right: here[1].clone() }])
-        }
-        ClaimKind::Density => {
-            let left = arithmetic.multiply(&there[0], &sample.jacobian_determinant);
-            Some(vec![Pair { place: Place::Value, left, right: here[0].clone() }])
-        }
-        ClaimKind::Bracket => {
-            let mut pairs = invariance(arithmetic, &here, &there, sample, n);
-            pairs.extend(jacobi(claim, arithmetic, sample, n)?);
-            Some(pairs)
-        }
+/// A claim at a sample, in an arithmetic.
+pub(super) struct Test<'a, A: Arithmetic> {
+    pub(super) claim: &'a Claim,
+    pub(super) arithmetic: &'a A,
+    pub(super) sample: &'a Sample<A::Value>,
+}
+
+impl<A: OverRationals> Test<'_, A> {
+    /// The dimension of the map.
+    fn n(&self) -> usize {
+        self.sample.matrix.len()
     }
-}
 
-fn invariance<A: Arithmetic<Constant = Rational>>(
-    arithmetic: &A,
-    here: &[A::Value],
-    there: &[A::Value],
-    sample: &Sample<A::Value>,
-    n: usize,
-) -> Vec<Pair<A::Value>> {
-    let left = congruence(arithmetic, &sample.back_matrix, here, n);
-    let right = congruence(arithmetic, &sample.matrix, there, n);
-    let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| Place::Entry(i, j)));
-    places
-        .zip(left.into_iter().zip(right))
-        .map(|(place, (left, right))| Pair { place, left, right })
-        .collect()
-}
-
-/// The entries above the diagonal of M P Mᵀ, P given by its own: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ.
-pub(super) fn congruence<A: Arithmetic<Constant = Rational>>(
-    arithmetic: &A,
-    matrix: &[Vec<A::Value>],
-    upper: &[A::Value],
-    n: usize,
-) -> Vec<A::Value> {
-    let mut entries = Vec::new();
-    for i in 0..n {
-        for j in i + 1..n {
-            let mut sum: Option<A::Value> = None;
-            for k in 0..n {
-                for l in k + 1..n {
-                    let value = &upper[upper_index(n, k, l)];
-                    if arithmetic.is_zero(value) {
-                        continue;
-                    }
-                    let minor = arithmetic.subtract(
-                        &arithmetic.multiply(&matrix[i][k], &matrix[j][l]),
-                        &arithmetic.multiply(&matrix[i][l], &matrix[j][k]),
-                    );
-                    let term = arithmetic.multiply(&minor, value);
-                    sum = Some(sum.map_or_else(|| term.clone(), |sum| arithmetic.add(&sum, &term)));
-                }
+    /// All pairs of the claim; `None` where it has no value.
+    pub(super) fn pairs(&self) -> Option<Vec<Pair<A::Value>>> {
+        let Test { claim, arithmetic, sample } = *self;
+        let here = run(arithmetic, &claim.plan, &sample.here)?;
+        let there = run(arithmetic, &claim.plan, &sample.there)?;
+        let single =
+            |left: A::Value, right: &A::Value| vec![Pair { place: Place::Value, left, right: right.clone() }];
+        Some(match claim.kind {
+            ClaimKind::Integral => single(there[0].clone(), &here[0]),
+            ClaimKind::Drift => single(there[0].clone(), &here[1]),
+            ClaimKind::Density => {
+                single(arithmetic.multiply(&there[0], &sample.jacobian_determinant), &here[0])
             }
-            entries.push(sum.unwrap_or_else(|| upper[0].clone()));
-        }
+            ClaimKind::Bracket => {
+                [self.invariance(&here, &there), self.jacobi()?].into_iter().flatten().collect()
+            }
+        })
     }
-    entries
-}
 
-fn jacobi<A: Arithmetic<Constant = Rational>>(
-    claim: &Claim,
-    arithmetic: &A,
-    sample: &Sample<A::Value>,
-    n: usize,
-) -> Option<Vec<Pair<A::Value>>> {
-    let zero = arithmetic.constant(&Rational::zero())?;
-    let upper = gradients(claim, arithmetic, &sample.here, n)?;
-    // Pᵢⱼ for any i, j; the diagonal is zero.
-    let entry = |i: usize, j: usize| -> Option<(&DualNumber<A::Value>, bool)> {
-        (i != j).then(|| (&upper[upper_index(n, i.min(j), i.max(j))], i > j))
-    };
-    let signed = |value: A::Value, negative: bool| if negative { arithmetic.negate(&value) } else { value };
-    let mut pairs = Vec::new();
-    for i in 0..n {
-        for j in i + 1..n {
-            for k in j + 1..n {
-                let mut sum = zero.clone();
-                for (a, b, c) in [(i, j, k), (j, k, i), (k, i, j)] {
-                    let Some((tensor, tensor_negative)) = entry(b, c) else { continue };
-                    for l in 0..n {
-                        let (Some((weight, weight_negative)), Some(slope)) =
-                            (entry(a, l), tensor.gradient.get(l))
-                        else {
+    fn invariance(&self, here: &[A::Value], there: &[A::Value]) -> Vec<Pair<A::Value>> {
+        let left = self.congruence(&self.sample.back_matrix, here);
+        let right = self.congruence(&self.sample.matrix, there);
+        let n = self.n();
+        let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| Place::Entry(i, j)));
+        let pairs = places.zip(left.into_iter().zip(right));
+        pairs.map(|(place, (left, right))| Pair { place, left, right }).collect()
+    }
+
+    /// The entries above the diagonal of M P Mᵀ, P given by its own: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ.
+    pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
+        let (arithmetic, n) = (self.arithmetic, self.n());
+        let mut entries = Vec::new();
+        for i in 0..n {
+            for j in i + 1..n {
+                let mut sum: Option<A::Value> = None;
+                for k in 0..n {
+                    for l in k + 1..n {
+                        let value = &upper[upper_index(n, k, l)];
+                        if arithmetic.is_zero(value) {
                             continue;
-                        };
-                        let product = arithmetic.multiply(&weight.value, slope);
-                        sum = arithmetic.add(&sum, &signed(product, weight_negative != tensor_negative));
+                        }
+                        let minor = arithmetic.subtract(
+                            &arithmetic.multiply(&matrix[i][k], &matrix[j][l]),
+                            &arithmetic.multiply(&matrix[i][l], &matrix[j][k]),
+                        );
+                        let term = arithmetic.multiply(&minor, value);
+                        sum = Some(sum.map_or_else(|| term.clone(), |sum| arithmetic.add(&sum, &term)));
                     }
                 }
-                pairs.push(Pair { place: Place::Jacobi(i, j, k), left: sum, right: zero.clone() });
+                entries.push(sum.unwrap_or_else(|| upper[0].clone()));
             }
         }
+        entries
     }
-    Some(pairs)
-}
 
-/// The claim's values with their gradients in the states.
-pub(super) fn gradients<A: Arithmetic<Constant = Rational>>(
-    claim: &Claim,
-    arithmetic: &A,
-    here: &[A::Value],
-    n: usize,
-) -> Option<Vec<DualNumber<A::Value>>> {
-    let dual = Dual { base: arithmetic, directions: n };
-    let mut values = Vec::with_capacity(here.len());
-    for (index, value) in here.iter().enumerate() {
-        values.push(if index < n {
-            dual.coordinate(value.clone(), index)?
-        } else {
-            dual.fixed(value.clone())
-        });
+    fn jacobi(&self) -> Option<Vec<Pair<A::Value>>> {
+        let (arithmetic, n) = (self.arithmetic, self.n());
+        let zero = arithmetic.constant(&Rational::zero())?;
+        let upper = self.gradients()?;
+        // Pᵢⱼ for any i, j; the diagonal is zero.
+        let entry = |i: usize, j: usize| -> Option<(&DualNumber<A::Value>, bool)> {
+            (i != j).then(|| (&upper[upper_index(n, i.min(j), i.max(j))], i > j))
+        };
+        let signed =
+            |value: A::Value, negative: bool| if negative { arithmetic.negate(&value) } else { value };
+        let mut pairs = Vec::new();
+        for i in 0..n {
+            for j in i + 1..n {
+                for k in j + 1..n {
+                    let mut sum = zero.clone();
+                    for (a, b, c) in [(i, j, k), (j, k, i), (k, i, j)] {
+                        let Some((tensor, tensor_negative)) = entry(b, c) else { continue };
+                        for (l, slope) in tensor.gradient.iter().enumerate() {
+                            let Some((weight, weight_negative)) = entry(a, l) else { continue };
+                            let product = arithmetic.multiply(&weight.value, slope);
+                            sum = arithmetic.add(&sum, &signed(product, weight_negative != tensor_negative));
+                        }
+                    }
+                    pairs.push(Pair { place: Place::Jacobi(i, j, k), left: sum, right: zero.clone() });
+                }
+            }
+        }
+        Some(pairs)
     }
-    run(&dual, &claim.plan, &values)
+
+    /// The claim's values with their gradients in the states.
+    pub(super) fn gradients(&self) -> Option<Vec<DualNumber<A::Value>>> {
+        let (here, n) = (&self.sample.here, self.n());
+        let dual = Dual { base: self.arithmetic, directions: n };
+        let mut values = Vec::with_capacity(here.len());
+        for (index, value) in here.iter().enumerate() {
+            let moves = index < n;
+            let value = value.clone();
+            values.push(if moves { dual.coordinate(value, index)? } else { dual.fixed(value) });
+        }
+        run(&dual, &self.claim.plan, &values)
+    }
 }

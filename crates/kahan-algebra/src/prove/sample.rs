@@ -2,12 +2,37 @@
 
 use kahan_syntax::rational::Rational;
 
-use crate::arithmetic::{Arithmetic, Exact, Modular, determinant, solve};
-use crate::derived::Scheme;
-use crate::plan::{Plan, PlanBuilder};
+use crate::arithmetic::{Exact, Modular, OverRationals, determinant, solve};
+use crate::field::Field;
+use crate::kahan::scaled_matrix;
+use crate::plan::{Input, Plan, PlanBuilder, plan_of};
 use crate::poly::Variable;
 use crate::prime_field::{PrimeField, Random, Shake256};
+use crate::symbols::Symbols;
 use crate::system::Condition;
+
+/// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms
+/// lose nothing and divide by nothing.
+pub(super) struct Scheme {
+    pub(super) symbols: Symbols,
+    pub(super) numerators: Plan,
+    pub(super) matrix: Plan,
+    /// The number of variables: states, parameters and ε.
+    pub(super) variables: usize,
+}
+
+impl Scheme {
+    pub(super) fn of(field: &Field) -> Self {
+        let numerators = plan_of(field.numerators());
+        let matrix = plan_of(scaled_matrix(field).iter().flatten());
+        let variables = usize::from(field.symbols.epsilon().0) + 1;
+        Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
+    }
+
+    pub(super) fn dimension(&self) -> usize {
+        self.symbols.dimension()
+    }
+}
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {
@@ -22,14 +47,13 @@ pub(super) struct Sample<V> {
 }
 
 /// Evaluates a plan whose variables have these values.
-pub(super) fn run<A: Arithmetic<Constant = Rational>>(
+pub(super) fn run<A: OverRationals>(
     arithmetic: &A,
     plan: &Plan,
     values: &[A::Value],
 ) -> Option<Vec<A::Value>> {
-    plan.evaluate(arithmetic, |input| input.variable().map(|Variable(k)| values[usize::from(k)].clone()))
-        .into_iter()
-        .collect()
+    let value = |input: &Input| input.variable().map(|Variable(k)| values[usize::from(k)].clone());
+    plan.evaluate(arithmetic, value).into_iter().collect()
 }
 
 /// Cuts the entries of an n×n matrix into rows.
@@ -38,7 +62,7 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
 }
 
 /// One step from `here`; `None` at a pole and where the arithmetic lacks a constant.
-pub(super) fn take_step<A: Arithmetic<Constant = Rational>>(
+pub(super) fn take_step<A: OverRationals>(
     scheme: &Scheme,
     arithmetic: &A,
     here: Vec<A::Value>,
@@ -67,25 +91,22 @@ pub(super) fn take_step<A: Arithmetic<Constant = Rational>>(
 pub(super) const MOST_DRAWS: usize = 16;
 
 /// The random points of one specialisation, drawn as they are asked for.
-pub(super) struct Samples {
+pub(super) struct Samples<'a> {
+    pub(super) conditions: &'a [Condition],
     random: Shake256,
     modular: Vec<(Modular, Sample<u64>)>,
     exact: Vec<Sample<Rational>>,
 }
 
-impl Samples {
-    pub(super) fn new(seed: [u8; 32]) -> Self {
-        Samples { random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
+impl<'a> Samples<'a> {
+    pub(super) fn new(conditions: &'a [Condition], seed: [u8; 32]) -> Self {
+        Samples { conditions, random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
     }
 
     /// The point `index` modulo a prime of its own; `None` if no step could be taken in
     /// [`MOST_DRAWS`] draws.
-    pub(super) fn modular(
-        &mut self,
-        scheme: &Scheme,
-        conditions: &[Condition],
-        index: usize,
-    ) -> Option<&(Modular, Sample<u64>)> {
+    pub(super) fn modular(&mut self, scheme: &Scheme, index: usize) -> Option<&(Modular, Sample<u64>)> {
+        let conditions = self.conditions;
         while self.modular.len() <= index {
             let sample = (0..MOST_DRAWS).find_map(|_| {
                 let arithmetic = Modular(PrimeField::random(&mut self.random));
@@ -100,12 +121,8 @@ impl Samples {
     }
 
     /// The exact point `index`, of small rationals; `None` as above.
-    pub(super) fn exact(
-        &mut self,
-        scheme: &Scheme,
-        conditions: &[Condition],
-        index: usize,
-    ) -> Option<&Sample<Rational>> {
+    pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
+        let conditions = self.conditions;
         while self.exact.len() <= index {
             let sample = (0..MOST_DRAWS).find_map(|_| {
                 take_step(scheme, &Exact, small_point(scheme, conditions, 3, &mut self.random)?)
@@ -118,7 +135,7 @@ impl Samples {
 
 /// Gives the names that conditions are solved for their values at a point of all others; `None`
 /// where one has none.
-pub(super) fn impose<A: Arithmetic<Constant = Rational>>(
+pub(super) fn impose<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,
     here: &mut [A::Value],

@@ -24,12 +24,11 @@
 //! writes a block cannot aim at its primes except by trial. deg F and b come from running the very
 //! same residuals in the arithmetic of sizes ([`Sizes`]).
 
-use crate::arithmetic::{Arithmetic, Size, Sizes};
-use crate::derived::Scheme;
+use crate::arithmetic::{Arithmetic, Length, Size, Sizes};
 use crate::system::Claim;
 
-use super::residual::pairs;
-use super::sample::{MOST_DRAWS, Sample, impose, rows, run};
+use super::residual::Test;
+use super::sample::{MOST_DRAWS, Sample, Scheme, impose, rows, run};
 
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
@@ -40,13 +39,9 @@ pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// The number of points that proves a claim; `None` if no reasonable number does.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
-    let n = scheme.dimension();
-    let sample = sample(scheme, claim)?;
-    let residuals = pairs(claim, &Sizes, &sample, n)?;
-    let worst = residuals
-        .iter()
-        .map(|pair| Sizes.subtract(&pair.left, &pair.right))
-        .fold(Size::default(), |a, b| Size { degree: a.degree.max(b.degree), bits: a.bits.max(b.bits), ..a });
+    let residuals = Test { claim, arithmetic: &Sizes, sample: &sample(scheme, claim)? }.pairs()?;
+    let lengths = residuals.iter().map(|pair| Sizes.subtract(&pair.left, &pair.right).above);
+    let worst = lengths.fold(Length::default(), Length::max);
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 

@@ -1,7 +1,7 @@
 //! Several rational functions at once: over one denominator, and as rows of linear equations.
 
 use super::{RationalFunction, divide, unlimited};
-use crate::poly::{Budget, OverBudget, Polynomial, gcd_within};
+use crate::poly::{Budget, Polynomial, Within, gcd_within};
 
 /// The entries of a row that are not zero, by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
@@ -19,7 +19,7 @@ impl RationalFunction {
     pub fn over_common_within<'a>(
         functions: impl Iterator<Item = &'a Self> + Clone,
         budget: &mut Budget,
-    ) -> Result<(Vec<Polynomial>, Polynomial), OverBudget> {
+    ) -> Within<(Vec<Polynomial>, Polynomial)> {
         let mut common = Polynomial::one();
         for function in functions.clone() {
             let shared = gcd_within(&common, &function.denominator, budget)?;
@@ -33,18 +33,13 @@ impl RationalFunction {
 }
 
 /// Divides a row by its first entry.
-pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Result<Row, OverBudget> {
+pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Within<Row> {
     let inverse = row[0].1.recip().expect("entries are not zero");
     row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()
 }
 
 /// Computes row − factor · pivot.
-pub(crate) fn reduced(
-    row: &Row,
-    factor: &RationalFunction,
-    pivot: &Row,
-    budget: &mut Budget,
-) -> Result<Row, OverBudget> {
+pub(crate) fn reduced(row: &Row, factor: &RationalFunction, pivot: &Row, budget: &mut Budget) -> Within<Row> {
     let words = factor.numerator().coefficient_words();
     let mut difference = Row::with_capacity(row.len() + pivot.len());
     let mut own = row.iter().peekable();

@@ -1,6 +1,6 @@
 //! Claims as written, and as statements.
 
-use kahan_syntax::syntax::ClaimBody;
+use kahan_syntax::syntax::{ClaimBody, TensorEntry};
 
 use crate::system::{Claim, System};
 
@@ -34,19 +34,15 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
-        ClaimBody::Function(expr) => {
-            vec![(notation.name(&claim.name.text), notation.expression(expr))]
-        }
+        ClaimBody::Function(expr) => vec![(notation.name(&claim.name.text), notation.expression(expr))],
         ClaimBody::Recurrence { function, next } => vec![
             (notation.name(&claim.name.text), notation.expression(function)),
             (notation.image(&claim.name.text), notation.expression(next)),
         ],
-        ClaimBody::Tensor(entries) => entries
-            .iter()
-            .map(|entry| {
-                (notation.entry(&entry.row.text, &entry.column.text), notation.expression(&entry.value))
-            })
-            .collect(),
+        ClaimBody::Tensor(entries) => {
+            let place = |entry: &TensorEntry| notation.entry(&entry.row.text, &entry.column.text);
+            entries.iter().map(|entry| (place(entry), notation.expression(&entry.value))).collect()
+        }
     }
 }
 

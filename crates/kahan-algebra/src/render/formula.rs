@@ -36,11 +36,8 @@ impl Formulas<'_> {
     }
 
     fn over_each(&self, polynomials: &[Polynomial]) -> Vec<String> {
-        polynomials
-            .iter()
-            .zip(&self.field.components)
-            .map(|(polynomial, component)| self.over(polynomial, component))
-            .collect()
+        let pairs = polynomials.iter().zip(&self.field.components);
+        pairs.map(|(polynomial, component)| self.over(polynomial, component)).collect()
     }
 
     /// f(x)
@@ -130,9 +127,7 @@ impl Formulas<'_> {
     }
 
     fn matrix_over(&self, rows: &[Vec<Polynomial>]) -> MatrixText {
-        rows.iter()
-            .zip(&self.field.components)
-            .map(|(row, component)| row.iter().map(|entry| self.over(entry, component)).collect())
-            .collect()
+        let rows = rows.iter().zip(&self.field.components);
+        rows.map(|(row, component)| row.iter().map(|entry| self.over(entry, component)).collect()).collect()
     }
 }

@@ -34,7 +34,7 @@ impl Identity<'_> {
         let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
             Ok([left, right]) => {
                 let difference = Sizes.subtract(&left, &right);
-                points_needed(difference.degree, difference.bits)
+                points_needed(difference.above.degree, difference.above.bits)
             }
             Err(trouble) => return Err(trouble),
         };

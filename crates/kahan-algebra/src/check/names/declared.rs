@@ -42,12 +42,9 @@ impl Scope {
             && is_keyword(&header.name.text)
         {
             let name = &header.name;
-            diagnostics.report(
-                Kind::Header,
-                name.span,
-                format!("the system's name `{}` is a keyword of Rust", name.text),
-                "choose another name",
-            );
+            let message = format!("the system's name `{}` is a keyword of Rust", name.text);
+            let help = "choose another name";
+            diagnostics.report(Kind::Header, name.span, message, help);
         }
         match &block.header {
             Some(header) => scope.collect_parameters(&header.parameters, block, diagnostics),
@@ -64,12 +61,9 @@ impl Scope {
                 continue;
             }
             if self.is_state_name(&state.text) {
-                diagnostics.report(
-                    Kind::Name,
-                    state.span,
-                    format!("`{}dot` is given twice", written(&state.text)),
-                    "remove one of the equations, or rename its state",
-                );
+                let message = format!("`{}dot` is given twice", written(&state.text));
+                let help = "remove one of the equations, or rename its state";
+                diagnostics.report(Kind::Name, state.span, message, help);
             } else {
                 if report_reserved(state, diagnostics) {
                     self.poison(&state.text);
@@ -132,12 +126,9 @@ impl Scope {
                 continue;
             }
             if is_keyword(text) {
-                diagnostics.report(
-                    Kind::Name,
-                    span,
-                    format!("`{text}` is a keyword of Rust and names no value"),
-                    "bind the value first: `let mu = …;`, then write `mu`",
-                );
+                let message = format!("`{text}` is a keyword of Rust and names no value");
+                let help = "bind the value first: `let mu = …;`, then write `mu`";
+                diagnostics.report(Kind::Name, span, message, help);
                 self.poison(text);
             } else {
                 self.add_parameter(text);

@@ -60,17 +60,12 @@ impl Trial {
         let exactly = next(exact, rows, &inputs, eps, states);
         let in_short = next(short, elimination.rows(short, &inputs), &inputs, eps, states);
         let mut trial = Trial { inputs, next: exactly, elimination: 0.0 };
-        trial.elimination = trial.error(&in_short);
+        trial.elimination = trial.error_from(0, &in_short);
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// The largest error of a component, in units u of the largest component; infinite where one is
-    /// not finite.
-    pub(super) fn error(&self, next: &[f64]) -> f64 {
-        self.error_from(0, next)
-    }
-
-    /// The same of the components from this one on.
+    /// The largest error of the components from number `first` on, in units u of the largest one;
+    /// infinite where one is not finite.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {

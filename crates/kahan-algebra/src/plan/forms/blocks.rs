@@ -165,15 +165,11 @@ impl<'a> Blocks<'a> {
         let right = |i: usize| &eps * &self.with_known(&self.polarized[i], block, &[]);
         let rows = rest.iter().map(|&i| {
             let eliminated = |start: Polynomial, entry: &dyn Fn(usize) -> Polynomial| {
-                independent
-                    .iter()
-                    .filter(|&&s| !self.matrix[i][s].is_zero())
-                    .fold(start, |sum, &s| &sum - &(&self.matrix[i][s] * &entry(s)))
+                let coupled = independent.iter().filter(|&&s| !self.matrix[i][s].is_zero());
+                coupled.fold(start, |sum, &s| &sum - &(&self.matrix[i][s] * &entry(s)))
             };
-            let mut row: Vec<Polynomial> = rest
-                .iter()
-                .map(|&j| eliminated(self.matrix[i][j].clone(), &|s| self.matrix[s][j].clone()))
-                .collect();
+            let entry = |&j: &usize| eliminated(self.matrix[i][j].clone(), &|s| self.matrix[s][j].clone());
+            let mut row: Vec<Polynomial> = rest.iter().map(entry).collect();
             row.push(eliminated(right(i), &right));
             row
         });

@@ -2,10 +2,9 @@
 
 use kahan_syntax::table::distinct;
 
-use crate::plan::cost::DERIVED;
 use crate::plan::step::split::{derived_constants, split};
 use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::{DERIVED, Goal};
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 
@@ -14,20 +13,18 @@ pub(in crate::plan) struct Candidate {
     pub(in crate::plan) builder: PlanBuilder,
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
-    price: u64,
-    operations: usize,
+    /// What is compared.
+    pub(in crate::plan) price: u64,
+    /// Operations from a state to the next, which bound the time of many orbits at once.
+    pub(in crate::plan) operations: usize,
     derived: usize,
 }
 
 impl Candidate {
-    pub(in crate::plan) fn new(
-        writer: Writer,
-        numerators: Vec<Node>,
-        reciprocals: Vec<Option<Node>>,
-    ) -> Self {
+    pub(super) fn new(writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
         let mut outputs = numerators.clone();
         outputs.extend(distinct(reciprocals.iter().copied().flatten()));
-        let Parts { kernel, derived } = Parts::of(&writer, &outputs);
+        let (kernel, derived) = writer.kernel(&outputs);
         let price = price_of(&kernel, numerators.len(), derived);
         let products = reciprocals.iter().flatten().count();
         let operations = kernel.cost().operations() + products + numerators.len();
@@ -36,7 +33,7 @@ impl Candidate {
 
     /// Makes a form from its numerators. Each comes with the reciprocal that multiplies it, and with
     /// whether the product changes its sign. A numerator that is 0 has no reciprocal.
-    pub(in crate::plan) fn over(
+    pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
     ) -> Self {
@@ -49,43 +46,26 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// What is compared.
-    pub(in crate::plan) fn price(&self) -> u64 {
-        self.price
-    }
-
-    /// Operations from a state to the next, which bound the time of many orbits at once.
-    pub(in crate::plan) fn operations(&self) -> usize {
-        self.operations
-    }
-
     /// Whether no prepared constant was rounded more than once where that matters.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
 }
 
-/// What a form computes for each state, and how many of its constants are rounded more than once.
-struct Parts {
-    kernel: Plan,
-    derived: usize,
-}
-
-impl Parts {
-    fn of(writer: &Writer, outputs: &[Node]) -> Self {
-        let plan = writer.draft.builder.finish(outputs);
-        let epsilon = writer.scaling.epsilon();
-        let (constants, kernel) = split(&plan, epsilon, |variable| writer.scaling.ready(variable).is_some());
-        let derived = if writer.scaling.folds { 0 } else { derived_constants(&constants, epsilon) };
-        Parts { kernel, derived }
-    }
-}
-
 impl Writer {
+    /// Returns what a form computes for each state, and how many of its constants are rounded more
+    /// than once.
+    fn kernel(&self, outputs: &[Node]) -> (Plan, usize) {
+        let plan = self.draft.builder.finish(outputs);
+        let epsilon = self.scaling.epsilon();
+        let (constants, kernel) = split(&plan, epsilon, |variable| self.scaling.ready(variable).is_some());
+        (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
+    }
+
     /// Whether no prepared constant that this step needs is rounded more than once where that
     /// matters. A form that has it needs no fewer constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
-        Parts::of(self, &[step]).derived == 0
+        self.kernel(&[step]).1 == 0
     }
 }
 

@@ -8,6 +8,7 @@ use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
 use crate::kept::Kept;
 use crate::poly::Polynomial;
+use crate::rational_function::RationalFunction;
 
 use crate::plan::forms::blocks::Blocks;
 use crate::plan::forms::candidate::Candidate;
@@ -64,13 +65,13 @@ impl Forms<'_> {
 /// The forms of a field's step: from products of sums that are `kept`, and from nothing else where
 /// there are some; of the reduced map, if that
 /// is within the budget, or of A; `None` where the field is too large for straight lines.
-pub(in crate::plan) fn forms<'a>(
+pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&Kept>,
     map: Option<&'a RationalMap>,
 ) -> Option<Forms<'a>> {
     if let Some(kept) = kept {
-        let best = products::candidates(field, kept).into_iter().min_by_key(Candidate::price)?;
+        let best = products::candidates(field, kept).into_iter().min_by_key(|form| form.price)?;
         return Some(Forms { best, factored: None });
     }
     let mut candidates: Vec<Candidate> = Vec::new();
@@ -85,7 +86,7 @@ pub(in crate::plan) fn forms<'a>(
     let map = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS);
     let factored = map.map(|map| FactoredMap::of(field, map));
     candidates.extend(factored.as_ref().and_then(FactoredMap::best));
-    let best = candidates.into_iter().min_by_key(Candidate::price)?;
+    let best = candidates.into_iter().min_by_key(|form| form.price)?;
     Some(Forms { best, factored })
 }
 
@@ -97,23 +98,18 @@ fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
 
 /// The forms that may keep more digits in long steps than the `best` one does, the cheapest first:
 /// blocks solved whole. Each is at most half as expensive again.
-pub(in crate::plan) fn steady_forms(
-    field: &Field,
-    map: Option<&RationalMap>,
-    best: &Candidate,
-) -> Vec<Candidate> {
+pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
     }
     let blocks = Blocks::of(field);
-    let orders = blocks.whole(ORDERS, 2 * best.operations());
+    let orders = blocks.whole(ORDERS, 2 * best.operations);
     let empty = Writer::empty(field);
     let whole =
         empty.iter().flat_map(|empty| orders.iter().flat_map(|order| blocks.candidates(empty, order, 1)));
-    let is_affordable = |form: &Candidate| {
-        2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
-    };
-    sorted_by_key(whole.filter(is_affordable), Candidate::price)
+    let is_affordable =
+        |form: &Candidate| 2 * form.price <= 3 * best.price && 2 * form.operations <= 3 * best.operations;
+    sorted_by_key(whole.filter(is_affordable), |form| form.price)
 }
 
 /// The terms of all equations.
@@ -146,7 +142,7 @@ impl FactoredMap<'_> {
                 to_try -= 1;
             }
             let candidate = self.finish(start);
-            if best.as_ref().is_none_or(|best| candidate.price() < best.price()) {
+            if best.as_ref().is_none_or(|best| candidate.price < best.price) {
                 best = Some(candidate);
             }
         }
@@ -211,14 +207,11 @@ impl FactoredMap<'_> {
     /// The determinants with the last expansion along a row.
     fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
         let eps = Polynomial::variable(self.field.symbols.epsilon());
-        let mut rows: Vec<Vec<Entry>> = matrix
-            .iter()
-            .zip(&self.field.components)
-            .map(|(row, component)| {
-                let right = &eps * component.numerator();
-                row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
-            })
-            .collect();
+        let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
+            let right = &eps * component.numerator();
+            row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
+        };
+        let mut rows: Vec<Vec<Entry>> = matrix.iter().zip(&self.field.components).map(row).collect();
         // A cyclic order of three rows keeps the sign.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)

@@ -27,20 +27,15 @@ pub(in crate::plan) struct FactoredMap<'a> {
 impl<'a> FactoredMap<'a> {
     pub(in crate::plan) fn of(field: &'a Field, map: &'a RationalMap) -> Self {
         let reduced = &map.reduced;
-        let all: Vec<&Polynomial> = [&reduced.denominator]
-            .into_iter()
-            .chain(reduced.increments.iter().filter(|increment| !increment.is_zero()))
-            .collect();
+        let moving = reduced.increments.iter().filter(|increment| !increment.is_zero());
+        let all: Vec<&Polynomial> = [&reduced.denominator].into_iter().chain(moving).collect();
         let mut over_base = factored(&all).into_iter();
         let zero =
             || Factored { coefficient: Rational::zero(), monomial: Monomial::one(), factors: Vec::new() };
         let mut next = || over_base.next().expect("one for each polynomial");
         let denominator = next();
-        let numerators = reduced
-            .increments
-            .iter()
-            .map(|increment| if increment.is_zero() { zero() } else { next() })
-            .collect();
+        let numerator = |increment: &Polynomial| if increment.is_zero() { zero() } else { next() };
+        let numerators = reduced.increments.iter().map(numerator).collect();
         FactoredMap { field, map, numerators, denominator, empty: Writer::empty(field) }
     }
 

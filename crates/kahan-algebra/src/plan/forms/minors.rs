@@ -58,10 +58,8 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
             let written = polynomial.and_then(|polynomial| writer.known(&polynomial)).unwrap_or_else(|| {
                 let left = times(&mut writer.draft, first[i].written, second[j].written);
                 let right = times(&mut writer.draft, first[j].written, second[i].written);
-                let terms: Vec<Signed> = [left, right.flipped(true)]
-                    .into_iter()
-                    .filter(|term| !writer.draft.is_zero(*term))
-                    .collect();
+                let mut terms = vec![left, right.flipped(true)];
+                terms.retain(|term| !writer.draft.is_zero(*term));
                 writer.draft.signed_sum(&terms)
             });
             if writer.draft.is_zero(written) {

@@ -76,10 +76,8 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
         }
     }
     blocks.iter_mut().for_each(|block| block.sort_unstable());
-    sorted_by_key(blocks.into_iter().zip(weights), |(block, weight)| (*weight, block[0]))
-        .into_iter()
-        .map(|(block, _)| block)
-        .collect()
+    let by_weight = sorted_by_key(blocks.into_iter().zip(weights), |(block, weight)| (*weight, block[0]));
+    by_weight.into_iter().map(|(block, _)| block).collect()
 }
 
 /// The strongly connected components, each behind those that it points to (R. E. Tarjan, SIAM J.

@@ -36,7 +36,7 @@ pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
         let forms = empty.iter().flat_map(|empty| {
             arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
         });
-        forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
+        forms.min_by_key(|form| (form.operations, form.price)).map(|form| carried(form, variational))
     };
     let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
     let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);

@@ -3,17 +3,15 @@
 //!
 //! - `split` separates prepared constants from the `kernel`.
 //! - `signs` and `reciprocals` rewrite the kernel, which has multiply-adds by then.
-//! - `increment` divides the increment of a single variable at once.
 //! - `recurrence` measures the way from a state to the next.
 
-mod increment;
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
 pub(in crate::plan) mod recurrence;
 pub(in crate::plan) mod signs;
 pub(in crate::plan) mod split;
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::OverRationals;
 use crate::field::Field;
 use crate::symbols::Symbols;
 
@@ -21,7 +19,6 @@ use self::split::split;
 use crate::plan::step::reciprocals::with_signs_of_reciprocals;
 use crate::plan::step::signs::with_signs;
 use crate::plan::{Input, Kernel, Node, Operation, Plan, PlanBuilder};
-use kahan_syntax::rational::Rational;
 
 /// The largest ‖εf′‖∞ at which the planner looks at what a step loses.
 pub const LARGEST_SIZE: u32 = 1000;
@@ -60,7 +57,7 @@ pub struct StepPlan {
 impl StepPlan {
     /// The plan that serves this arithmetic at this ε.
     #[must_use]
-    pub fn at<A: Arithmetic<Constant = Rational>>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
+    pub fn at<A: OverRationals>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
         if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 
@@ -169,5 +166,27 @@ impl StepPlan {
     pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
         let general = self.general.map(|general| Box::new(general.mapped(change)));
         StepPlan { constants: change(&self.constants), general, ..self }
+    }
+}
+
+impl PlanBuilder {
+    /// Divides the increment of a single variable at once, x̃ = x ± 2εn/d: returns the numerator over
+    /// the divisor of this reciprocal ±1/d or ±2/d; `None` for another one.
+    ///
+    /// A reciprocal that is shared by several components costs one division for all of them. A
+    /// single component gains nothing by it: the multiplication that follows would be on the way
+    /// from each state to the next, and would round once more, so that an orbit might miss a pole
+    /// that it meets.
+    pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
+        let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
+        let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };
+        let is_negative = dividend.is_negative();
+        let dividend = match dividend.abs().as_i64()? {
+            1 => numerator,
+            2 => self.push(Operation::Add(numerator, numerator)),
+            _ => return None,
+        };
+        let quotient = self.divide(dividend, divisor);
+        Some(if is_negative { self.changed_sign(quotient) } else { quotient })
     }
 }

@@ -83,10 +83,9 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
 /// results: where one component is eliminated before others, increments are made of reciprocals,
 /// too.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
-    kernel.operations.iter().enumerate().filter(|(_, user)| user.operands().any(|operand| operand == quotient)).all(
-        |(index, user)| {
-            matches!(user, Operation::Divide(dividend, divisor) if *dividend == quotient && *divisor != quotient)
-                && is_only_divided(kernel, Node(index))
-        },
-    )
+    let uses = |user: &Operation| user.operands().any(|operand| operand == quotient);
+    kernel.operations.iter().enumerate().filter(|(_, user)| uses(user)).all(|(index, user)| {
+        matches!(user, Operation::Divide(dividend, divisor) if *dividend == quotient && *divisor != quotient)
+            && is_only_divided(kernel, Node(index))
+    })
 }

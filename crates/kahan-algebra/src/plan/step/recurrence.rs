@@ -47,19 +47,16 @@ impl StepPlan {
                 _ => operands.map(|ready| ready + operation.latency()),
             });
         }
-        self.kernel
-            .factors(&plan.outputs)
-            .enumerate()
-            .map(|(i, (numerator, reciprocal))| {
-                let numerator = arrival[numerator.0];
-                let increment = match reciprocal {
-                    Some(reciprocal) => numerator.max(arrival[reciprocal.0]).map(|ready| ready + MULTIPLY),
-                    None => numerator,
-                };
-                let itself = (i == j).then_some(0);
-                increment.max(itself).map(|ready| ready + ADD)
-            })
-            .collect()
+        let delay = |(i, (numerator, reciprocal)): (usize, (&Node, Option<&Node>))| {
+            let numerator = arrival[numerator.0];
+            let increment = match reciprocal {
+                Some(reciprocal) => numerator.max(arrival[reciprocal.0]).map(|ready| ready + MULTIPLY),
+                None => numerator,
+            };
+            let itself = (i == j).then_some(0);
+            increment.max(itself).map(|ready| ready + ADD)
+        };
+        self.kernel.factors(&plan.outputs).enumerate().map(delay).collect()
     }
 }
 

@@ -226,15 +226,11 @@ fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
 fn turn_constants(constants: &Plan, turned: &[bool]) -> Plan {
     let mut builder = PlanBuilder::default();
     let all = builder.include_all(&constants.operations);
-    let outputs: Vec<Node> = constants
-        .outputs
-        .iter()
-        .zip(turned)
-        .map(|(output, turned)| match constants.operations[output.0] {
-            Operation::Subtract(a, b) if *turned => builder.push(Operation::Subtract(all[b.0], all[a.0])),
-            _ => all[output.0],
-        })
-        .collect();
+    let output = |(output, turned): (&Node, &bool)| match constants.operations[output.0] {
+        Operation::Subtract(a, b) if *turned => builder.push(Operation::Subtract(all[b.0], all[a.0])),
+        _ => all[output.0],
+    };
+    let outputs: Vec<Node> = constants.outputs.iter().zip(turned).map(output).collect();
     builder.finish(&outputs)
 }
 

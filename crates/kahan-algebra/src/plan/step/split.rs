@@ -31,11 +31,8 @@ pub(in crate::plan) fn split(
 ) -> (Plan, Plan) {
     // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but
     // where a form contains 1/ε, whoever prepares it has looked at ε.
-    split_where(
-        plan,
-        |divisor| plan.operations[divisor.0] == Operation::Input(Input::Variable(epsilon)),
-        varies,
-    )
+    let is_epsilon = |node: Node| plan.operations[node.0] == Operation::Input(Input::Variable(epsilon));
+    split_where(plan, is_epsilon, varies)
 }
 
 /// Splits the plan of a line without poles: quotients are prepared, too.
@@ -93,10 +90,7 @@ fn split_where(
             operation.with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
         renamed[index] = Some(kernel.push(operation));
     }
-    let outputs: Vec<Node> = plan
-        .outputs
-        .iter()
-        .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
-        .collect();
+    let output = |output: &Node| renamed[output.0].expect("each output is in the kernel, or prepared");
+    let outputs: Vec<Node> = plan.outputs.iter().map(output).collect();
     (Plan::of_results(&plan.operations, &prepared), kernel.finish(&outputs))
 }

@@ -54,10 +54,8 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
         if next.as_constant().is_some() || base.contains(&next) {
             continue;
         }
-        let shared = base
-            .iter()
-            .enumerate()
-            .find_map(|(index, known)| Some((index, common(known, &next, &mut budget)?)));
+        let mut shared = base.iter().enumerate();
+        let shared = shared.find_map(|(index, known)| Some((index, common(known, &next, &mut budget)?)));
         match shared {
             Some((index, factor)) => {
                 let known = base.remove(index);

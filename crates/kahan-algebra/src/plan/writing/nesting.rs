@@ -15,9 +15,8 @@ use kahan_syntax::table::sorted_by_key;
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::Numbered;
-use kahan_program::cost::MULTIPLY;
+use kahan_program::cost::{ADD, MULTIPLY};
 
-use crate::plan::cost::{DERIVED, gathered, multiplied};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
@@ -272,6 +271,31 @@ impl Nesting {
 /// The terms of a polynomial as summands.
 fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
+}
+
+/// What a prepared constant that was rounded more than once costs, in operations.
+pub(in crate::plan) const DERIVED: usize = 3;
+
+/// When the sum of values is ready, the earliest two added first.
+fn gathered(ready: &[u32]) -> u32 {
+    combined(ready.to_vec(), ADD)
+}
+
+/// When the product of values is ready, the earliest two multiplied first.
+fn multiplied(ready: Vec<u32>) -> u32 {
+    combined(ready, MULTIPLY)
+}
+
+/// When one value is left of these, two becoming one after so many cycles.
+fn combined(all: Vec<u32>, latency: u32) -> u32 {
+    let mut ready = sorted_by_key(all, |at| Reverse(*at));
+    // The earliest two stand last.
+    while let [.., later, _] = ready[..] {
+        ready.truncate(ready.len() - 2);
+        let at = later + latency;
+        ready.insert(ready.partition_point(|other| *other >= at), at);
+    }
+    ready.first().copied().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -1,9 +1,7 @@
 //! The numerators εn, or n divided by a power of ε, as products of factors, with what several of
 //! them share multiplied once.
 
-use kahan_syntax::rational::Rational;
-
-use crate::poly::{Monomial, Polynomial, Variable};
+use crate::poly::{Polynomial, Variable};
 
 use crate::plan::Node;
 use crate::plan::writing::draft::Signed;
@@ -62,8 +60,8 @@ impl Products {
 
     /// Adds coefficient · monomial · ∏ factorᵉ.
     pub(in crate::plan) fn push(&mut self, writer: &mut Writer, product: &Factored, goal: Goal) {
-        let mut list = Factors::default();
-        list.add_monomial(writer, &product.monomial, &product.coefficient);
+        let (nodes, negative) = writer.factors_of_term(&product.monomial, &product.coefficient);
+        let mut list = Factors { nodes, negative };
         for (factor, exponent) in &product.factors {
             let written = writer.write_scaled(factor, goal);
             list.add(written, *exponent);
@@ -83,12 +81,8 @@ impl Products {
         let (product, power) = power.cancelled(product, epsilon);
         let has_monomial = !product.monomial.is_one() || product.factors.is_empty();
         let places: Vec<usize> = (usize::from(!has_monomial)..=product.factors.len()).collect();
-        let list = writer.cheapest(
-            &places,
-            |writer, place| with_power_at(writer, &product, power, *place),
-            |list| list.nodes.len(),
-        );
-        self.lists.push(list);
+        let write = |writer: &mut Writer, place: &usize| with_power_at(writer, &product, power, *place);
+        self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
     /// Multiplies: pairs of factors that several products contain first.
@@ -99,10 +93,9 @@ impl Products {
                 list.replace_pair(a, b, node);
             }
         }
-        self.lists
-            .into_iter()
-            .map(|list| Signed { node: writer.draft.product(&list.nodes), negative: list.negative })
-            .collect()
+        let mut product =
+            |Factors { nodes, negative }| Signed { node: writer.draft.product(&nodes), negative };
+        self.lists.into_iter().map(&mut product).collect()
     }
 
     /// The pair that most products contain, if at least two do.
@@ -126,12 +119,6 @@ impl Factors {
     fn add(&mut self, factor: Signed, exponent: u32) {
         self.nodes.extend(std::iter::repeat_n(factor.node, exponent as usize));
         self.negative ^= factor.negative && exponent % 2 == 1;
-    }
-
-    fn add_monomial(&mut self, writer: &mut Writer, monomial: &Monomial, coefficient: &Rational) {
-        let (nodes, negative) = writer.factors_of_term(monomial, coefficient);
-        self.nodes.extend(nodes);
-        self.negative ^= negative;
     }
 
     fn contains_pair(&self, a: Node, b: Node) -> bool {

@@ -131,11 +131,8 @@ impl Scaling {
         let is_state = |variable: Variable| usize::from(variable.0) < self.states;
         let states =
             plain.iter().rev().map(|&i| Variable(u16::try_from(i).expect("states are numbered by 16 bits")));
-        let parameters = monomial
-            .powers()
-            .iter()
-            .map(|(variable, _)| *variable)
-            .filter(|v| !is_state(*v) && *v != self.epsilon && *v != INVERSE_STEP);
+        let variables = monomial.powers().iter().map(|(variable, _)| *variable);
+        let parameters = variables.filter(|v| !is_state(*v) && *v != self.epsilon && *v != INVERSE_STEP);
         let order: Vec<Variable> = match self.first {
             First::States => states.chain(parameters).collect(),
             First::Parameters => parameters.chain(states).collect(),

@@ -211,10 +211,8 @@ impl Writer {
 
     /// Term by term.
     fn write_flat(&mut self, polynomial: &Polynomial) -> Signed {
-        let terms: Vec<Signed> = polynomial
-            .terms()
-            .map(|(monomial, coefficient)| self.term(monomial, coefficient, None))
-            .collect();
+        let terms = polynomial.terms();
+        let terms: Vec<Signed> = terms.map(|(power, value)| self.term(power, value, None)).collect();
         self.draft.signed_sum(&terms)
     }
 

@@ -46,7 +46,7 @@ impl Writer {
         price: impl Fn(&R) -> usize,
     ) -> R {
         let (first, others) = attempts.split_first().expect("there is an attempt");
-        let mark = self.mark();
+        let before = self.lengths();
         let mut best: Option<(usize, &A)> = None;
         for attempt in others {
             let result = write(self, attempt);
@@ -54,45 +54,31 @@ impl Writer {
             if best.is_none_or(|(least, _)| size < least) {
                 best = Some((size, attempt));
             }
-            self.back_to(&mark);
+            self.truncate(before);
         }
         // The first comes last: where it is the best, as it often is, it is written already.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {
-                self.back_to(&mark);
+                self.truncate(before);
                 write(self, attempt)
             }
             _ => result,
         }
     }
 
-    fn mark(&self) -> Mark {
-        Mark {
-            draft: self.draft.length(),
-            made: self.steps.len(),
-            sums: self.sums.len(),
-            put: self.put.len(),
-            coefficients: self.coefficients.len(),
-        }
+    /// Returns how long each of the writer's lists is, to go back to with [`Self::truncate`].
+    fn lengths(&self) -> [usize; 5] {
+        [self.draft.length(), self.steps.len(), self.sums.len(), self.put.len(), self.coefficients.len()]
     }
 
-    /// Forgets what was written since.
-    fn back_to(&mut self, mark: &Mark) {
-        self.draft.truncate(mark.draft);
-        self.sums.truncate(mark.sums);
-        self.put.truncate(mark.put);
-        self.coefficients.truncate(mark.coefficients);
-        self.made.truncate(mark.made);
-        self.steps.truncate(mark.made);
+    /// Forgets what was written since the lists had these lengths.
+    fn truncate(&mut self, [draft, made, sums, put, coefficients]: [usize; 5]) {
+        self.draft.truncate(draft);
+        self.made.truncate(made);
+        self.steps.truncate(made);
+        self.sums.truncate(sums);
+        self.put.truncate(put);
+        self.coefficients.truncate(coefficients);
     }
-}
-
-/// How much was written.
-struct Mark {
-    draft: usize,
-    made: usize,
-    sums: usize,
-    put: usize,
-    coefficients: usize,
 }

@@ -31,11 +31,10 @@ impl Writer {
     ) -> (Vec<Node>, bool) {
         let negative = coefficient.is_negative();
         let size = if negative { -coefficient } else { coefficient.clone() };
-        let mut symbols: Vec<Variable> = monomial
-            .powers()
-            .iter()
-            .flat_map(|&(variable, exponent)| std::iter::repeat_n(variable, exponent as usize))
-            .collect();
+        let powers = monomial.powers().iter();
+        let repeated =
+            powers.flat_map(|&(variable, exponent)| std::iter::repeat_n(variable, exponent as usize));
+        let mut symbols: Vec<Variable> = repeated.collect();
         let mut factors: Vec<Node> = Vec::new();
         if self.scaling.folds {
             return (self.folded_factors(&size, &symbols), negative);
