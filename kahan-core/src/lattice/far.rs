@@ -9,7 +9,7 @@ use crate::scalar::{Long, level_row};
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, Family, LatticeScalar, Sizes};
+use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
 /// Each unknown takes some kilobytes: longer chains are not tried.
 const MOST_UNKNOWNS: usize = 1 << 12;
@@ -23,7 +23,7 @@ pub(super) fn eliminated<M, T>(
 ) -> Option<Vec<Long>>
 where
     T: LatticeScalar,
-    M: Family<T>,
+    M: LatticeMap<T>,
 {
     if x.len() > MOST_UNKNOWNS {
         return None;

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-use super::{Boundary, Family, LatticeScalar, Sizes, Sums};
+use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
 /// The neighbour of site i at this offset, if the chain has one there.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
@@ -58,7 +58,7 @@ impl<L: Scalar> Site<L> {
         given: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let Sizes { block, parameters, .. } = map.sizes();
         let reach = map.sizes().reach as isize;
@@ -80,7 +80,7 @@ impl<L: Scalar> Site<L> {
     pub(super) fn densities<M, T>(&mut self, map: &M, constants: &[L], densities: &mut [L])
     where
         T: LatticeScalar,
-        M: Sums<T>,
+        M: LatticeMap<T>,
     {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
@@ -95,7 +95,7 @@ impl<L: Scalar> Site<L> {
         convert: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         self.gather(map, state, i, &convert, &convert);
         self.a.fill(L::zero());
@@ -113,7 +113,7 @@ impl<L: Scalar> Site<L> {
     pub(super) fn entries<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, &L)>
     where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let (boundary, i) = (map.boundary(), self.i);
         let Sizes { block, reach, lower, upper, .. } = map.sizes();
@@ -132,7 +132,7 @@ impl<L: Scalar> Site<L> {
     pub(super) fn row<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, L)>
     where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let entries = move || self.entries(map, sites, b);
         entries().enumerate().filter_map(move |(place, (column, _))| {

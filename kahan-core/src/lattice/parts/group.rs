@@ -7,7 +7,7 @@
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
-use crate::lattice::{Family, LatticeScalar};
+use crate::lattice::{LatticeMap, LatticeScalar};
 
 /// Parts of one length, one after another in the chain, as many as lanes.
 #[derive(Clone, Copy)]
@@ -26,7 +26,7 @@ impl Parts {
     pub(super) fn gather<M, T>(self, map: &M, state: &[T], x: &mut [T], c: &mut [T], level: Level)
     where
         T: LatticeScalar + InLanes,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let (block, reach) = (map.sizes().block, map.sizes().reach);
         let sites = state.len() / block;
@@ -41,7 +41,7 @@ impl Parts {
     pub(super) fn gather_parameters<M, T>(self, map: &M, sites: usize, c: &mut [T], level: Level)
     where
         T: LatticeScalar + InLanes,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let (reach, parameters) = (map.sizes().reach, map.sizes().parameters);
         for p in 0..parameters {
@@ -64,7 +64,7 @@ impl Parts {
         number: impl Fn(usize, usize) -> T,
     ) where
         T: LatticeScalar + Copy,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
         // Between the separators' outer neighbours nothing wraps around.

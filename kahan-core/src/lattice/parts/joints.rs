@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use crate::lattice::folded::{BandRow, Folded};
 use crate::lattice::sites::Site;
-use crate::lattice::{Family, LatticeScalar, Sizes};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes};
 use crate::{Constant, Scalar};
 
 use super::partition::Partition;
@@ -33,7 +33,7 @@ pub(super) fn solve<'a, M, T>(
     state: &[T],
 ) -> Option<&'a [T]>
 where
-    M: Family<T>,
+    M: LatticeMap<T>,
     T: LatticeScalar,
 {
     let Sizes { block, reach, .. } = map.sizes();

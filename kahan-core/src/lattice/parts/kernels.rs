@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
-use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes, Stencil};
 
 use super::first::First;
 use super::group::Parts;
@@ -65,7 +65,7 @@ pub(in crate::lattice) trait Kernels {
     /// Makes a pass on the lanes of a level.
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar + InLanes;
 }
 
@@ -90,7 +90,7 @@ impl<
 
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar + InLanes,
     {
         match pass {

@@ -5,7 +5,7 @@
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
-use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes, Stencil};
 
 use super::first::First;
 use super::kernels::{Kernels, Pass};
@@ -37,7 +37,7 @@ macro_rules! menu {
 
             fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
             where
-                M: Family<T>,
+                M: LatticeMap<T>,
                 T: LatticeScalar + InLanes,
             {
                 let (Pass::First(First { map, .. }) | Pass::Second(Second { map, .. })) = &pass;

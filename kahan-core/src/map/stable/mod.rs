@@ -35,6 +35,8 @@ use super::checked::try_step;
 
 use rungs::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
 pub(crate) use scalars::Promised;
+#[cfg(feature = "std")]
+pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
 /// The step with the promise that T can give: of a float of this crate the one above; of another
 /// scalar, that a finite result is what the fast step, which is `prepared`, or elimination

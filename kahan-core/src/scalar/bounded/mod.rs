@@ -113,18 +113,16 @@ pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
 }
 
 impl<V: Working, P: Pair<V>> Bounded<V, P> {
+    /// A value and its magnitude, without an operation so far.
+    #[inline(always)]
+    fn of(pair: P) -> Self {
+        Self { pair, roundings: 0, underflows: 0, inputs: 0, bits: 0, inverse: None, ratio: None }
+    }
+
     /// An input: a number that is what it says.
     #[inline(always)]
     pub(crate) fn given(value: V) -> Self {
-        Self {
-            pair: Pair::new(value, value.size()),
-            roundings: 0,
-            underflows: 0,
-            inputs: 1,
-            bits: 0,
-            inverse: None,
-            ratio: None,
-        }
+        Self { inputs: 1, ..Self::of(Pair::new(value, value.size())) }
     }
 
     /// A literal, known while compiling; one that is rounded may underflow.
@@ -132,16 +130,8 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        Self {
-            pair: Pair::new(value, value.size()),
-            roundings,
-            underflows: roundings,
-            inputs: 0,
-            bits,
-            inverse: None,
-            ratio: None,
-        }
-        .settled()
+        let pair = Pair::new(value, value.size());
+        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
     }
 
     /// How large inputs may be: the L of all premises.
@@ -166,8 +156,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
-        let bits = u32::MAX;
-        Self { pair, roundings: 1, underflows: 0, inputs: 0, bits, inverse: None, ratio: None }
+        Self { roundings: 1, bits: u32::MAX, ..Self::of(pair) }
     }
 
     /// −v̂
