@@ -15,16 +15,12 @@ use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 const MOST_UNKNOWNS: usize = 1 << 12;
 
 /// x̃, each number made `long`.
-pub(super) fn eliminated<M, T>(
+pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,
     x: &[T],
     long: impl Fn(&T) -> Long + Copy,
-) -> Option<Vec<Long>>
-where
-    T: LatticeScalar,
-    M: LatticeMap<T>,
-{
+) -> Option<Vec<Long>> {
     if x.len() > MOST_UNKNOWNS {
         return None;
     }

@@ -77,11 +77,12 @@ impl<L: Scalar> Site<L> {
     }
 
     /// The densities of the site that was gathered last.
-    pub(super) fn densities<M, T>(&mut self, map: &M, constants: &[L], densities: &mut [L])
-    where
-        T: LatticeScalar,
-        M: LatticeMap<T>,
-    {
+    pub(super) fn densities<M: LatticeMap<T>, T: LatticeScalar>(
+        &mut self,
+        map: &M,
+        constants: &[L],
+        densities: &mut [L],
+    ) {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
 
@@ -110,11 +111,12 @@ impl<L: Scalar> Site<L> {
     /// The entries of the row of array b: the unknown, and what is added there.
     ///
     /// What leads beyond the ends of an open chain is left out.
-    pub(super) fn entries<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, &L)>
-    where
-        T: LatticeScalar,
-        M: LatticeMap<T>,
-    {
+    pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
+        &self,
+        map: &M,
+        sites: usize,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, &L)> {
         let (boundary, i) = (map.boundary(), self.i);
         let Sizes { block, reach, lower, upper, .. } = map.sizes();
         let row = &self.a[b * (2 * reach + 1) * block..][..(2 * reach + 1) * block];
@@ -129,11 +131,12 @@ impl<L: Scalar> Site<L> {
 
     /// The entries of the row of array b of A itself, each unknown once: on a ring shorter than the
     /// stencil several entries of a line are added.
-    pub(super) fn row<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, L)>
-    where
-        T: LatticeScalar,
-        M: LatticeMap<T>,
-    {
+    pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
+        &self,
+        map: &M,
+        sites: usize,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, L)> {
         let entries = move || self.entries(map, sites, b);
         entries().enumerate().filter_map(move |(place, (column, _))| {
             let is_first = entries().take(place).all(|(earlier, _)| earlier != column);

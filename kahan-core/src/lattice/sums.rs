@@ -32,10 +32,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Runs the densities of every site, over the scalar that `convert` takes a state's entry to.
-    fn for_each_site<S, L>(&self, x: &[S], convert: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
-    where
-        L: Scalar + FromScalar<T>,
-    {
+    fn for_each_site<S, L: Scalar + FromScalar<T>>(
+        &self,
+        x: &[S],
+        convert: impl Fn(&S) -> L,
+        mut visit: impl FnMut(&[L]),
+    ) {
         let (map, sites) = (self.map(), self.sites());
         let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);

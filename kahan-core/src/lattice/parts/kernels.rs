@@ -88,11 +88,7 @@ impl<
         true
     }
 
-    fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
-    where
-        M: LatticeMap<T>,
-        T: LatticeScalar + InLanes,
-    {
+    fn run<M: LatticeMap<T>, T: LatticeScalar + InLanes>(pass: Pass<'_, M, T>, level: Level) {
         match pass {
             Pass::First(first) => T::run(By::<Self, _>(first, PhantomData), level),
             Pass::Second(second) => T::run(By::<Self, _>(second, PhantomData), level),

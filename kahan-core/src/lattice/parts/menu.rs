@@ -35,11 +35,7 @@ macro_rules! menu {
                 [$(($block, $reach, $lower, $upper)),*].contains(&(block, reach, lower, upper))
             }
 
-            fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
-            where
-                M: LatticeMap<T>,
-                T: LatticeScalar + InLanes,
-            {
+            fn run<M: LatticeMap<T>, T: LatticeScalar + InLanes>(pass: Pass<'_, M, T>, level: Level) {
                 let (Pass::First(First { map, .. }) | Pass::Second(Second { map, .. })) = &pass;
                 let Sizes { block, reach, lower, upper, .. } = map.sizes();
                 match (block, reach, lower, upper) {

@@ -106,10 +106,14 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
         })
     }
 
-    fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
-    where
-        M: LatticeMap<T>,
-    {
+    fn step<M: LatticeMap<T>>(
+        &mut self,
+        map: &M,
+        constants: &[T],
+        twice: &T,
+        site: &mut Site<T>,
+        state: &mut [T],
+    ) -> bool {
         let Sizes { block, reach, .. } = map.sizes();
         let Self { partition, level, scratch, joints, kept, reduced } = self;
         let (partition, level) = (&*partition, *level);

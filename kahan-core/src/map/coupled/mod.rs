@@ -123,10 +123,7 @@ fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
 }
 
-impl<K, T, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S>
-where
-    T: Scalar,
-{
+impl<K, T: Scalar, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S> {
     /// Writes A(x,ε) over zeros.
     #[inline(never)]
     fn write_matrix<const N: usize>(&self, x: &[T; N], eps: &T, matrix: &mut SMatrix<T, N, N>)

@@ -27,12 +27,12 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
     /// underflow is not allowed for.
     #[inline(always)]
-    pub(super) fn of<T, P, M>(map: &M, x: &SVector<T, N>, eps: &T, embed: impl Fn(&T) -> V) -> Option<Self>
-    where
-        T: Pivot,
-        P: Pair<V>,
-        M: ExtendScalars<T, N>,
-    {
+    pub(super) fn of<T: Pivot, P: Pair<V>, M: ExtendScalars<T, N>>(
+        map: &M,
+        x: &SVector<T, N>,
+        eps: &T,
+        embed: impl Fn(&T) -> V,
+    ) -> Option<Self> {
         // No input exceeds the sum of all sizes, which is not a number where an input is none.
         let sum = Cell::new(embed(eps).size());
         let given = |number: &T| {
@@ -94,10 +94,11 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 
     /// As N/D, both expanded and without common factors: no increment that could cancel against the
     /// state.
-    pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
-    where
-        M: KahanMap<Bounded<V>, N>,
-    {
+    pub(super) fn by_quotients<M: KahanMap<Bounded<V>, N>>(
+        map: &M,
+        x: &SVector<Bounded<V>, N>,
+        eps: Bounded<V>,
+    ) -> Option<Self> {
         let (numerators, denominator) = map.reduced_map(x, eps);
         let reciprocal = Bounded::one().quotient(denominator)?;
         let quotients: [Bounded<V>; N] = from_fn(|i| numerators[i] * reciprocal);
