@@ -39,7 +39,7 @@ struct Rest<T, const N: usize> {
 /// The promised step.
 #[inline(never)]
 pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
-    step: &CoupledStep<K, T, P, M, S>,
+    step: &CoupledStep<K, T, N, P, M, S>,
     x: &SVector<T, N>,
 ) -> Result<SVector<T, N>, SingularStep>
 where
@@ -56,7 +56,7 @@ where
 
 /// A step that is to be promised.
 struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
-    step: &'a CoupledStep<K, T, P, M, S>,
+    step: &'a CoupledStep<K, T, N, P, M, S>,
     x: &'a [T; N],
 }
 
