@@ -17,7 +17,7 @@ use crate::field::linear::{components, eliminated_determinant, solve_in_place, v
 use crate::map::stable::Promised;
 #[cfg(feature = "std")]
 use crate::map::stable::{Eliminated, eliminated_at_any_capacity};
-use crate::scalar::bounded::{Bounded, Working, backward_error};
+use crate::scalar::bounded::{Bounded, Number, backward_error};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long, level_row};
 use crate::step::error::Reason;
@@ -235,7 +235,7 @@ where
     }
 
     /// What x̃ = `next` leaves, computed in V.
-    fn rest<V: Working>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
+    fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {
             let value = embed(number);

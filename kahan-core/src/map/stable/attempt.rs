@@ -8,13 +8,13 @@ use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
-use crate::scalar::bounded::{Bounded, Limit, Magnitude, Pair, Working, underflow};
+use crate::scalar::bounded::{Bounded, Limit, Magnitude, Number, Pair, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings
 /// apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Attempt<V: Working, const N: usize> {
+pub(super) struct Attempt<V: Number, const N: usize> {
     pub(super) next: [V; N],
     /// In units u of V.
     error: V::Magnitude,
@@ -22,7 +22,7 @@ pub(super) struct Attempt<V: Working, const N: usize> {
     largest_input: Limit,
 }
 
-impl<V: Working, const N: usize> Attempt<V, N> {
+impl<V: Number, const N: usize> Attempt<V, N> {
     /// By the increment form, with the operations and the bits of the fast step, all numbers
     /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
     /// underflow is not allowed for.
@@ -149,7 +149,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 
 /// The largest of some magnitudes.
 #[inline(always)]
-fn largest<V: Working, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
+fn largest<V: Number, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
     let larger = |one, other| if other > one { other } else { one };
     sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::of(0.0))
 }

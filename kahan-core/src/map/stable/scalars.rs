@@ -6,13 +6,13 @@
 use std::vec::Vec;
 
 use crate::scalar::Wide;
-use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
+use crate::scalar::bounded::{Both, Number, PackedDouble, PackedSingle, Pair};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long};
 use crate::{Dd, Pivot};
 
 /// A scalar that steps can be promised in, and begin in.
-pub(crate) trait Promised: Working + Pivot {
+pub(crate) trait Promised: Number + Pivot {
     /// A value and its magnitude, side by side in a register if there is such a one.
     type Packed: Pair<Self>;
 

@@ -68,7 +68,6 @@ mod operators;
 mod packed;
 mod pair;
 mod rules;
-mod working;
 
 #[cfg(feature = "std")]
 pub(crate) use known::Known;
@@ -79,7 +78,6 @@ pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{Both, Pair};
-pub(crate) use working::{Working, operations};
 
 /// A double and its magnitude, where no register holds the two.
 #[cfg(not(target_arch = "x86_64"))]
@@ -94,7 +92,7 @@ pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
+pub(crate) struct Bounded<V: Number, P: Pair<V> = Both<V>> {
     /// v̂ and m
     pair: P,
     /// k
@@ -112,7 +110,7 @@ pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
     ratio: Option<V::Magnitude>,
 }
 
-impl<V: Working, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Bounded<V, P> {
     /// A value and its magnitude, without an operation so far.
     #[inline(always)]
     fn of(pair: P) -> Self {
@@ -245,6 +243,6 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
 /// [weight](Bounded::weight) in units u, which is at least the slack times k times |r̂|, it is the
 /// allowance times |r̂|, at least.
 #[inline(always)]
-pub(crate) fn underflow<V: Working>(roundings: u32) -> f64 {
+pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))
 }

@@ -2,9 +2,9 @@
 
 use num_traits::Zero;
 
-use super::{Bounded, Magnitude, Pair, SLACK, Working};
+use super::{Bounded, Magnitude, Number, Pair, SLACK};
 
-impl<V: Working, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn sum(self, other: Self) -> Self {
         self.added(other, self.pair.plus(other.pair))
