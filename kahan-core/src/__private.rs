@@ -39,7 +39,7 @@ pub mod chain {
     pub use crate::lattice::{Gathered, Menu, SiteLine};
 }
 #[cfg(feature = "std")]
-pub use crate::lattice::{Boundary, Energy, Family, LatticeMap, LatticeScalar, Sizes, Stencil, Sums};
+pub use crate::lattice::{Boundary, LatticeMap, LatticeScalar, Sizes, Stencil};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;

@@ -119,7 +119,7 @@ pub use composition::{Composed, Composition};
 pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use field::{Integrals, Named, QuadraticField};
 #[cfg(feature = "std")]
-pub use lattice::{Energy, LatticeAt, LatticeError, LatticeMap, LatticeScalar, Sums};
+pub use lattice::{LatticeAt, LatticeError, LatticeMap, LatticeScalar};
 pub use map::{
     Compensated, Elimination, ErrorEstimates, Estimated, ExtendScalars, Increments, KahanAt, KahanMap, Orbit,
     Pivot, Scaled, ThroughF64, eps_from_dt,

@@ -6,7 +6,7 @@
 
 use std::time::{Duration, Instant};
 
-use kahan_core::__private::{Boundary, Family, Sizes, Stencil};
+use kahan_core::__private::{Boundary, Sizes, Stencil};
 use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
@@ -22,9 +22,7 @@ impl LatticeMap<f64> for Newton {
     const ARRAYS: &'static [&'static str] = &["u"];
     const REACH: usize = 2;
     const SITE_PARAMETERS: &'static [&'static str] = &["right"];
-}
 
-impl Family<f64> for Newton {
     type Kernels = Stencil<1, 2, 1, 6, 2, 2, 5, 5>;
 
     fn sizes(&self) -> Sizes {

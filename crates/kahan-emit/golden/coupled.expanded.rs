@@ -543,7 +543,7 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 9> for Coupled<T> {
-        type Prepared = __kahan::CoupledStep<__Coupled, T, 1, 27, 39>;
+        type Prepared = __kahan::CoupledStep<__Coupled, T, 9, 1, 27, 39>;
         fn prepare(&self, eps: &T) -> Self::Prepared {
             __kahan::CoupledStep::new([self.a.clone()], eps.clone())
         }

@@ -29,8 +29,6 @@ const _: () = {
     impl<T: __kahan::LatticeScalar> __kahan::LatticeMap<T> for Kdv<T> {
         const ARRAYS: &'static [&'static __kahan::str] = &["u"];
         const REACH: __kahan::usize = 2;
-    }
-    impl<T: __kahan::LatticeScalar> __kahan::Family<T> for Kdv<T> {
         type Kernels = __kahan::Stencil<1, 2, 0, 7, 2, 2, 5, 5>;
         fn sizes(&self) -> __kahan::Sizes {
             Self::Kernels::SIZES
@@ -112,9 +110,8 @@ const _: () = {
                 .multiply_subtract(__p_constant_5.clone(), __p_constant_6.clone());
             a[4] = __p_constant_3.clone();
         }
-    }
-    impl<T: __kahan::LatticeScalar> __kahan::Sums<T> for Kdv<T> {
         const INTEGRALS: &'static [&'static __kahan::str] = &["mass"];
+        const HAMILTONIAN: __kahan::Option<&'static __kahan::str> = __kahan::Some("H");
         #[inline(always)]
         fn densities<L: __kahan::Scalar>(
             &self,
@@ -143,8 +140,5 @@ const _: () = {
                     __s_u.clone() * __t_u_squared,
                 );
         }
-    }
-    impl<T: __kahan::LatticeScalar> __kahan::Energy<T> for Kdv<T> {
-        const HAMILTONIAN: &'static __kahan::str = "H";
     }
 };

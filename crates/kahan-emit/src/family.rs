@@ -4,9 +4,7 @@
 //! pub struct Volterra;
 //! const _: () = {
 //!     use kahan_core::__private as __kahan;
-//!     impl<T: Scalar> LatticeMap<T> for Volterra { const ARRAYS … }
-//!     impl<T: Scalar> Family<T> for Volterra { type Kernels = Stencil<…>; fn rows … }
-//!     impl<T: Scalar> Sums<T> for Volterra { … }          // what is claimed
+//!     impl<T: Scalar> LatticeMap<T> for Volterra { const ARRAYS … fn rows … fn densities … }
 //! };
 //! ```
 
@@ -121,8 +119,6 @@ impl Context<'_> {
                     const ARRAYS: #text = &[#(#arrays),*];
                     const REACH: __kahan::usize = #reach;
                     #names
-                }
-                impl<#scalar: __kahan::LatticeScalar> __kahan::Family<#scalar> for #this {
                     type Kernels = __kahan::Stencil<#(#shape),*>;
                     fn sizes(&self) -> __kahan::Sizes {
                         Self::Kernels::SIZES
@@ -133,8 +129,8 @@ impl Context<'_> {
                     #constants
                     #site_parameter
                     #rows
+                    #sums
                 }
-                #sums
             };
         }
     }
@@ -230,30 +226,25 @@ impl Context<'_> {
             .collect()
     }
 
-    /// Expands to `impl<T: Scalar> Sums<T> for Volterra { … }` where sums are claimed.
+    /// Expands to the names of the sums that are claimed, and their densities.
     fn emit_sums(&self) -> Option<TokenStream> {
         let family = self.family;
         let count = family.sums().count();
         if count == 0 {
             return None;
         }
-        let (this, scalar) = (self.this.path(), &self.this.scalar);
         let integrals = family.integrals.iter().map(|sum| &sum.name.text);
         let line = self.emit_line("densities", &self.lines.sums, &[("s", (0..count).collect())]);
         let energy = family.hamiltonian.as_ref().map(|sum| {
             let name = &sum.name.text;
             quote! {
-                impl<#scalar: __kahan::LatticeScalar> __kahan::Energy<#scalar> for #this {
-                    const HAMILTONIAN: &'static __kahan::str = #name;
-                }
+                const HAMILTONIAN: __kahan::Option<&'static __kahan::str> = __kahan::Some(#name);
             }
         });
         Some(quote! {
-            impl<#scalar: __kahan::LatticeScalar> __kahan::Sums<#scalar> for #this {
-                const INTEGRALS: &'static [&'static __kahan::str] = &[#(#integrals),*];
-                #line
-            }
+            const INTEGRALS: &'static [&'static __kahan::str] = &[#(#integrals),*];
             #energy
+            #line
         })
     }
 }

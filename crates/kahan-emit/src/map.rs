@@ -85,10 +85,11 @@ fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream
 /// The step that eliminates along the couplings, and the Jacobian by the same elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
+    let dimension = &context.dimension;
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
     let own = emit_parameters(context, &quote!(eps.clone()));
     quote! {
-        type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #parameters, #slopes, #places>;
+        type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #dimension, #parameters, #slopes, #places>;
         fn prepare(&self, eps: &#scalar) -> Self::Prepared {
             __kahan::CoupledStep::new(#own, eps.clone())
         }

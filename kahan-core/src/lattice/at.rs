@@ -6,16 +6,16 @@ use core::fmt;
 use std::vec::Vec;
 
 use crate::ensemble::Level;
-use crate::scalar::Capacity;
+use crate::map::eliminated_at_any_capacity;
 use crate::step::error::{Reason, pole};
 use crate::{SingularStep, Step, Stopped, Workspace};
 
 use super::folded::Folded;
 use super::parts::{Kernels, Parted, Partition};
 use super::promise::{Promise, REFINEMENTS};
-use super::scalar::{Eliminated, Solved};
+use super::scalar::Solved;
 use super::sites::Site;
-use super::{Boundary, Family, LatticeError, LatticeScalar, Sizes};
+use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
@@ -66,7 +66,7 @@ impl<T: LatticeScalar> Memory<T> {
 
     /// Takes `steps` steps in place, at the ε that the constants were prepared for. An exact scalar
     /// stops at a pole and leaves the state before it.
-    fn advance<M: Family<T>>(
+    fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
         constants: &[T],
@@ -94,7 +94,7 @@ impl<T: LatticeScalar> Memory<T> {
 
     /// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the
     /// whole chain.
-    fn solve<M: Family<T>>(
+    fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
         constants: &[T],
@@ -115,7 +115,7 @@ impl<T: LatticeScalar> Memory<T> {
     }
 }
 
-impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The chain of these lines, whose parameters have as many values as there are sites.
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
@@ -257,23 +257,19 @@ impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
                 }
             }
         }
-        for capacity in Capacity::ALL {
-            let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, capacity);
-            let Some(Eliminated { next, is_promised, is_settled }) = eliminated else { continue };
-            if next.iter().all(T::is_finite_number) {
-                state.clone_from_slice(&next);
-                if is_promised {
-                    return Ok(());
-                }
-                let bound = self.promise.bound(&self.map, state);
-                if bound <= 1.0 {
-                    return Ok(());
-                }
+        let Self { map, eps: exact_eps, promise, .. } = self;
+        let before = promise.before.clone();
+        let next = eliminated_at_any_capacity(
+            |capacity| T::eliminated(map, exact_eps, &before, capacity),
+            |next| {
+                let bound = promise.bound(map, next);
                 least = bound.min(least);
-            }
-            if is_settled {
-                break;
-            }
+                bound <= 1.0
+            },
+        );
+        if let Some(next) = next {
+            state.clone_from_slice(&next);
+            return Ok(());
         }
         failed(Reason::Refined, least * T::UNIT)
     }
@@ -372,7 +368,7 @@ impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
 }
 
 /// In memory of the workspace's, so that any number of threads can share a map.
-impl<M: Family<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
+impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;
 
@@ -400,7 +396,7 @@ impl<M: Family<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     }
 }
 
-impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
         let form = self.memory.form;
         workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new(form))

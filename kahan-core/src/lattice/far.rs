@@ -9,22 +9,18 @@ use crate::scalar::{Long, level_row};
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, Family, LatticeScalar, Sizes};
+use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
 /// Each unknown takes some kilobytes: longer chains are not tried.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
 /// x̃, each number made `long`.
-pub(super) fn eliminated<M, T>(
+pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,
     x: &[T],
     long: impl Fn(&T) -> Long + Copy,
-) -> Option<Vec<Long>>
-where
-    T: LatticeScalar,
-    M: Family<T>,
-{
+) -> Option<Vec<Long>> {
     if x.len() > MOST_UNKNOWNS {
         return None;
     }

@@ -27,8 +27,7 @@ mod tests;
 
 pub use at::LatticeAt;
 pub use error::LatticeError;
-pub use family::{Boundary, Family, Sizes, Stencil};
+pub use family::{Boundary, Sizes, Stencil};
 pub use map::LatticeMap;
 pub use parts::{Gathered, Menu, SiteLine};
 pub use scalar::LatticeScalar;
-pub use sums::{Energy, Sums};

@@ -18,7 +18,7 @@ use crate::scalar::bounded::backward_error;
 
 use super::scalar::Judge;
 use super::sites::Site;
-use super::{Family, LatticeScalar};
+use super::{LatticeMap, LatticeScalar};
 
 /// How often a step is refined.
 pub(super) const REFINEMENTS: usize = 2;
@@ -54,7 +54,7 @@ struct Rest<T> {
 }
 
 impl<T: LatticeScalar> Promise<T> {
-    pub(super) fn new<M: Family<T>>(map: &M, eps: &T, len: usize) -> Self {
+    pub(super) fn new<M: LatticeMap<T>>(map: &M, eps: &T, len: usize) -> Self {
         let largest = Cell::new(larger(0.0, eps));
         let note = |number: &T| {
             largest.set(larger(largest.get(), number));
@@ -82,7 +82,7 @@ impl<T: LatticeScalar> Promise<T> {
 
     /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
     /// Leaves the residual.
-    pub(super) fn bound<M: Family<T>>(&mut self, map: &M, next: &[T]) -> f64 {
+    pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
         };
@@ -108,7 +108,7 @@ impl<T: LatticeScalar> Promise<T> {
 }
 
 impl<J: Scalar> Rows<J> {
-    fn new<M: Family<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
+    fn new<M: LatticeMap<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
         let eps = given(eps);
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
@@ -117,7 +117,7 @@ impl<J: Scalar> Rows<J> {
     /// input is larger than `largest`.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar,
         J: Judge<T>,
     {

@@ -1,18 +1,16 @@
 //! Which scalars chains are made of, and how each is solved for.
 
-use std::vec::Vec;
-
 #[cfg(feature = "exact")]
 use num_traits::Zero;
 
-use crate::map::Promised;
+use crate::map::{Eliminated, Promised};
 #[cfg(feature = "exact")]
 use crate::scalar::bounded::Limit;
 use crate::scalar::bounded::{Bounded, Known, Number};
 use crate::scalar::{Capacity, Long, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
-use super::Family;
+use super::LatticeMap;
 use super::far::eliminated;
 use super::parts::{InParts, NoParts, Parted};
 
@@ -44,7 +42,7 @@ pub(super) trait Solved: Sized {
 
     /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
     /// exact, and of very long chains.
-    fn eliminated<M: Family<Self>>(
+    fn eliminated<M: LatticeMap<Self>>(
         _map: &M,
         _eps: &Self,
         _x: &[Self],
@@ -55,16 +53,6 @@ pub(super) trait Solved: Sized {
     {
         None
     }
-}
-
-/// x̃ by elimination over numbers of many digits.
-pub(super) struct Eliminated<T> {
-    /// Rounded.
-    pub(super) next: Vec<T>,
-    /// Whether each component is within 8u of the true one, which keeps the promise.
-    pub(super) is_promised: bool,
-    /// Whether a larger capacity would tell nothing new.
-    pub(super) is_settled: bool,
 }
 
 /// Numbers with bounds on their errors, in which a formula over T is judged.
@@ -115,21 +103,14 @@ macro_rules! implement_for_float {
 
             const UNIT: f64 = <Self as Number>::UNIT;
 
-            fn eliminated<M: Family<Self>>(
+            fn eliminated<M: LatticeMap<Self>>(
                 map: &M,
                 eps: &Self,
                 x: &[Self],
                 capacity: Capacity,
             ) -> Option<Eliminated<Self>> {
                 let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), capacity))?;
-                let next: Vec<Self> = exact.iter().map(|number| Self::narrow(number.leading())).collect();
-                let is_near = |(exact, next): (&Long, &Self)| {
-                    exact.is_within(8.0 * <Self as Number>::UNIT, next.widen())
-                };
-                let is_promised = exact.iter().zip(&next).all(is_near);
-                let in_range = next.iter().map(|number| number.is_finite());
-                let is_settled = Long::are_settled(exact.iter().zip(in_range));
-                Some(Eliminated { next, is_promised, is_settled })
+                Some(Eliminated::of(&exact))
             }
         }
     };

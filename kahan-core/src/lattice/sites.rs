@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-use super::{Boundary, Family, LatticeScalar, Sizes, Sums};
+use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
 /// The neighbour of site i at this offset, if the chain has one there.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
@@ -58,7 +58,7 @@ impl<L: Scalar> Site<L> {
         given: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let Sizes { block, parameters, .. } = map.sizes();
         let reach = map.sizes().reach as isize;
@@ -77,11 +77,12 @@ impl<L: Scalar> Site<L> {
     }
 
     /// The densities of the site that was gathered last.
-    pub(super) fn densities<M, T>(&mut self, map: &M, constants: &[L], densities: &mut [L])
-    where
-        T: LatticeScalar,
-        M: Sums<T>,
-    {
+    pub(super) fn densities<M: LatticeMap<T>, T: LatticeScalar>(
+        &mut self,
+        map: &M,
+        constants: &[L],
+        densities: &mut [L],
+    ) {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
 
@@ -95,7 +96,7 @@ impl<L: Scalar> Site<L> {
         convert: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         self.gather(map, state, i, &convert, &convert);
         self.a.fill(L::zero());
@@ -110,11 +111,12 @@ impl<L: Scalar> Site<L> {
     /// The entries of the row of array b: the unknown, and what is added there.
     ///
     /// What leads beyond the ends of an open chain is left out.
-    pub(super) fn entries<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, &L)>
-    where
-        T: LatticeScalar,
-        M: Family<T>,
-    {
+    pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
+        &self,
+        map: &M,
+        sites: usize,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, &L)> {
         let (boundary, i) = (map.boundary(), self.i);
         let Sizes { block, reach, lower, upper, .. } = map.sizes();
         let row = &self.a[b * (2 * reach + 1) * block..][..(2 * reach + 1) * block];
@@ -129,11 +131,12 @@ impl<L: Scalar> Site<L> {
 
     /// The entries of the row of array b of A itself, each unknown once: on a ring shorter than the
     /// stencil several entries of a line are added.
-    pub(super) fn row<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, L)>
-    where
-        T: LatticeScalar,
-        M: Family<T>,
-    {
+    pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
+        &self,
+        map: &M,
+        sites: usize,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, L)> {
         let entries = move || self.entries(map, sites, b);
         entries().enumerate().filter_map(move |(place, (column, _))| {
             let is_first = entries().take(place).all(|(earlier, _)| earlier != column);

@@ -11,30 +11,9 @@ use crate::scalar::Along;
 use crate::{Constant, Scalar};
 
 use super::sites::Site;
-use super::{Family, LatticeAt, LatticeScalar};
+use super::{LatticeAt, LatticeMap, LatticeScalar};
 
-/// Sums over all sites that a family claims, each with a density at a site.
-pub trait Sums<T: LatticeScalar>: Family<T> {
-    /// The names of the linear integrals; none of a family read at run time, whose reader has them.
-    const INTEGRALS: &'static [&'static str];
-
-    /// The number of linear integrals.
-    fn integrals(&self) -> usize {
-        Self::INTEGRALS.len()
-    }
-
-    /// The densities at a site, from the arguments of [`Family::rows`]: those of the integrals,
-    /// then that of the Hamiltonian, if there is one.
-    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L], s: &mut [L]);
-}
-
-/// A family ẋ = K∇H with a constant antisymmetric K.
-pub trait Energy<T: LatticeScalar>: Sums<T> {
-    /// The name of H; empty of a family read at run time.
-    const HAMILTONIAN: &'static str;
-}
-
-impl<M: Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The names of the linear integrals, in their order.
     pub fn integral_names(&self) -> &'static [&'static str] {
         M::INTEGRALS
@@ -45,7 +24,7 @@ impl<M: Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// # Panics
     /// If the state is not of this chain's length.
     pub fn integrals(&self, x: &[T]) -> Vec<T> {
-        let mut totals = vec![Total::zero(); self.map().integrals()];
+        let mut totals = vec![Total::zero(); self.map().integral_count()];
         self.for_each_site(x, T::clone, |densities: &[T]| {
             totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(density));
         });
@@ -53,31 +32,33 @@ impl<M: Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Runs the densities of every site, over the scalar that `convert` takes a state's entry to.
-    fn for_each_site<S, L>(&self, x: &[S], convert: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
-    where
-        L: Scalar + FromScalar<T>,
-    {
+    fn for_each_site<S, L: Scalar + FromScalar<T>>(
+        &self,
+        x: &[S],
+        convert: impl Fn(&S) -> L,
+        mut visit: impl FnMut(&[L]),
+    ) {
         let (map, sites) = (self.map(), self.sites());
         let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
         // What a chain was made with has constants.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
-        let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integrals() + 1]);
+        let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integral_count() + 1]);
         for i in 0..sites {
             site.gather(map, x, i, &convert, L::from_scalar);
             site.densities(map, &constants, &mut densities);
             visit(&densities);
         }
     }
-}
 
-impl<M: Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// H(x), which the flow keeps and the map does not.
+    /// H(x), which the flow keeps and the map does not; it does not compile for a family that claims
+    /// no Hamiltonian.
     ///
     /// # Panics
     /// If the state is not of this chain's length.
     pub fn hamiltonian(&self, x: &[T]) -> T {
-        let (mut total, place) = (Total::zero(), self.map().integrals());
+        const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
+        let (mut total, place) = (Total::zero(), self.map().integral_count());
         self.for_each_site(x, T::clone, |densities: &[T]| total.add(&densities[place]));
         total.sum()
     }
@@ -91,11 +72,12 @@ impl<M: Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// # Panics
     /// As [`step`](Self::step).
     pub fn modified_energy(&mut self, x: &[T]) -> T {
+        const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
         let mut next = x.to_vec();
         self.step(&mut next);
         let along: Vec<(T, T)> = x.iter().zip(next).map(|(x, next)| (x.clone(), next - x.clone())).collect();
         let third = T::constant(&Constant::ratio(1, 3));
-        let (mut total, place) = (Total::zero(), self.map().integrals());
+        let (mut total, place) = (Total::zero(), self.map().integral_count());
         let convert = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
         self.for_each_site(&along, convert, |densities: &[Along<T>]| {
             let density = densities[place].clone();

@@ -42,21 +42,13 @@ use super::{KahanMap, Orbit, Pivot};
 /// assert!(pond.state.iter().all(|entry| *entry > 0.0));
 /// ```
 #[derive(Clone, Copy)]
-pub struct KahanAt<M, T, const N: usize>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+pub struct KahanAt<M: KahanMap<T, N>, T: Scalar, const N: usize> {
     pub(crate) map: M,
     pub(crate) eps: T,
     pub(crate) prepared: M::Prepared,
 }
 
-impl<M, T, const N: usize> KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     #[inline]
     pub(crate) fn new(map: M, eps: T) -> Self {
         let prepared = map.prepare(&eps);
@@ -117,11 +109,7 @@ where
     }
 }
 
-impl<M, T, const N: usize> Step for KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N>, T: Scalar, const N: usize> Step for KahanAt<M, T, N> {
     type Scalar = T;
     type State = SVector<T, N>;
 
@@ -149,21 +137,13 @@ where
 }
 
 /// Two are equal where map and ε are; the rest follows from them.
-impl<M, T, const N: usize> PartialEq for KahanAt<M, T, N>
-where
-    M: KahanMap<T, N> + PartialEq,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N> + PartialEq, T: Scalar, const N: usize> PartialEq for KahanAt<M, T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.map == other.map && self.eps == other.eps
     }
 }
 
-impl<M, T, const N: usize> fmt::Debug for KahanAt<M, T, N>
-where
-    M: KahanMap<T, N> + fmt::Debug,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N> + fmt::Debug, T: Scalar, const N: usize> fmt::Debug for KahanAt<M, T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("KahanAt").field("map", &self.map).field("eps", &self.eps).finish_non_exhaustive()
     }

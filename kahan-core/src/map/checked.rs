@@ -12,16 +12,12 @@ use crate::field::linear::{determinant, increment_by_elimination};
 use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep};
 
 /// x̃ from the fast step, `prepared` from `map` at `eps`, or by elimination.
-pub(crate) fn try_step<M, T, const N: usize>(
+pub(crate) fn try_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     prepared: &M::Prepared,
     x: &SVector<T, N>,
     eps: &T,
-) -> Result<SVector<T, N>, SingularStep>
-where
-    M: KahanMap<T, N>,
-    T: Pivot,
-{
+) -> Result<SVector<T, N>, SingularStep> {
     let matrix = || map.matrix(x, eps.clone());
     let singular = || SingularStep::new(determinant(matrix()).approximate(), eps.approximate());
 
@@ -45,16 +41,12 @@ where
 /// A denominator that overflows makes its components' increments 0; with an inner one, all of them
 /// or, where the matrix is too large to eliminate, the one whose pivot overflowed. (Every other
 /// overflow leaves ∞ or no number.) Where f(x) is 0, an increment of 0 conceals nothing.
-fn hides_an_overflow<M, T, const N: usize>(
+fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,
     x: &SVector<T, N>,
     eps: &T,
-) -> bool
-where
-    M: KahanMap<T, N>,
-    T: Pivot,
-{
+) -> bool {
     let zeros = quotients.increment().iter().filter(|entry| entry.is_zero()).count();
     let denominator_overflows = || quotients.reciprocals.iter().flatten().any(T::is_zero);
     let pivot_overflows = || !can_eliminate(&map.matrix(x, eps.clone()));

@@ -63,11 +63,7 @@ impl<M, T> Elimination<M, T> {
     }
 }
 
-impl<M, T, const N: usize> PreparedStep<T, N> for Elimination<M, T>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N>, T: Scalar, const N: usize> PreparedStep<T, N> for Elimination<M, T> {
     /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -78,10 +74,6 @@ where
     }
 }
 
-impl<M, T, const N: usize> WideStep<T, N> for Elimination<M, T>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N>, T: Scalar, const N: usize> WideStep<T, N> for Elimination<M, T> {
     type Wide<L: Scalar> = NoLanes;
 }

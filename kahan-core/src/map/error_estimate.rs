@@ -14,11 +14,7 @@ use crate::{Constant, ExtendScalars, FloatScalar, KahanAt, KahanMap, Orbit, Scal
 use super::Compensated;
 use super::tangent::carry_to;
 
-impl<M, T, const N: usize> KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     /// The leading term of x̃ − (the flow from x, for the time h = 2ε), which is h³[f′f′f/12 −
     /// f″(f,f)/6] + O(h⁴).
     ///
@@ -50,11 +46,11 @@ where
 
 /// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf; where coefficients depend on ε, plus
 /// 2ε(f at ε − f at 0).
-fn local_error<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> SVector<T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
+fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
+    map: &M,
+    eps: &T,
+    x: &SVector<T, N>,
+) -> SVector<T, N> {
     let times_eps = |v: SVector<T, N>| -> SVector<T, N> { vector(from_fn(|i| eps.clone() * v[i].clone())) };
     let slopes = map.field_jacobian(x);
     let along = |v: &SVector<T, N>| -> SVector<T, N> {
@@ -93,23 +89,14 @@ pub struct Estimated<T, const N: usize> {
 /// [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
-pub struct ErrorEstimates<S, M, T, const N: usize>
-where
-    S: Step,
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
     orbit: Orbit<S>,
     at: KahanAt<M, T, N>,
     /// The point given last with its error, and the local error there.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
 
-impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
-where
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// The orbit with an estimate of each point's error against the flow through the next point to
     /// be yielded, where the error is 0.
     ///
@@ -143,11 +130,7 @@ where
     }
 }
 
-impl<M, T, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>>
-where
-    M: ExtendScalars<T, N>,
-    T: FloatScalar,
-{
+impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>> {
     /// As of an orbit that is not compensated.
     pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
         let Compensated(at) = self.map.clone();
@@ -155,12 +138,7 @@ where
     }
 }
 
-impl<S, M, T, const N: usize> ErrorEstimates<S, M, T, N>
-where
-    S: Step,
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+impl<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> ErrorEstimates<S, M, T, N> {
     /// The orbit itself, which says why it [stopped](Orbit::stopped).
     pub fn orbit(&self) -> &Orbit<S> {
         &self.orbit

@@ -36,9 +36,9 @@ pub use orbit::{Compensated, Increments, Orbit, Scaled};
 #[cfg(feature = "std")]
 pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
-#[cfg(feature = "std")]
-pub(crate) use stable::Promised;
 pub use stable::stable_step;
+#[cfg(feature = "std")]
+pub(crate) use stable::{Eliminated, Promised, eliminated_at_any_capacity};
 pub(crate) use tangent::{carry, carry_to};
 #[cfg(feature = "std")]
 pub use through_f64::StepThroughF64;

@@ -15,15 +15,11 @@ use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
 /// J(x)·v of these maps at their ε, one after the other; `None` at a pole of an exact scalar.
 #[inline(always)]
-pub(crate) fn carry<'a, M, T, const N: usize>(
+pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
     x: &SVector<T, N>,
     v: &SVector<T, N>,
-) -> Option<SVector<T, N>>
-where
-    M: ExtendScalars<T, N> + 'a,
-    T: Scalar,
-{
+) -> Option<SVector<T, N>> {
     let (mut x, mut v) = (x.clone(), v.clone());
     for (map, eps) in stages {
         let y = unfused_step(map, eps, &x)?;
@@ -35,16 +31,12 @@ where
 
 /// The same where the point after the last of them is known.
 #[inline(always)]
-pub(crate) fn carry_to<'a, M, T, const N: usize>(
+pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,
     x: &SVector<T, N>,
     next: &SVector<T, N>,
     v: &SVector<T, N>,
-) -> Option<SVector<T, N>>
-where
-    M: ExtendScalars<T, N> + 'a,
-    T: Scalar,
-{
+) -> Option<SVector<T, N>> {
     let (mut x, mut v) = (x.clone(), v.clone());
     let (mut map, mut eps) = stages.next()?;
     for following in stages {
@@ -58,15 +50,11 @@ where
 
 /// The step over numbers along a line, and the point and the vector that each of them is made of.
 #[inline(always)]
-fn step_along<M, T, const N: usize>(
+fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
     mut along: SVector<Along<T>, N>,
-) -> Option<SVector<Along<T>, N>>
-where
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+) -> Option<SVector<Along<T>, N>> {
     let extended = map.extend_scalars::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
     let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
     // In its place: over lanes, compilers call what builds an array.
@@ -78,27 +66,23 @@ where
 
 /// x̃ by products that are never fused.
 #[inline(always)]
-fn unfused_step<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> Option<SVector<T, N>>
-where
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
+    map: &M,
+    eps: &T,
+    x: &SVector<T, N>,
+) -> Option<SVector<T, N>> {
     let next = step_along(map, eps, vector(from_fn(|i| Along::from_value(x[i].clone()))))?;
     Some(vector(from_fn(|i| next[i].value.clone())))
 }
 
 /// J(x)·v by numbers along v.
 #[inline(always)]
-pub(super) fn carry_along<M, T, const N: usize>(
+pub(super) fn carry_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
     x: &SVector<T, N>,
     v: &SVector<T, N>,
-) -> Option<SVector<T, N>>
-where
-    M: ExtendScalars<T, N>,
-    T: Scalar,
-{
+) -> Option<SVector<T, N>> {
     let along = vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));
     let next = step_along(map, eps, along)?;
     Some(vector(from_fn(|i| next[i].clone().into_slope())))

@@ -123,10 +123,7 @@ fn rounded<const N: usize>(x: &SVector<f64, N>) -> SVector<f32, N> {
     vector(from_fn(|i| x[i] as f32))
 }
 
-impl<P, const N: usize> PreparedStep<f32, N> for ThroughF64Step<P>
-where
-    P: PreparedStep<f64, N>,
-{
+impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF64Step<P> {
     /// The step's in `f64`.
     const COST: StepCost = P::COST;
 
@@ -159,17 +156,11 @@ where
     }
 }
 
-impl<P, const N: usize> WideStep<f32, N> for ThroughF64Step<P>
-where
-    P: PreparedStep<f64, N>,
-{
+impl<P: PreparedStep<f64, N>, const N: usize> WideStep<f32, N> for ThroughF64Step<P> {
     type Wide<L: Scalar> = NoLanes;
 }
 
-impl<M, const N: usize> QuadraticField<f32, N> for ThroughF64<M>
-where
-    M: QuadraticField<f32, N>,
-{
+impl<M: QuadraticField<f32, N>, const N: usize> QuadraticField<f32, N> for ThroughF64<M> {
     fn field(&self, x: &SVector<f32, N>) -> SVector<f32, N> {
         self.0.field(x)
     }
@@ -199,10 +190,7 @@ impl<M> ThroughF64<M> {
 
 /// The step, its Jacobian and determinants are computed in `f64` and rounded once; the field is
 /// evaluated in `f32`.
-impl<M, const N: usize> KahanMap<f32, N> for ThroughF64<M>
-where
-    M: ExtendScalars<f32, N>,
-{
+impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M> {
     type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 
     #[inline]

@@ -14,7 +14,7 @@ use super::{Constant, Scalar, operators};
 
 /// A number, or a series with its first terms known.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Laurent<T> {
+pub(crate) enum Laurent<T> {
     /// A number, which no power of δ is added to.
     Number(T),
     /// Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)); the first term is not 0.

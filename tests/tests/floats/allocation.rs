@@ -3,7 +3,7 @@
 //! The allocator of this program counts what a thread allocates while it is measured.
 
 use allocation_counter::measure;
-use kahan_core::__private::{Boundary, Family, Sizes, Stencil};
+use kahan_core::__private::{Boundary, Sizes, Stencil};
 use kahan_core::observe::{
     Crossing, Direction, Drift, Escape, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Period, Residence,
     Rotation, Sali, Section, Spectrum,
@@ -135,9 +135,7 @@ struct Ring;
 impl<T: LatticeScalar> LatticeMap<T> for Ring {
     const ARRAYS: &'static [&'static str] = &["x"];
     const REACH: usize = 1;
-}
 
-impl<T: LatticeScalar> Family<T> for Ring {
     type Kernels = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
 
     fn sizes(&self) -> Sizes {

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::__private::Family;
+use kahan_core::__private::LatticeMap;
 use kahan_core::{LatticeAt, Level, Step, Stopped, Workspace};
 
 use crate::at::fitting;
@@ -65,7 +65,7 @@ impl ChainAt {
             let names = family.parameters.iter().cloned();
             ParameterError::Undefined(names.zip(parameters.iter().map(value)).collect())
         };
-        let constants = Family::constants(&read, eps, f64::clone);
+        let constants = LatticeMap::constants(&read, eps, f64::clone);
         if !constants.is_some_and(|constants| constants.iter().all(|constant| constant.is_finite())) {
             return Err(undefined().into());
         }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use kahan_core::__private::chain::{Gathered, Menu, SiteLine};
-use kahan_core::__private::{Boundary, Energy, Family, Lanes, Sizes, Sums};
+use kahan_core::__private::{Boundary, Lanes, LatticeMap, Sizes};
 use kahan_core::Scalar;
 
 use super::Code;
@@ -18,7 +18,13 @@ pub(super) struct Read {
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-impl Family<f64> for Read {
+/// Names and sizes are values of the code: as constants there are none. The energy is asked for
+/// where the family has a Hamiltonian.
+impl LatticeMap<f64> for Read {
+    const ARRAYS: &'static [&'static str] = &[];
+    const REACH: usize = 0;
+    const HAMILTONIAN: Option<&'static str> = Some("");
+
     type Kernels = Menu;
 
     fn sizes(&self) -> Sizes {
@@ -66,12 +72,8 @@ impl Family<f64> for Read {
     ) -> SiteLine<L, B, SITES> {
         self.code.rows.line(sites)
     }
-}
 
-impl Sums<f64> for Read {
-    const INTEGRALS: &'static [&'static str] = &[];
-
-    fn integrals(&self) -> usize {
+    fn integral_count(&self) -> usize {
         self.code.family.integrals.len()
     }
 
@@ -79,9 +81,4 @@ impl Sums<f64> for Read {
         self.code.sums.run(constants, x, c, registers);
         s.iter_mut().zip(registers).for_each(|(sum, density)| sum.clone_from(density));
     }
-}
-
-/// Its energy is asked for where the family has a Hamiltonian.
-impl Energy<f64> for Read {
-    const HAMILTONIAN: &'static str = "";
 }

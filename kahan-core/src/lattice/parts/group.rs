@@ -7,7 +7,7 @@
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
-use crate::lattice::{Family, LatticeScalar};
+use crate::lattice::{LatticeMap, LatticeScalar};
 
 /// Parts of one length, one after another in the chain, as many as lanes.
 #[derive(Clone, Copy)]
@@ -23,11 +23,14 @@ pub(super) struct Parts {
 impl Parts {
     /// Gathers the states and parameters of all sites that the rows of both separators see, from R
     /// before the left one to R after the right one.
-    pub(super) fn gather<M, T>(self, map: &M, state: &[T], x: &mut [T], c: &mut [T], level: Level)
-    where
-        T: LatticeScalar + InLanes,
-        M: Family<T>,
-    {
+    pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
+        self,
+        map: &M,
+        state: &[T],
+        x: &mut [T],
+        c: &mut [T],
+        level: Level,
+    ) {
         let (block, reach) = (map.sizes().block, map.sizes().reach);
         let sites = state.len() / block;
         let number = |site: usize, b: usize| state[site * block + b];
@@ -38,11 +41,13 @@ impl Parts {
     }
 
     /// Gathers the parameters of these sites.
-    pub(super) fn gather_parameters<M, T>(self, map: &M, sites: usize, c: &mut [T], level: Level)
-    where
-        T: LatticeScalar + InLanes,
-        M: Family<T>,
-    {
+    pub(super) fn gather_parameters<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
+        self,
+        map: &M,
+        sites: usize,
+        c: &mut [T],
+        level: Level,
+    ) {
         let (reach, parameters) = (map.sizes().reach, map.sizes().parameters);
         for p in 0..parameters {
             let (values, c) = (map.site_parameter(p), &mut c[p * self.width..]);
@@ -64,7 +69,7 @@ impl Parts {
         number: impl Fn(usize, usize) -> T,
     ) where
         T: LatticeScalar + Copy,
-        M: Family<T>,
+        M: LatticeMap<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
         // Between the separators' outer neighbours nothing wraps around.

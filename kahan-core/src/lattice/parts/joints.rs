@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use crate::lattice::folded::{BandRow, Folded};
 use crate::lattice::sites::Site;
-use crate::lattice::{Family, LatticeScalar, Sizes};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes};
 use crate::{Constant, Scalar};
 
 use super::partition::Partition;
@@ -23,7 +23,7 @@ pub(super) fn size(separator: usize) -> usize {
 
 /// What the sites of the reduced system gain; `None` where pivots were too small, or numbers are
 /// not finite.
-pub(super) fn solve<'a, M, T>(
+pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     partition: &Partition,
     joints: &[T],
     reduced: &'a mut Folded<T>,
@@ -31,11 +31,7 @@ pub(super) fn solve<'a, M, T>(
     constants: &[T],
     site: &mut Site<T>,
     state: &[T],
-) -> Option<&'a [T]>
-where
-    M: Family<T>,
-    T: LatticeScalar,
-{
+) -> Option<&'a [T]> {
     let Sizes { block, reach, .. } = map.sizes();
     let separator = reach * block;
     let (sites, left_over) = (state.len() / block, partition.left_over());

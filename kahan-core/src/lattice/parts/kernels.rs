@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
-use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes, Stencil};
 
 use super::first::First;
 use super::group::Parts;
@@ -65,7 +65,7 @@ pub(in crate::lattice) trait Kernels {
     /// Makes a pass on the lanes of a level.
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar + InLanes;
 }
 
@@ -88,11 +88,7 @@ impl<
         true
     }
 
-    fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
-    where
-        M: Family<T>,
-        T: LatticeScalar + InLanes,
-    {
+    fn run<M: LatticeMap<T>, T: LatticeScalar + InLanes>(pass: Pass<'_, M, T>, level: Level) {
         match pass {
             Pass::First(first) => T::run(By::<Self, _>(first, PhantomData), level),
             Pass::Second(second) => T::run(By::<Self, _>(second, PhantomData), level),

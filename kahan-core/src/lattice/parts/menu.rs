@@ -5,7 +5,7 @@
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
-use crate::lattice::{Family, LatticeScalar, Sizes, Stencil};
+use crate::lattice::{LatticeMap, LatticeScalar, Sizes, Stencil};
 
 use super::first::First;
 use super::kernels::{Kernels, Pass};
@@ -35,11 +35,7 @@ macro_rules! menu {
                 [$(($block, $reach, $lower, $upper)),*].contains(&(block, reach, lower, upper))
             }
 
-            fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
-            where
-                M: Family<T>,
-                T: LatticeScalar + InLanes,
-            {
+            fn run<M: LatticeMap<T>, T: LatticeScalar + InLanes>(pass: Pass<'_, M, T>, level: Level) {
                 let (Pass::First(First { map, .. }) | Pass::Second(Second { map, .. })) = &pass;
                 let Sizes { block, reach, lower, upper, .. } = map.sizes();
                 match (block, reach, lower, upper) {

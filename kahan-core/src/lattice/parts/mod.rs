@@ -26,7 +26,7 @@ use crate::ensemble::lanes::InLanes;
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, Family, LatticeScalar, Sizes};
+use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
 use first::First;
 pub(super) use kernels::Kernels;
@@ -61,7 +61,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// One step, if the parts can vouch for it; otherwise the state stays as it is.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar;
 }
 
@@ -77,7 +77,7 @@ impl<T> Parted<T> for NoParts {
 
     fn step<M>(&mut self, _: &M, _: &[T], _: &T, _: &mut Site<T>, _: &mut [T]) -> bool
     where
-        M: Family<T>,
+        M: LatticeMap<T>,
         T: LatticeScalar,
     {
         match *self {}
@@ -106,10 +106,14 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
         })
     }
 
-    fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
-    where
-        M: Family<T>,
-    {
+    fn step<M: LatticeMap<T>>(
+        &mut self,
+        map: &M,
+        constants: &[T],
+        twice: &T,
+        site: &mut Site<T>,
+        state: &mut [T],
+    ) -> bool {
         let Sizes { block, reach, .. } = map.sizes();
         let Self { partition, level, scratch, joints, kept, reduced } = self;
         let (partition, level) = (&*partition, *level);

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use core::ops::Range;
 
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
-use crate::lattice::{Family, LatticeScalar, Stencil};
+use crate::lattice::{LatticeMap, LatticeScalar, Stencil};
 
 use super::group::Parts;
 use super::kernels::{By, batches, is_small};
@@ -43,7 +43,7 @@ impl<
     const UPPER: usize,
     const SITES: usize,
     const WIDTH: usize,
-    M: Family<T>,
+    M: LatticeMap<T>,
     T: LatticeScalar + InLanes,
 > OverLanes<T> for By<Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>, Second<'_, M, T>>
 {

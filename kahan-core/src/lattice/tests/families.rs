@@ -3,7 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::lattice::{Boundary, Family, Sizes, Stencil};
+use crate::lattice::{Boundary, Sizes, Stencil};
 use crate::{Constant, LatticeMap, LatticeScalar, Scalar};
 
 const fn boundary(is_open: bool) -> Boundary {
@@ -17,9 +17,7 @@ pub(super) struct Volterra<const OPEN: bool>;
 impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Volterra<OPEN> {
     const ARRAYS: &'static [&'static str] = &["x"];
     const REACH: usize = 1;
-}
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
     type Kernels = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
 
     fn sizes(&self) -> Sizes {
@@ -53,9 +51,7 @@ pub(super) struct Toda<const OPEN: bool>;
 impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
     const ARRAYS: &'static [&'static str] = &["a", "b"];
     const REACH: usize = 1;
-}
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
     type Kernels = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
 
     fn sizes(&self) -> Sizes {
@@ -100,9 +96,7 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     const ARRAYS: &'static [&'static str] = &["u"];
     const REACH: usize = 2;
     const SITE_PARAMETERS: &'static [&'static str] = &["dispersion"];
-}
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     type Kernels = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
 
     fn sizes(&self) -> Sizes {
@@ -157,9 +151,7 @@ const fn factors(b: usize, term: usize) -> (usize, usize) {
 impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Tangled<T, OPEN> {
     const ARRAYS: &'static [&'static str] = &["u", "v", "w"];
     const REACH: usize = 5;
-}
 
-impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
     type Kernels = Stencil<3, 5, 0, 9, 17, 17, 11, 35>;
 
     fn sizes(&self) -> Sizes {

@@ -15,7 +15,9 @@ use num_traits::{One, Zero};
 use crate::SingularStep;
 use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
 use crate::map::stable::Promised;
-use crate::scalar::bounded::{Bounded, Working, backward_error};
+#[cfg(feature = "std")]
+use crate::map::stable::{Eliminated, eliminated_at_any_capacity};
+use crate::scalar::bounded::{Bounded, Number, backward_error};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long, level_row};
 use crate::step::error::Reason;
@@ -37,7 +39,7 @@ struct Rest<T, const N: usize> {
 /// The promised step.
 #[inline(never)]
 pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
-    step: &CoupledStep<K, T, P, M, S>,
+    step: &CoupledStep<K, T, N, P, M, S>,
     x: &SVector<T, N>,
 ) -> Result<SVector<T, N>, SingularStep>
 where
@@ -54,7 +56,7 @@ where
 
 /// A step that is to be promised.
 struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
-    step: &'a CoupledStep<K, T, P, M, S>,
+    step: &'a CoupledStep<K, T, N, P, M, S>,
     x: &'a [T; N],
 }
 
@@ -113,23 +115,15 @@ where
             return Ok(next);
         }
         #[cfg(feature = "std")]
-        for capacity in Capacity::ALL {
-            let Some(exact) = self.eliminated(capacity) else { continue };
-            let next: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
-            if next.iter().all(T::is_finite_number) {
-                let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
-                if exact.iter().zip(&next).all(is_near) {
-                    return Ok(vector(next));
-                }
-                let Rest { bound, .. } = self.rest_in_wide(&next);
+        if let Some(next) = eliminated_at_any_capacity(
+            |capacity| self.eliminated(capacity).map(|exact| Eliminated::of(&exact)),
+            |next| {
+                let Rest { bound, .. } = self.rest_in_wide(&from_fn(|i| next[i]));
                 *least = bound.min(*least);
-                if bound <= Self::promise() {
-                    return Ok(vector(next));
-                }
-            }
-            if Long::are_settled(exact.iter().zip(next.iter().map(T::is_finite_number))) {
-                break;
-            }
+                bound <= Self::promise()
+            },
+        ) {
+            return Ok(vector(from_fn(|i| next[i])));
         }
         let [determinant, scaled] = self.determinants();
         let reason = if scaled.is_zero() { Reason::Pole } else { Reason::Refined };
@@ -241,7 +235,7 @@ where
     }
 
     /// What x̃ = `next` leaves, computed in V.
-    fn rest<V: Working>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
+    fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {
             let value = embed(number);

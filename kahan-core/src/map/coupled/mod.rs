@@ -80,26 +80,33 @@ impl<T: Scalar, const S: usize> Factors<T, S> {
 }
 
 /// The prepared step of a [`CoupledField`]: its parameters and ε.
-pub struct CoupledStep<K, T, const P: usize, const M: usize, const S: usize> {
+pub struct CoupledStep<K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
     parameters: [T; P],
     eps: T,
     field: PhantomData<fn() -> K>,
 }
 
-impl<K, T: Clone, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S> {
+impl<K, T: Clone, const N: usize, const P: usize, const M: usize, const S: usize>
+    CoupledStep<K, T, N, P, M, S>
+{
     /// The step at these parameters and ε, half the time step.
     pub fn new(parameters: [T; P], eps: T) -> Self {
         Self { parameters, eps, field: PhantomData }
     }
 }
 
-impl<K, T: Clone, const P: usize, const M: usize, const S: usize> Clone for CoupledStep<K, T, P, M, S> {
+impl<K, T: Clone, const N: usize, const P: usize, const M: usize, const S: usize> Clone
+    for CoupledStep<K, T, N, P, M, S>
+{
     fn clone(&self) -> Self {
         Self::new(self.parameters.clone(), self.eps.clone())
     }
 }
 
-impl<K, T: Copy, const P: usize, const M: usize, const S: usize> Copy for CoupledStep<K, T, P, M, S> {}
+impl<K, T: Copy, const N: usize, const P: usize, const M: usize, const S: usize> Copy
+    for CoupledStep<K, T, N, P, M, S>
+{
+}
 
 /// f′(x) from its entries.
 pub fn slopes_matrix<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
@@ -123,16 +130,12 @@ fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
 }
 
-impl<K, T, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S>
-where
-    T: Scalar,
+impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, const M: usize, const S: usize>
+    CoupledStep<K, T, N, P, M, S>
 {
     /// Writes A(x,ε) over zeros.
     #[inline(never)]
-    fn write_matrix<const N: usize>(&self, x: &[T; N], eps: &T, matrix: &mut SMatrix<T, N, N>)
-    where
-        K: CoupledField<N, P, M, S>,
-    {
+    fn write_matrix(&self, x: &[T; N], eps: &T, matrix: &mut SMatrix<T, N, N>) {
         for ((i, j), slope) in K::COUPLINGS.pairs().zip(K::slopes(&self.parameters, x)) {
             matrix[(i, j)] = -(eps.clone() * slope);
         }
@@ -144,14 +147,7 @@ where
     /// Replaces B by A(x,ε)⁻¹B, by partial pivoting.
     #[cold]
     #[inline(never)]
-    fn solve_by_pivoting<const N: usize, const C: usize>(
-        &self,
-        x: &[T; N],
-        b: &mut SMatrix<T, N, C>,
-    ) -> Option<()>
-    where
-        K: CoupledField<N, P, M, S>,
-    {
+    fn solve_by_pivoting<const C: usize>(&self, x: &[T; N], b: &mut SMatrix<T, N, C>) -> Option<()> {
         let mut matrix = zeros();
         self.write_matrix(x, &self.eps, &mut matrix);
         solve_in_place(&mut matrix, b)
@@ -161,10 +157,7 @@ where
     /// do.
     #[cold]
     #[inline(never)]
-    fn pivoted<const N: usize>(&self, x: &[T; N]) -> Option<SVector<T, N>>
-    where
-        K: CoupledField<N, P, M, S>,
-    {
+    fn pivoted(&self, x: &[T; N]) -> Option<SVector<T, N>> {
         let mut velocity = vector(K::field(&self.parameters, x));
         self.solve_by_pivoting(x, &mut velocity)?;
         let time_step = self.eps.clone() + self.eps.clone();
@@ -175,35 +168,24 @@ where
     ///
     /// # Errors
     /// As [`KahanMap::try_step`](crate::KahanMap::try_step).
-    pub fn promised<F, const N: usize>(
-        &self,
-        map: &F,
-        x: &SVector<T, N>,
-    ) -> Result<SVector<T, N>, SingularStep>
+    pub fn promised<F>(&self, map: &F, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where
         F: KahanMap<T, N, Prepared = Self>,
-        K: CoupledField<N, P, M, S>,
         T: Pivot,
     {
         if is::<T, f64>() {
-            self.promised_in::<f64, N>(x)
+            self.promised_in::<f64>(x)
         } else if is::<T, f32>() {
-            self.promised_in::<f32, N>(x)
+            self.promised_in::<f32>(x)
         } else if is::<T, Dd>() {
-            self.promised_in::<Dd, N>(x)
+            self.promised_in::<Dd>(x)
         } else {
             try_step(map, self, x, &self.eps)
         }
     }
 
     /// The promised step over F, which T is.
-    fn promised_in<F: Promised, const N: usize>(
-        &self,
-        x: &SVector<T, N>,
-    ) -> Result<SVector<T, N>, SingularStep>
-    where
-        K: CoupledField<N, P, M, S>,
-    {
+    fn promised_in<F: Promised>(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let step = CoupledStep::new(*same::<[T; P], [F; P]>(&self.parameters), *same(&self.eps));
         let next = promised::<K, F, N, P, M, S>(&step, same(x))?;
         Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
@@ -213,10 +195,7 @@ where
     ///
     /// # Panics
     /// At a pole of an exact scalar.
-    pub fn jacobian<const N: usize>(&self, x: &SVector<T, N>) -> SMatrix<T, N, N>
-    where
-        K: CoupledField<N, P, M, S>,
-    {
+    pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         let Some(next) = self.next(x) else { pole(&self.eps) };
         let mut back = zeros();
         self.write_matrix(components(&next), &-self.eps.clone(), &mut back);
@@ -234,7 +213,7 @@ where
 }
 
 impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> PreparedStep<T, N>
-    for CoupledStep<K, T, P, M, S>
+    for CoupledStep<K, T, N, P, M, S>
 where
     K: CoupledField<N, P, M, S>,
     T: Scalar,
@@ -257,7 +236,7 @@ where
 }
 
 impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> WideStep<T, N>
-    for CoupledStep<K, T, P, M, S>
+    for CoupledStep<K, T, N, P, M, S>
 where
     K: CoupledField<N, P, M, S>,
     T: Scalar,

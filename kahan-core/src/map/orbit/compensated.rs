@@ -124,11 +124,7 @@ impl<S: Increments> Increments for &S {
     }
 }
 
-impl<M, T, const N: usize> Increments for KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-{
+impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M, T, N> {
     type Carried = SMatrix<T, N, 2>;
 
     #[inline(always)]

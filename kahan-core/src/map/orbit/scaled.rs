@@ -22,11 +22,7 @@ pub struct Scaled<S: Step> {
     eps: S::Scalar,
 }
 
-impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-{
+impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// The same orbit with ε scaled out, from where it is; `None` where the field has a linear or a
     /// constant part.
     ///

@@ -8,13 +8,13 @@ use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
-use crate::scalar::bounded::{Bounded, Limit, Magnitude, Pair, Working, underflow};
+use crate::scalar::bounded::{Bounded, Limit, Magnitude, Number, Pair, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings
 /// apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Attempt<V: Working, const N: usize> {
+pub(super) struct Attempt<V: Number, const N: usize> {
     pub(super) next: [V; N],
     /// In units u of V.
     error: V::Magnitude,
@@ -22,17 +22,17 @@ pub(super) struct Attempt<V: Working, const N: usize> {
     largest_input: Limit,
 }
 
-impl<V: Working, const N: usize> Attempt<V, N> {
+impl<V: Number, const N: usize> Attempt<V, N> {
     /// By the increment form, with the operations and the bits of the fast step, all numbers
     /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
     /// underflow is not allowed for.
     #[inline(always)]
-    pub(super) fn of<T, P, M>(map: &M, x: &SVector<T, N>, eps: &T, embed: impl Fn(&T) -> V) -> Option<Self>
-    where
-        T: Pivot,
-        P: Pair<V>,
-        M: ExtendScalars<T, N>,
-    {
+    pub(super) fn of<T: Pivot, P: Pair<V>, M: ExtendScalars<T, N>>(
+        map: &M,
+        x: &SVector<T, N>,
+        eps: &T,
+        embed: impl Fn(&T) -> V,
+    ) -> Option<Self> {
         // No input exceeds the sum of all sizes, which is not a number where an input is none.
         let sum = Cell::new(embed(eps).size());
         let given = |number: &T| {
@@ -94,10 +94,11 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 
     /// As N/D, both expanded and without common factors: no increment that could cancel against the
     /// state.
-    pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
-    where
-        M: KahanMap<Bounded<V>, N>,
-    {
+    pub(super) fn by_quotients<M: KahanMap<Bounded<V>, N>>(
+        map: &M,
+        x: &SVector<Bounded<V>, N>,
+        eps: Bounded<V>,
+    ) -> Option<Self> {
         let (numerators, denominator) = map.reduced_map(x, eps);
         let reciprocal = Bounded::one().quotient(denominator)?;
         let quotients: [Bounded<V>; N] = from_fn(|i| numerators[i] * reciprocal);
@@ -148,7 +149,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 
 /// The largest of some magnitudes.
 #[inline(always)]
-fn largest<V: Working, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
+fn largest<V: Number, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
     let larger = |one, other| if other > one { other } else { one };
     sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::of(0.0))
 }

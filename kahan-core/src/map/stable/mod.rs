@@ -35,6 +35,8 @@ use super::checked::try_step;
 
 use rungs::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
 pub(crate) use scalars::Promised;
+#[cfg(feature = "std")]
+pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
 /// The step with the promise that T can give: of a float of this crate the one above; of another
 /// scalar, that a finite result is what the fast step, which is `prepared`, or elimination
@@ -43,16 +45,12 @@ pub(crate) use scalars::Promised;
 /// A rung prepares the step anew, over values with bounds: prepared floats are rounded, and carry
 /// no bound. In a loop compilers do that once, before its first round.
 #[inline(always)]
-pub fn stable_step<M, T, const N: usize>(
+pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
     prepared: &M::Prepared,
     x: &SVector<T, N>,
     eps: &T,
-) -> Result<SVector<T, N>, SingularStep>
-where
-    M: ExtendScalars<T, N>,
-    T: Pivot,
-{
+) -> Result<SVector<T, N>, SingularStep> {
     // Which scalar it is, is known while compiling.
     if is::<T, f64>() {
         climb::<f64, M, T, N>(map, x, eps)
@@ -72,12 +70,11 @@ where
 /// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
 /// registers: ordinary steps do not wait for memory on account of a call that they do not make.
 #[inline(always)]
-fn climb<F, M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Result<SVector<T, N>, SingularStep>
-where
-    F: Promised,
-    M: ExtendScalars<T, N>,
-    T: Pivot,
-{
+fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep> {
     let map = map.extend_scalars(|number| *same::<T, F>(number));
     let (x, eps): (&SVector<F, N>, &F) = (same(x), same(eps));
     let first = if const { N > F::MOST_VARIABLES } {
@@ -102,16 +99,12 @@ where
 /// Takes the rungs behind the first one; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn higher<M, T, const N: usize>(
+fn higher<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
     next: &mut SVector<T, N>,
-) -> Result<(), SingularStep>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Result<(), SingularStep> {
     if const { !T::IS_WIDEST && N <= T::MOST_VARIABLES }
         && let Some(settled) = second(map, &x, &eps)
     {

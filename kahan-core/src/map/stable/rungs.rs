@@ -36,15 +36,11 @@ const SHORT: u32 = 36;
 /// The first rung of a scalar that works for itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(super) fn in_own_precision<M, T, const N: usize>(
+pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
-) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Option<SVector<T, N>> {
     let attempt = if const { M::Prepared::COST.operations <= SHORT } {
         Attempt::of::<T, Both<T>, M>(map, x, eps, T::clone)
     } else {
@@ -63,57 +59,45 @@ where
 /// How often each form rounds is known while compiling, as long as no code serves both.
 #[cold]
 #[inline(never)]
-pub(super) fn in_general_form<M, T, const N: usize>(
+pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
-) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Option<SVector<T, N>> {
     in_own_precision(map, &x, &eps)
 }
 
 /// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(super) fn in_next_wider<M, T, const N: usize>(
+pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
-) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Option<SVector<T, N>> {
     Attempt::of::<T, <T::Wider as Promised>::Packed, M>(map, x, eps, T::embed)
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
 /// The second rung, off the stack when it returns.
 #[inline(never)]
-pub(super) fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>> {
     in_next_wider(map, x, eps)
 }
 
 /// Rungs 3 to 5, and the report where all fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-pub(super) fn in_wide<T, M, const N: usize>(
+pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
     next: &mut SVector<T, N>,
-) -> Result<(), SingularStep>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Result<(), SingularStep> {
     let is_finite = Cell::new(eps.is_finite_number());
     let given = |number: &T| {
         is_finite.set(is_finite.get() && number.is_finite_number());
@@ -161,33 +145,25 @@ where
 /// digits; and it needs of the map no more than A and f.
 #[cfg(feature = "std")]
 #[inline(never)]
-fn by_elimination<T, M, const N: usize>(
+fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
     next: &mut SVector<T, N>,
-) -> Result<(), Reason>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Result<(), Reason> {
     let mut tried = Capacity::ALL.into_iter().map(|capacity| eliminated(map, x, eps, next, capacity));
     tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(Long::MOST_DIGITS)))
 }
 
 /// The same with this capacity; `None` where it leaves the step open.
 #[cfg(feature = "std")]
-fn eliminated<T, M, const N: usize>(
+fn eliminated<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
     next: &mut SVector<T, N>,
     capacity: Capacity,
-) -> Option<Result<(), Reason>>
-where
-    T: Promised,
-    M: ExtendScalars<T, N>,
-{
+) -> Option<Result<(), Reason>> {
     let long = |number: &T| Long::new(number.widen(), capacity);
     let (map, state, eps) = (map.extend_scalars(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field_at(&state, &eps));

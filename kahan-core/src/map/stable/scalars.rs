@@ -2,12 +2,17 @@
 //!
 //! In: a number of a scalar. Out: that number in wider ones, and the nearest number back.
 
+#[cfg(feature = "std")]
+use std::vec::Vec;
+
 use crate::scalar::Wide;
-use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
+use crate::scalar::bounded::{Both, Number, PackedDouble, PackedSingle, Pair};
+#[cfg(feature = "std")]
+use crate::scalar::{Capacity, Long};
 use crate::{Dd, Pivot};
 
 /// A scalar that steps can be promised in, and begin in.
-pub(crate) trait Promised: Working + Pivot {
+pub(crate) trait Promised: Number + Pivot {
     /// A value and its magnitude, side by side in a register if there is such a one.
     type Packed: Pair<Self>;
 
@@ -103,4 +108,47 @@ impl Promised for Dd {
         let (high, low) = value.to_double_double();
         Dd::new(high, low)
     }
+}
+
+/// x̃ by elimination over numbers of many digits.
+#[cfg(feature = "std")]
+pub(crate) struct Eliminated<T> {
+    /// Rounded.
+    next: Vec<T>,
+    /// Whether each component is within 8u of the true one, which keeps the promise of a small
+    /// backward error.
+    is_promised: bool,
+    /// Whether a larger capacity would tell nothing new.
+    is_settled: bool,
+}
+
+#[cfg(feature = "std")]
+impl<T: Promised> Eliminated<T> {
+    /// Rounds x̃ and judges the result.
+    pub(crate) fn of(exact: &[Long]) -> Self {
+        let next: Vec<T> = exact.iter().map(|number| T::narrow(number.leading())).collect();
+        let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
+        let is_promised = exact.iter().zip(&next).all(is_near);
+        let is_settled = Long::are_settled(exact.iter().zip(next.iter().map(T::is_finite_number)));
+        Self { next, is_promised, is_settled }
+    }
+}
+
+/// Eliminates over more and more digits until x̃ is promised, by its digits or, as `is_kept` sees,
+/// by its backward error; `None` where that is never so.
+#[cfg(feature = "std")]
+pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
+    eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,
+    mut is_kept: impl FnMut(&[T]) -> bool,
+) -> Option<Vec<T>> {
+    for capacity in Capacity::ALL {
+        let Some(Eliminated { next, is_promised, is_settled }) = eliminated(capacity) else { continue };
+        if next.iter().all(T::is_finite_number) && (is_promised || is_kept(&next)) {
+            return Some(next);
+        }
+        if is_settled {
+            break;
+        }
+    }
+    None
 }

@@ -6,8 +6,6 @@ use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
-use super::pair::Pair;
-use super::{Bounded, Working, operations};
 
 /// The powers η of two that an operation is off by where it underflows, at most.
 const LOST_OF_SINGLES: i32 = -149;
@@ -33,10 +31,6 @@ impl Number for f32 {
     }
 }
 
-impl Working for f32 {
-    operations!(inline(always));
-}
-
 impl Number for f64 {
     type Magnitude = f64;
     const UNIT: f64 = f64::EPSILON / 2.0;
@@ -49,12 +43,9 @@ impl Number for f64 {
     }
 }
 
-impl Working for f64 {
-    operations!(inline(always));
-}
-
 impl Number for Dd {
     type Magnitude = f64;
+    const IS_CALLED: bool = true;
     /// 16 u² of `f64`, at least the bound of each of its operations.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
     const RANGE: Range =
@@ -66,12 +57,9 @@ impl Number for Dd {
     }
 }
 
-impl Working for Dd {
-    operations!(inline(never));
-}
-
 impl Number for Wide {
     type Magnitude = Size;
+    const IS_CALLED: bool = true;
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT) as u64) << 52);
     const RANGE: Range = Range::UNLIMITED;
 
@@ -82,8 +70,4 @@ impl Number for Wide {
     fn radius(&self) -> Option<Size> {
         Some(Wide::radius(self))
     }
-}
-
-impl Working for Wide {
-    operations!(inline(never));
 }

@@ -3,7 +3,7 @@
 //! In: the residual of a row of A·x̃ = b, its right-hand side and the sizes of its products, each
 //! with a bound on its own error. Out: |A·x̃ − b|/(|A|·|x̃| + |b|), at most.
 
-use super::{Bounded, Limit, Magnitude, Working};
+use super::{Bounded, Limit, Magnitude, Number};
 
 /// What is known of the value of a formula: a number, and how far it may be off.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,7 @@ pub(crate) struct Known<G> {
     pub(crate) largest_input: Limit,
 }
 
-impl<V: Working> Bounded<V> {
+impl<V: Number> Bounded<V> {
     /// What is known of this.
     pub(crate) fn known(&self) -> Known<V::Magnitude> {
         Known { size: self.value().size(), error: self.error(), largest_input: self.largest_input() }

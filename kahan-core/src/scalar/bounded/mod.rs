@@ -68,7 +68,6 @@ mod operators;
 mod packed;
 mod pair;
 mod rules;
-mod working;
 
 #[cfg(feature = "std")]
 pub(crate) use known::Known;
@@ -79,7 +78,6 @@ pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{Both, Pair};
-pub(crate) use working::{Working, operations};
 
 /// A double and its magnitude, where no register holds the two.
 #[cfg(not(target_arch = "x86_64"))]
@@ -94,7 +92,7 @@ pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
+pub(crate) struct Bounded<V: Number, P: Pair<V> = Both<V>> {
     /// v̂ and m
     pair: P,
     /// k
@@ -112,19 +110,17 @@ pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
     ratio: Option<V::Magnitude>,
 }
 
-impl<V: Working, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Bounded<V, P> {
+    /// A value and its magnitude, without an operation so far.
+    #[inline(always)]
+    fn of(pair: P) -> Self {
+        Self { pair, roundings: 0, underflows: 0, inputs: 0, bits: 0, inverse: None, ratio: None }
+    }
+
     /// An input: a number that is what it says.
     #[inline(always)]
     pub(crate) fn given(value: V) -> Self {
-        Self {
-            pair: Pair::new(value, value.size()),
-            roundings: 0,
-            underflows: 0,
-            inputs: 1,
-            bits: 0,
-            inverse: None,
-            ratio: None,
-        }
+        Self { inputs: 1, ..Self::of(Pair::new(value, value.size())) }
     }
 
     /// A literal, known while compiling; one that is rounded may underflow.
@@ -132,16 +128,8 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        Self {
-            pair: Pair::new(value, value.size()),
-            roundings,
-            underflows: roundings,
-            inputs: 0,
-            bits,
-            inverse: None,
-            ratio: None,
-        }
-        .settled()
+        let pair = Pair::new(value, value.size());
+        Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
     }
 
     /// How large inputs may be: the L of all premises.
@@ -166,8 +154,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
-        let bits = u32::MAX;
-        Self { pair, roundings: 1, underflows: 0, inputs: 0, bits, inverse: None, ratio: None }
+        Self { roundings: 1, bits: u32::MAX, ..Self::of(pair) }
     }
 
     /// −v̂
@@ -256,6 +243,6 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
 /// [weight](Bounded::weight) in units u, which is at least the slack times k times |r̂|, it is the
 /// allowance times |r̂|, at least.
 #[inline(always)]
-pub(crate) fn underflow<V: Working>(roundings: u32) -> f64 {
+pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))
 }

@@ -86,6 +86,10 @@ pub(crate) trait Number: Scalar + Copy {
     const UNIT: f64;
     /// Where underflow is allowed for.
     const RANGE: Range;
+    /// Whether operations with bounds are called: over hardware floats they are inlined, so that a
+    /// step is one piece of code; over wide numbers, whose rungs are seldom reached, called, so
+    /// that a step over them stays small.
+    const IS_CALLED: bool = false;
 
     /// |self|, rounded as magnitudes are.
     fn size(&self) -> Self::Magnitude;

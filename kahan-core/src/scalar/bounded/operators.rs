@@ -8,9 +8,9 @@ use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
 use super::pair::Pair;
-use super::{Bounded, Working};
+use super::{Bounded, Number};
 
-impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
+impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
     fn eq(&self, other: &Self) -> bool {
         self.value() == other.value()
             && self.magnitude() == other.magnitude()
@@ -18,7 +18,7 @@ impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
     }
 }
 
-impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
@@ -29,12 +29,12 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
 
     #[inline(always)]
     fn reciprocal(&self) -> Option<Self> {
-        V::over(Self::one(), *self)
+        Self::one().over(*self)
     }
 
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        V::over(self, divisor)
+        self.over(divisor)
     }
 
     #[inline(always)]
@@ -44,17 +44,17 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
 
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
-        V::product_plus(self, factor, addend)
+        self.times_plus(factor, addend)
     }
 
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
-        V::product_plus(self, factor, -subtrahend)
+        self.times_plus(factor, -subtrahend)
     }
 
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
-        V::product_plus(-a, b, self)
+        (-a).times_plus(b, self)
     }
 
     fn approximate(&self) -> f64 {
@@ -62,19 +62,54 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     }
 }
 
-operators!([V: Working, P: Pair<V>] Bounded<V, P>: V::plus, V::minus, V::times, Self::divided);
+operators!([V: Number, P: Pair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
 
-impl<V: Working, P: Pair<V>> Bounded<V, P> {
+/// Calls an operation.
+#[inline(never)]
+fn called<R>(operation: impl FnOnce() -> R) -> R {
+    operation()
+}
+
+impl<V: Number, P: Pair<V>> Bounded<V, P> {
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        if V::IS_CALLED { called(|| self.sum(other)) } else { self.sum(other) }
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        if V::IS_CALLED { called(|| self.difference(other)) } else { self.difference(other) }
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        if V::IS_CALLED { called(|| self.product(other)) } else { self.product(other) }
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, addend: Self) -> Self {
+        if V::IS_CALLED {
+            called(|| self.product_plus(factor, addend))
+        } else {
+            self.product_plus(factor, addend)
+        }
+    }
+
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Option<Self> {
+        if V::IS_CALLED { called(|| self.quotient(divisor)) } else { self.quotient(divisor) }
+    }
+
     #[inline(always)]
     fn divided(self, other: Self) -> Self {
         if self.is_literal() && other.is_ordinary_input() {
             return self.over_input(other);
         }
-        V::over(self, other).unwrap_or_else(|| Self::unknown(self.value() / other.value()))
+        self.over(other).unwrap_or_else(|| Self::unknown(self.value() / other.value()))
     }
 }
 
-impl<V: Working, P: Pair<V>> Neg for Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Neg for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -83,7 +118,7 @@ impl<V: Working, P: Pair<V>> Neg for Bounded<V, P> {
     }
 }
 
-impl<V: Working, P: Pair<V>> Zero for Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Zero for Bounded<V, P> {
     #[inline(always)]
     fn zero() -> Self {
         Self::literal(V::zero(), 0)
@@ -94,7 +129,7 @@ impl<V: Working, P: Pair<V>> Zero for Bounded<V, P> {
     }
 }
 
-impl<V: Working, P: Pair<V>> One for Bounded<V, P> {
+impl<V: Number, P: Pair<V>> One for Bounded<V, P> {
     #[inline(always)]
     fn one() -> Self {
         Self::literal(V::one(), 0)

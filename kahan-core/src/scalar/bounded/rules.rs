@@ -2,9 +2,9 @@
 
 use num_traits::Zero;
 
-use super::{Bounded, Magnitude, Pair, SLACK, Working};
+use super::{Bounded, Magnitude, Number, Pair, SLACK};
 
-impl<V: Working, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn sum(self, other: Self) -> Self {
         self.added(other, self.pair.plus(other.pair))
@@ -30,13 +30,11 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     fn added(self, other: Self, pair: P) -> Self {
         Self {
-            pair,
             roundings: self.roundings.max(other.roundings).saturating_add(1),
             underflows: self.underflows.max(other.underflows),
             inputs: self.inputs.max(other.inputs),
             bits: self.bits.max(other.bits).saturating_add(1),
-            inverse: None,
-            ratio: None,
+            ..Self::of(pair)
         }
         .settled()
     }
@@ -45,13 +43,11 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     fn multiplied(self, other: Self, pair: P) -> Self {
         Self {
-            pair,
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
             underflows: self.underflows.saturating_add(other.underflows).saturating_add(1),
             inputs: self.inputs.saturating_add(other.inputs),
             bits: self.bits.saturating_add(other.bits),
-            inverse: None,
-            ratio: None,
+            ..Self::of(pair)
         }
         .settled()
     }
@@ -113,13 +109,11 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     pub(crate) fn over_input(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
         Self {
-            pair: Pair::new(value, value.size()),
             roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
             underflows: self.underflows.saturating_add(1),
             inputs: self.inputs,
             bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
-            inverse: None,
-            ratio: None,
+            ..Self::of(Pair::new(value, value.size()))
         }
     }
 

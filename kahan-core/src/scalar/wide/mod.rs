@@ -54,8 +54,7 @@ const FARTHEST: u64 = 1 << 40;
 /// radii grow to, the radius of a sum, difference, product or quotient is at most
 /// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was cut off.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "std"), allow(unreachable_pub, reason = "`ThroughPoles` names it, with `std`"))]
-pub struct Digits<const D: usize, const M: usize> {
+pub(crate) struct Digits<const D: usize, const M: usize> {
     digits: [i64; D],
     /// The place of the leading digit.
     place: i64,

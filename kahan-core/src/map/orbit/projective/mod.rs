@@ -35,11 +35,7 @@ const MOST_VARIABLES: usize = 32;
 /// [`Orbit::projective`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
-pub struct Projective<M, T, const N: usize>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     map: M,
     eps: T,
     prepared: M::Prepared,
@@ -49,11 +45,7 @@ where
 
 /// Where an orbit is.
 #[derive(Clone)]
-enum At<M, T, const N: usize>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     /// Before the first point.
     First(SVector<T, N>),
     /// At a point that has lost nothing.
@@ -68,21 +60,13 @@ where
     Nowhere,
 }
 
-impl<M, T, const N: usize> At<M, T, N>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> At<M, T, N> {
     fn point(x: SVector<T, N>) -> Self {
         At::Point { x, is_flat: false }
     }
 }
 
-impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// The same orbit through its poles, from where it is: points of projective space, which are at
     /// infinity where the map has a pole.
     ///
@@ -134,11 +118,7 @@ where
     }
 }
 
-impl<M, T, const N: usize> Projective<M, T, N>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
     /// Why the orbit has ended: `Some` from the moment on when it met a point of indeterminacy,
     /// where the map has one limit along one line and another along another, or when not even the
     /// longest series, or the smallest δ, showed a limit.
@@ -229,11 +209,7 @@ where
     }
 }
 
-impl<M, T, const N: usize> Iterator for Projective<M, T, N>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Projective<M, T, N> {
     type Item = ProjectivePoint<T, N>;
 
     #[inline]
@@ -257,11 +233,7 @@ where
 {
 }
 
-impl<M, T, const N: usize> fmt::Debug for Projective<M, T, N>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> fmt::Debug for Projective<M, T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { eps, stopped, .. } = self;
         f.debug_struct("Projective").field("eps", eps).field("stopped", stopped).finish_non_exhaustive()

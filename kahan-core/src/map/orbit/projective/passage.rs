@@ -73,11 +73,7 @@ pub(super) enum Lost {
 
 /// The lines of an orbit on its way through a pole.
 #[derive(Clone)]
-pub(super) struct Passage<M, T, const N: usize>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     start: SVector<T, N>,
     unit: T::Germ,
     map: M::Extended<T::Germ>,
@@ -88,11 +84,7 @@ where
     lines: Vec<ProjectiveLine<T::Germ, N>>,
 }
 
-impl<M, T, const N: usize> Passage<M, T, N>
-where
-    M: ExtendScalars<T, N>,
-    T: ThroughPoles,
-{
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
     /// From a point on.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
         let (map, eps, unit) =

@@ -15,14 +15,16 @@ use super::memory::{has_small_slopes, is_far_from_singular};
 
 /// A scalar over which orbits go through poles: `f32`, `f64`, [`Dd`], and with the feature `exact`
 /// `BigRational`.
-pub trait ThroughPoles: Pivot {
+#[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
+pub trait ThroughPoles: Pivot + Followed {}
+
+/// How orbits over a scalar are followed where ordinary steps lose too much.
+pub(super) trait Followed: Scalar {
     /// The numbers of the way through.
-    #[doc(hidden)]
     type Germ: Germ<Self>;
 
     /// Whether x̃ has as many digits of x as the step is to keep. `is_flat` is true only where |εf′|
     /// is known to be small, at x before and at x̃ afterwards.
-    #[doc(hidden)]
     fn keeps<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
@@ -32,7 +34,6 @@ pub trait ThroughPoles: Pivot {
     ) -> bool;
 
     /// Whether two limits are the same but for what δ leaves in them.
-    #[doc(hidden)]
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 
@@ -46,7 +47,9 @@ fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
 
 macro_rules! implement_for_float {
     ($float:ty, $last_digit:expr) => {
-        impl ThroughPoles for $float {
+        impl ThroughPoles for $float {}
+
+        impl Followed for $float {
             type Germ = Wide;
 
             #[inline(always)]
@@ -90,7 +93,10 @@ implement_for_float!(f64, f64::EPSILON);
 implement_for_float!(Dd, f64::EPSILON * f64::EPSILON);
 
 #[cfg(feature = "exact")]
-impl ThroughPoles for num_rational::BigRational {
+impl ThroughPoles for num_rational::BigRational {}
+
+#[cfg(feature = "exact")]
+impl Followed for num_rational::BigRational {
     type Germ = crate::scalar::Laurent<Self>;
 
     fn keeps<M: KahanMap<Self, N>, const N: usize>(

@@ -12,9 +12,7 @@ use std::thread_local;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, ToPrimitive, Zero};
 
-use crate::scalar::bounded::{Both, Pair};
-use crate::scalar::bounded::{Bounded, Working, operations};
-use crate::scalar::bounded::{Magnitude, Number, Range, power_of_two};
+use crate::scalar::bounded::{Both, Bounded, Magnitude, Number, Range, power_of_two};
 use crate::{Constant, Pivot, Scalar};
 
 pub(super) type Q = BigRational;
@@ -162,10 +160,6 @@ impl<const BITS: i32> Number for Worst<BITS> {
     fn size(&self) -> Rough<BITS> {
         Rough(self.0.abs().to_f64().expect("a number of ordinary size"))
     }
-}
-
-impl<const BITS: i32> Working for Worst<BITS> {
-    operations!(inline);
 }
 
 macro_rules! operators {

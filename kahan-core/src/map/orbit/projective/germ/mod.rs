@@ -20,8 +20,7 @@ use crate::{Pivot, Scalar};
 use super::point::{ProjectivePoint, first_of_the_largest};
 
 /// A number over the scalar T that may depend on δ.
-#[doc(hidden)]
-pub trait Germ<T: Scalar>: Scalar {
+pub(super) trait Germ<T: Scalar>: Scalar {
     /// How many efforts there are; each sees further than the one before.
     const EFFORTS: usize;
 
