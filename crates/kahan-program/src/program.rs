@@ -59,6 +59,19 @@ where
         needed
     }
 
+    /// Whether operations read only earlier ones, functions of one argument have it twice, and outputs
+    /// are operations.
+    #[must_use]
+    pub fn is_well_formed(&self) -> bool {
+        let operations: &[Operation<I, C, F>] = &self.operations;
+        let reads_earlier = |(index, operation): (usize, &Operation<I, C, F>)| match operation {
+            Operation::Call(function, a, b) if function.arguments() == 1 && a != b => false,
+            _ => operation.operands().all(|operand| operand.0 < index),
+        };
+        operations.iter().enumerate().all(reads_earlier)
+            && self.outputs.iter().all(|output| output.0 < operations.len())
+    }
+
     /// Returns the inputs that the program reads, each once.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>

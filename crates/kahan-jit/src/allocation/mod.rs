@@ -12,9 +12,11 @@ mod carried;
 mod registers;
 mod uses;
 
+use kahan_program::Float;
+
 use crate::assembler::{Binary, Fused, Order, Source, Vector};
 use crate::lowering::Ends;
-use crate::program::{Instruction, Program};
+use crate::program::{Input, Instruction, Program};
 use allocator::Allocator;
 use uses::Uses;
 
@@ -23,8 +25,8 @@ use uses::Uses;
 pub(crate) enum Place {
     State(usize),
     Constant(usize),
-    /// The bits of a number in double precision.
-    Literal(u64),
+    /// A number that the program contains.
+    Literal(Float),
     /// Where the code keeps what it has no register for.
     Slot(usize),
     /// An entry of the results.
@@ -77,9 +79,9 @@ impl Place {
     /// Where a value lies before the first round, if it is not computed.
     fn given(instruction: Instruction) -> Option<Self> {
         match instruction {
-            Instruction::State(i) => Some(Self::State(i)),
-            Instruction::Constant(k) => Some(Self::Constant(k)),
-            Instruction::Literal(bits) => Some(Self::Literal(bits)),
+            Instruction::Input(Input::State(i)) => Some(Self::State(i)),
+            Instruction::Input(Input::Constant(k)) => Some(Self::Constant(k)),
+            Instruction::Constant(number) => Some(Self::Literal(number)),
             _ => None,
         }
     }
@@ -108,12 +110,12 @@ impl Allocation {
 /// Constants and literals that are read in each round, the most used first.
 fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
-    let is_kept = |value: &usize| match program.instructions[*value] {
-        Instruction::Constant(_) => plan.keeps_constants,
-        Instruction::Literal(_) => plan.keeps_literals,
+    let is_kept = |value: &usize| match program.operations[*value] {
+        Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
+        Instruction::Constant(_) => plan.keeps_literals,
         _ => false,
     };
-    let mut kept: Vec<usize> = (0..program.instructions.len()).filter(is_kept).collect();
+    let mut kept: Vec<usize> = (0..program.operations.len()).filter(is_kept).collect();
     kept.sort_by_key(|value| std::cmp::Reverse(uses.count(*value)));
     kept.truncate(most);
     kept

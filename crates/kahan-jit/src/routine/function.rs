@@ -31,9 +31,9 @@ impl<T: Float> Function<T> {
             Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: between its beginning and its end, the code reads entries of `program.states()`
-        // and `program.constants()` registers, and writes one for each result; its callers enter it
-        // by `Code::function`.
+        // SAFETY: between its beginning and its end, the code reads as many registers of states and
+        // of constants as the program has entries of each, and writes one for each result; its
+        // callers enter it by `Code::function`.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 

@@ -53,8 +53,8 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads a register for each result, and `program.constants()` of them,
-        // and writes the results alone, those that are carried to the last state. It is entered by
+        // SAFETY: the code reads a register for each result and for each constant of the program, and
+        // writes the results alone, those that are carried to the last state. It is entered by
         // `Code::orbit`, or if they are carried by `Code::orbit_step`.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
@@ -112,8 +112,8 @@ impl<T: Float> ComposedOrbit<T> {
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes a register for each result, and reads
-        // `program.constants()` of them from each address of the table. It is entered by
+        // SAFETY: the code reads and writes a register for each result, and reads one for each
+        // constant of the program from each address of the table. It is entered by
         // `Code::composed_orbit`.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
@@ -130,7 +130,7 @@ impl<T: Float> ComposedOrbit<T> {
 /// Where the states are between two steps: in registers where there is room for the rest.
 fn ends(program: &Program, shape: Shape) -> Ends {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
-    if program.results().len() <= room { Ends::Carried } else { Ends::InPlace }
+    if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }
 }
 
 fn address(assembler: &Assembler, place: Place, constants: General) -> Memory {
