@@ -14,7 +14,7 @@ use crate::operation::{Function, Node, Operation};
 /// that borrows them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations, operands before their uses, no operation twice.
+    /// The operations, operands before their uses; a builder writes none twice.
     pub operations: O,
     /// The results.
     pub outputs: N,
@@ -92,14 +92,16 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
     /// Returns the program of these results, with the operations that they need.
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
-        let places = places_of_needed(operations, outputs);
-        let mut kept = Vec::new();
-        for (operation, place) in operations.iter().zip(&places) {
-            if place.is_some() {
-                kept.push(operation.with_operands(|node| place_of(&places, node)));
+        let needed = Program { operations, outputs }.needed();
+        // An operation that is not needed has no place.
+        let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
+        for (index, operation) in operations.iter().enumerate() {
+            if needed[index] {
+                places[index] = Node(kept.len());
+                kept.push(operation.with_operands(|node| places[node.0]));
             }
         }
-        Program { operations: kept, outputs: outputs.iter().map(|node| place_of(&places, *node)).collect() }
+        Program { operations: kept, outputs: outputs.iter().map(|node| places[node.0]).collect() }
     }
 
     /// Returns the program of these outputs of this one.
@@ -126,22 +128,4 @@ where
         let outputs: Vec<Node> = programs.into_iter().flat_map(|program| builder.include(program)).collect();
         builder.finish(&outputs)
     }
-}
-
-/// The place of each operation among those that the outputs need; `None` for the others.
-fn places_of_needed<I, C, F: Function>(
-    operations: &[Operation<I, C, F>],
-    outputs: &[Node],
-) -> Vec<Option<Node>> {
-    let needed = Program { operations, outputs }.needed();
-    let mut count = 0;
-    let place = |is_needed: bool| {
-        count += usize::from(is_needed);
-        is_needed.then(|| Node(count - 1))
-    };
-    needed.into_iter().map(place).collect()
-}
-
-fn place_of(places: &[Option<Node>], node: Node) -> Node {
-    places[node.0].expect("operands of an operation that is needed are needed")
 }

@@ -68,8 +68,6 @@ pub(crate) struct RoundPlan {
     pub(crate) ends: Ends,
     /// Whether there are many rounds, and the constants are the same in all of them.
     pub(crate) keeps_constants: bool,
-    /// Whether there are many rounds.
-    pub(crate) keeps_literals: bool,
 }
 
 /// An instruction has three operands, and one more place is needed to bring them there.
@@ -112,7 +110,8 @@ fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        Instruction::Constant(_) => plan.keeps_literals,
+        // Results that lie elsewhere are those of a single round.
+        Instruction::Constant(_) => plan.ends != Ends::Elsewhere,
         _ => false,
     };
     let mut kept: Vec<usize> = (0..program.operations.len()).filter(is_kept).collect();

@@ -22,7 +22,7 @@ impl<T: Float> Function<T> {
     /// # Errors
     /// [`Refusal`].
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         frame.round(&|assembler, place| match place {
             Place::State(i) => assembler.entry(General::Rdi, i),

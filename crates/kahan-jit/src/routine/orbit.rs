@@ -34,7 +34,7 @@ impl<T: Float> Orbit<T> {
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let ends = ends(program, shape);
-        let plan = RoundPlan { ends, keeps_constants: true, keeps_literals: true };
+        let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rsi);
         // States that are carried are read from one array and written to another, which may be the
@@ -92,7 +92,7 @@ impl<T: Float> ComposedOrbit<T> {
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
+        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rax);
         frame.assembler.test(General::Rcx);

@@ -41,8 +41,7 @@ impl<T: Float> Sweep<T> {
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
         /// Of the registers that a function has to leave as they were, those used here.
         const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
-        let plan =
-            RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
+        let plan = RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared };
         let mut frame = Frame::open::<T>(program, shape, plan, SAVED)?;
         for (column, pointer) in POINTERS.into_iter().enumerate().take(program.outputs.len()) {
             frame.assembler.load_general(pointer, General::Rdi, place_of(column));

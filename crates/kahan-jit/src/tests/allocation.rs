@@ -131,7 +131,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
             }
             let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
             for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
-                let plan = RoundPlan { ends, keeps_constants: keeps, keeps_literals: keeps };
+                let plan = RoundPlan { ends, keeps_constants: keeps };
                 let found = allocated(&program, (registers, plan), fuses, (&x, &c), rounds);
                 let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
                 let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
@@ -151,7 +151,7 @@ fn a_last_use_takes_no_instruction_of_its_own() {
     let [a, b, c] = [0, 1, 2].map(|i| push(&mut program, state(i)));
     let sum = push(&mut program, Instruction::MultiplyAdd(a, b, c));
     program.outputs = vec![sum];
-    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
     let round = Allocation::of(&lowered(&program, true, plan.ends), 16, plan).round;
     let [
         MachineInstruction::Load(..),

@@ -45,16 +45,17 @@ impl<K: Eq + Hash, C> Table<K, C> {
 }
 
 /// The code of a field over one float.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
-    functions: Vec<OnceLock<Option<Function<T>>>>,
+    /// Those of the objects, each in its place.
+    functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
     columns: Table<(StepKind, Shape), ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
 /// The code of a field.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Codes {
     single: CodesOf<f32>,
     double: CodesOf<f64>,
@@ -107,24 +108,7 @@ pub(crate) struct ColumnsCode<T> {
     is_guarded: bool,
 }
 
-impl<T> CodesOf<T> {
-    fn new(objects: usize) -> Self {
-        let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf { orbits: Table::default(), functions, columns: Table::default(), abreast: Table::default() }
-    }
-}
-
 impl Codes {
-    /// None yet, for a field with so many objects.
-    pub(crate) fn new(objects: usize) -> Self {
-        Codes {
-            single: CodesOf::new(objects),
-            double: CodesOf::new(objects),
-            steps: AtomicU64::new(0),
-            operations: OnceLock::new(),
-        }
-    }
-
     /// The operations of a step of `engine`, whose codes these are, where that eliminates.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
@@ -193,7 +177,9 @@ impl Codes {
             let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
             Function::compile(&program, shape).ok()
         };
-        T::of(self).functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
+        let none_yet = || (0..engine.objects()).map(|_| OnceLock::new()).collect();
+        let functions = T::of(self).functions.get_or_init(none_yet);
+        functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
     /// The code of columns; likewise.
