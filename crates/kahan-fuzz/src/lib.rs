@@ -17,8 +17,8 @@ mod words;
 
 // The files of `kahan-jit` name what they use by `crate`.
 use kahan_jit::{
-    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, LaneCount, Orbit, Program,
-    Refusal, Shape, Sweep,
+    Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
+    Program, Refusal, Shape, Sweep,
 };
 
 pub use expansion::expand;

@@ -6,9 +6,8 @@
 
 use std::marker::PhantomData;
 
-use crate::lowering::Ends;
+use crate::Refusal;
 use crate::pages::Pages;
-use crate::{Program, Refusal};
 
 /// How much code reads and writes at least.
 #[derive(Clone, Copy, Debug)]
@@ -21,13 +20,6 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// That of a program; results that do not lie elsewhere become the states.
-    pub(crate) fn of(program: &Program, width: usize, ends: Ends) -> Self {
-        let results = program.results().len();
-        let states = if ends == Ends::Elsewhere { program.states() } else { results };
-        Extent { width, states, constants: program.constants(), results }
-    }
-
     /// How many numbers the states, the constants and the results are.
     pub(crate) fn numbers(self) -> [usize; 3] {
         [self.states * self.width, self.constants * self.width, self.results * self.width]
@@ -61,21 +53,16 @@ impl<T: 'static> Code<T> {
 
     /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
-        let [s, c, r] = self.extent.numbers();
-        assert!(
-            states.len() >= s && constants.len() >= c && results.len() >= r,
-            "{s} states, {c} constants and room for {r} results, not {}, {} and {}",
-            states.len(),
-            constants.len(),
-            results.len()
-        );
+        self.check(states, constants);
+        let [.., r] = self.extent.numbers();
+        assert!(results.len() >= r, "room for {r} results, not {}", results.len());
         // SAFETY: the slices are as long as the code needs them, and `results` is borrowed alone.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
     /// Runs the code of an [`Orbit`](crate::Orbit), `steps` rounds.
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
-        self.check_orbit(state, constants);
+        self.check(state, constants);
         let state = written(state);
         // SAFETY: the slices are as long as the code needs them, and `state` is borrowed alone.
         unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
@@ -84,8 +71,8 @@ impl<T: 'static> Code<T> {
     /// Runs one round of it from a state to another; it must be code that writes the last state
     /// alone.
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
-        self.check_orbit(state, constants);
-        self.check_orbit(next, constants);
+        self.check(state, constants);
+        self.check(next, constants);
         // SAFETY: the slices are as long as the code needs them, and `next`, to which alone it
         // writes, is borrowed alone.
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
@@ -104,7 +91,7 @@ impl<T: 'static> Code<T> {
         let (mut table, mut count) = ([0; MOST], 0);
         for constants in stages {
             assert!(count < MOST, "at most {MOST} stages");
-            self.check_orbit(state, constants);
+            self.check(state, constants);
             table[count] = read(constants);
             count += 1;
         }
@@ -114,7 +101,7 @@ impl<T: 'static> Code<T> {
         unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
-    fn check_orbit(&self, state: &[T], constants: &[T]) {
+    fn check(&self, state: &[T], constants: &[T]) {
         let [s, c, _] = self.extent.numbers();
         assert!(
             state.len() >= s && constants.len() >= c,

@@ -18,6 +18,8 @@ pub enum Refusal {
         /// How many the program reads from at least.
         entries: usize,
     },
+    /// An operation reads one that does not stand before it, or a result is no operation.
+    Malformed,
     /// The system gives no memory that code may run in.
     Pages(std::io::Error),
 }
@@ -37,6 +39,7 @@ impl core::fmt::Display for Refusal {
             Self::OutOfReach { entries } => {
                 write!(f, "an array of {entries} numbers is longer than an instruction can reach")
             }
+            Self::Malformed => write!(f, "an operation or a result reads what was not computed before"),
             Self::Pages(error) => write!(f, "the system gives no memory for code: {error}"),
         }
     }

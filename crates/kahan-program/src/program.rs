@@ -14,7 +14,7 @@ use crate::operation::{Function, Node, Operation};
 /// that borrows them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations, operands before their uses, no operation twice.
+    /// The operations, operands before their uses; a builder writes none twice.
     pub operations: O,
     /// The results.
     pub outputs: N,
@@ -59,6 +59,19 @@ where
         needed
     }
 
+    /// Whether operations read only earlier ones, functions of one argument have it twice, and outputs
+    /// are operations.
+    #[must_use]
+    pub fn is_well_formed(&self) -> bool {
+        let operations: &[Operation<I, C, F>] = &self.operations;
+        let reads_earlier = |(index, operation): (usize, &Operation<I, C, F>)| match operation {
+            Operation::Call(function, a, b) if function.arguments() == 1 && a != b => false,
+            _ => operation.operands().all(|operand| operand.0 < index),
+        };
+        operations.iter().enumerate().all(reads_earlier)
+            && self.outputs.iter().all(|output| output.0 < operations.len())
+    }
+
     /// Returns the inputs that the program reads, each once.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>
@@ -79,14 +92,16 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
     /// Returns the program of these results, with the operations that they need.
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
-        let places = places_of_needed(operations, outputs);
-        let mut kept = Vec::new();
-        for (operation, place) in operations.iter().zip(&places) {
-            if place.is_some() {
-                kept.push(operation.with_operands(|node| place_of(&places, node)));
+        let needed = Program { operations, outputs }.needed();
+        // An operation that is not needed has no place.
+        let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
+        for (index, operation) in operations.iter().enumerate() {
+            if needed[index] {
+                places[index] = Node(kept.len());
+                kept.push(operation.with_operands(|node| places[node.0]));
             }
         }
-        Program { operations: kept, outputs: outputs.iter().map(|node| place_of(&places, *node)).collect() }
+        Program { operations: kept, outputs: outputs.iter().map(|node| places[node.0]).collect() }
     }
 
     /// Returns the program of these outputs of this one.
@@ -113,22 +128,4 @@ where
         let outputs: Vec<Node> = programs.into_iter().flat_map(|program| builder.include(program)).collect();
         builder.finish(&outputs)
     }
-}
-
-/// The place of each operation among those that the outputs need; `None` for the others.
-fn places_of_needed<I, C, F: Function>(
-    operations: &[Operation<I, C, F>],
-    outputs: &[Node],
-) -> Vec<Option<Node>> {
-    let needed = Program { operations, outputs }.needed();
-    let mut count = 0;
-    let place = |is_needed: bool| {
-        count += usize::from(is_needed);
-        is_needed.then(|| Node(count - 1))
-    };
-    needed.into_iter().map(place).collect()
-}
-
-fn place_of(places: &[Option<Node>], node: Node) -> Node {
-    places[node.0].expect("operands of an operation that is needed are needed")
 }

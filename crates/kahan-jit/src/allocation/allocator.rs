@@ -1,9 +1,11 @@
 //! One pass over the program: each value gets its operands, a register, and its machine
 //! instruction.
 
+use kahan_program::Node;
+
 use crate::assembler::{Binary, Fused, Order, Vector};
 use crate::lowering::Ends;
-use crate::program::{Instruction, Program};
+use crate::program::{Called, Input, Instruction, Program};
 
 use super::carried::carry;
 use super::uses::Uses;
@@ -36,7 +38,7 @@ impl<'a> Allocator<'a> {
     /// Before the first value; those in `kept`, which are given, have the last registers for
     /// themselves.
     pub(super) fn new(program: &'a Program, registers: u8, ends: Ends, kept: &[usize]) -> Self {
-        let count = program.instructions.len();
+        let count = program.operations.len();
         let own = usize::from(registers) - kept.len();
         let mut allocator = Allocator {
             program,
@@ -46,7 +48,7 @@ impl<'a> Allocator<'a> {
             registers: vec![None; own],
             locked: vec![false; own],
             register_of: vec![None; count],
-            home: program.instructions.iter().map(|instruction| Place::given(*instruction)).collect(),
+            home: program.operations.iter().map(|instruction| Place::given(*instruction)).collect(),
             is_kept: vec![false; count],
             free_slots: Vec::new(),
             results_of: vec![Vec::new(); count],
@@ -65,10 +67,10 @@ impl<'a> Allocator<'a> {
 
     /// Where results go, and which of them wait until no state is read any more.
     fn expect_results(&mut self) {
-        let results = &self.program.results;
+        let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
-        for (value, instruction) in self.program.instructions.iter().enumerate() {
-            if let Instruction::State(i) = *instruction
+        for (value, instruction) in self.program.operations.iter().enumerate() {
+            if let Instruction::Input(Input::State(i)) = *instruction
                 && let Some(state) = states.get_mut(i)
             {
                 *state = Some(value);
@@ -95,20 +97,20 @@ impl<'a> Allocator<'a> {
             }
         }
         let waiting = results.iter().zip(&self.waits).filter(|(_, waits)| **waits);
-        waiting.for_each(|(result, _)| self.uses.add(*result, self.program.instructions.len()));
+        waiting.for_each(|(result, _)| self.uses.add(*result, self.program.operations.len()));
     }
 
     pub(super) fn run(mut self) -> Allocation {
-        for (time, instruction) in self.program.instructions.iter().enumerate() {
+        for (time, instruction) in self.program.operations.iter().enumerate() {
             self.time = time;
             self.write(*instruction);
             self.locked.fill(false);
             self.store_results();
         }
-        self.time = self.program.instructions.len();
+        self.time = self.program.operations.len();
         match self.ends {
             Ends::Carried => {
-                let sources = self.program.results.iter().map(|result| self.source(*result)).collect();
+                let sources = self.program.outputs.iter().map(|output| self.source(output.0)).collect();
                 carry(sources, self.registers.len(), &mut self.code);
             }
             Ends::InPlace => self.store_last(),
@@ -119,22 +121,22 @@ impl<'a> Allocator<'a> {
 
     fn write(&mut self, instruction: Instruction) {
         match instruction {
-            Instruction::State(_) | Instruction::Constant(_) | Instruction::Literal(_) => {}
+            Instruction::Input(_) | Instruction::Constant(_) => {}
             Instruction::Add(a, b) => self.binary(Binary::Add, a, b),
             Instruction::Subtract(a, b) => self.binary(Binary::Subtract, a, b),
             Instruction::Multiply(a, b) => self.binary(Binary::Multiply, a, b),
             Instruction::Divide(a, b) => self.binary(Binary::Divide, a, b),
-            Instruction::Maximum(a, b) => self.binary(Binary::Maximum, a, b),
-            Instruction::Minimum(a, b) => self.binary(Binary::Minimum, a, b),
-            Instruction::Negate(a) => self.binary(Binary::ExclusiveOr, a, self.uses.sign()),
+            Instruction::Call(Called::Maximum, a, b) => self.binary(Binary::Maximum, a, b),
+            Instruction::Call(Called::Minimum, a, b) => self.binary(Binary::Minimum, a, b),
+            Instruction::Negate(a) => self.binary(Binary::ExclusiveOr, a, Node(self.uses.sign())),
             Instruction::MultiplyAdd(a, b, c) => self.fused(Fused::MultiplyAdd, [a, b, c]),
             Instruction::MultiplySubtract(a, b, c) => self.fused(Fused::MultiplySubtract, [a, b, c]),
             Instruction::SubtractProduct(a, b, c) => self.fused(Fused::SubtractProduct, [b, c, a]),
-            Instruction::Copy(a) => {
+            Instruction::Call(Called::Copy, Node(a), _) => {
                 let source = self.source(a);
                 self.finish(&[a], |to| MachineInstruction::bring(to, source));
             }
-            Instruction::RoundToSingle(a) => {
+            Instruction::Call(Called::RoundToSingle, Node(a), _) => {
                 let from = self.in_register(a);
                 self.finish(&[a], |to| MachineInstruction::RoundToSingle(to, from));
             }
@@ -156,16 +158,16 @@ impl<'a> Allocator<'a> {
 
     /// Results that had to wait for the end.
     fn store_last(&mut self) {
-        for (i, &result) in self.program.results.iter().enumerate() {
+        for (i, output) in self.program.outputs.iter().enumerate() {
             if self.waits[i] {
-                let register = self.in_register(result);
+                let register = self.in_register(output.0);
                 self.locked.fill(false);
                 self.code.round.push(MachineInstruction::Store(Place::State(i), register));
             }
         }
     }
 
-    fn binary(&mut self, operator: Binary, a: usize, b: usize) {
+    fn binary(&mut self, operator: Binary, Node(a): Node, Node(b): Node) {
         let commutes = matches!(operator, Binary::Add | Binary::Multiply);
         let is_swapped = commutes && self.register_of[a].is_none() && self.register_of[b].is_some();
         let (a, b) = if is_swapped { (b, a) } else { (a, b) };
@@ -175,8 +177,9 @@ impl<'a> Allocator<'a> {
     }
 
     /// One of the three operands is overwritten: the order of the instruction says which.
-    fn fused(&mut self, operator: Fused, [mut a, mut b, c]: [usize; 3]) {
-        let operands = [a, b, c];
+    fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
+        let operands = operands.map(|operand| operand.0);
+        let [mut a, mut b, c] = operands;
         for operand in operands {
             self.lock(operand);
         }

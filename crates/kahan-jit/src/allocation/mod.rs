@@ -12,9 +12,11 @@ mod carried;
 mod registers;
 mod uses;
 
+use kahan_program::Float;
+
 use crate::assembler::{Binary, Fused, Order, Source, Vector};
 use crate::lowering::Ends;
-use crate::program::{Instruction, Program};
+use crate::program::{Input, Instruction, Program};
 use allocator::Allocator;
 use uses::Uses;
 
@@ -23,8 +25,8 @@ use uses::Uses;
 pub(crate) enum Place {
     State(usize),
     Constant(usize),
-    /// The bits of a number in double precision.
-    Literal(u64),
+    /// A number that the program contains.
+    Literal(Float),
     /// Where the code keeps what it has no register for.
     Slot(usize),
     /// An entry of the results.
@@ -66,8 +68,6 @@ pub(crate) struct RoundPlan {
     pub(crate) ends: Ends,
     /// Whether there are many rounds, and the constants are the same in all of them.
     pub(crate) keeps_constants: bool,
-    /// Whether there are many rounds.
-    pub(crate) keeps_literals: bool,
 }
 
 /// An instruction has three operands, and one more place is needed to bring them there.
@@ -77,9 +77,9 @@ impl Place {
     /// Where a value lies before the first round, if it is not computed.
     fn given(instruction: Instruction) -> Option<Self> {
         match instruction {
-            Instruction::State(i) => Some(Self::State(i)),
-            Instruction::Constant(k) => Some(Self::Constant(k)),
-            Instruction::Literal(bits) => Some(Self::Literal(bits)),
+            Instruction::Input(Input::State(i)) => Some(Self::State(i)),
+            Instruction::Input(Input::Constant(k)) => Some(Self::Constant(k)),
+            Instruction::Constant(number) => Some(Self::Literal(number)),
             _ => None,
         }
     }
@@ -108,12 +108,13 @@ impl Allocation {
 /// Constants and literals that are read in each round, the most used first.
 fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
-    let is_kept = |value: &usize| match program.instructions[*value] {
-        Instruction::Constant(_) => plan.keeps_constants,
-        Instruction::Literal(_) => plan.keeps_literals,
+    let is_kept = |value: &usize| match program.operations[*value] {
+        Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
+        // Results that lie elsewhere are those of a single round.
+        Instruction::Constant(_) => plan.ends != Ends::Elsewhere,
         _ => false,
     };
-    let mut kept: Vec<usize> = (0..program.instructions.len()).filter(is_kept).collect();
+    let mut kept: Vec<usize> = (0..program.operations.len()).filter(is_kept).collect();
     kept.sort_by_key(|value| std::cmp::Reverse(uses.count(*value)));
     kept.truncate(most);
     kept

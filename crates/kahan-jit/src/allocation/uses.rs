@@ -16,13 +16,13 @@ pub(super) struct Uses {
 impl Uses {
     /// The uses as operands.
     pub(super) fn of(program: &Program) -> Self {
-        let sign = program.instructions.iter().position(|instruction| *instruction == SIGN);
+        let sign = program.operations.iter().position(|instruction| *instruction == SIGN);
         let operands = |instruction: &Instruction| {
             let flipped = sign.filter(|_| matches!(instruction, Instruction::Negate(_)));
-            instruction.operands().chain(flipped)
+            instruction.operands().map(|operand| operand.0).chain(flipped)
         };
-        let mut counts = vec![1; program.instructions.len()];
-        program.instructions.iter().flat_map(operands).for_each(|operand| counts[operand] += 1);
+        let mut counts = vec![1; program.operations.len()];
+        program.operations.iter().flat_map(operands).for_each(|operand| counts[operand] += 1);
         let mut begin = 0;
         let mut of: Vec<[usize; 2]> = Vec::with_capacity(counts.len());
         for count in counts {
@@ -30,7 +30,7 @@ impl Uses {
             begin += count;
         }
         let mut uses = Uses { times: vec![0; begin], of, sign };
-        for (time, instruction) in program.instructions.iter().enumerate() {
+        for (time, instruction) in program.operations.iter().enumerate() {
             operands(instruction).for_each(|operand| uses.push(operand, time));
         }
         uses

@@ -20,42 +20,42 @@ pub(crate) use general::Condition;
 pub(crate) use operands::{Element, Form, General, Memory, Source, Vector, Width};
 pub(crate) use pool::Entry;
 
-/// An operation on two operands.
+/// An operation on two operands, by its opcode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Binary {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
+    Add = 0x58,
+    Subtract = 0x5c,
+    Multiply = 0x59,
+    Divide = 0x5e,
     /// a where a > b, else b
-    Maximum,
+    Maximum = 0x5f,
     /// a where a < b, else b
-    Minimum,
+    Minimum = 0x5d,
     /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
     /// register are flipped as well: a memory operand is 16 bytes at least.
-    ExclusiveOr,
+    ExclusiveOr = 0x57,
 }
 
-/// A fused operation on a product.
+/// A fused operation on a product: what it adds to the opcode of an [`Order`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
     /// product + addend
-    MultiplyAdd,
+    MultiplyAdd = 0,
     /// product − addend
-    MultiplySubtract,
+    MultiplySubtract = 2,
     /// addend − product
-    SubtractProduct,
+    SubtractProduct = 4,
 }
 
 /// Which of the operands d, b, c of a fused operation are multiplied; d is overwritten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     /// d·c and b
-    D132,
+    D132 = 0x98,
     /// b·d and c
-    D213,
+    D213 = 0xa8,
     /// b·c and d
-    D231,
+    D231 = 0xb8,
 }
 
 /// Code that is being written, for operands of one form.
@@ -85,30 +85,15 @@ impl Assembler {
     /// to = a ∘ b
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
-            Binary::Add => Opcode::of(self.form, 0x58),
-            Binary::Multiply => Opcode::of(self.form, 0x59),
-            Binary::Subtract => Opcode::of(self.form, 0x5c),
-            Binary::Divide => Opcode::of(self.form, 0x5e),
-            Binary::Maximum => Opcode::of(self.form, 0x5f),
-            Binary::Minimum => Opcode::of(self.form, 0x5d),
             Binary::ExclusiveOr => Opcode::exclusive_or(self.form),
+            _ => Opcode::of(self.form, operator as u8),
         };
         self.vector(opcode, to, a, b);
     }
 
     /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
     pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
-        let order = match order {
-            Order::D132 => 0x98,
-            Order::D213 => 0xa8,
-            Order::D231 => 0xb8,
-        };
-        let operator = match operator {
-            Fused::MultiplyAdd => 0,
-            Fused::MultiplySubtract => 2,
-            Fused::SubtractProduct => 4,
-        };
-        self.vector(Opcode::fused(self.form, order + operator), to, b, c);
+        self.vector(Opcode::fused(self.form, order as u8 + operator as u8), to, b, c);
     }
 
     /// Copies a whole register.

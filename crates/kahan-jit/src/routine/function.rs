@@ -22,7 +22,7 @@ impl<T: Float> Function<T> {
     /// # Errors
     /// [`Refusal`].
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         frame.round(&|assembler, place| match place {
             Place::State(i) => assembler.entry(General::Rdi, i),
@@ -31,9 +31,9 @@ impl<T: Float> Function<T> {
             Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: between its beginning and its end, the code reads entries of `program.states()`
-        // and `program.constants()` registers, and writes one for each result; its callers enter it
-        // by `Code::function`.
+        // SAFETY: between its beginning and its end, the code reads as many registers of states and
+        // of constants as the program has entries of each, and writes one for each result; its
+        // callers enter it by `Code::function`.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 

@@ -13,7 +13,9 @@ use crate::allocation::{Allocation, MachineInstruction, Place, RoundPlan};
 use crate::assembler::{Assembler, Element, General, Memory};
 use crate::call::Extent;
 use crate::instructions::Float;
-use crate::{Program, Refusal, Shape};
+use crate::lowering::{Ends, lowered};
+use crate::program::{Program, entries};
+use crate::{Refusal, Shape};
 
 /// Longer programs are no better than a loop. The code of so few operations is short enough for all
 /// jumps and distances.
@@ -49,18 +51,24 @@ impl Frame {
         if !set.is_available() || fuses && !set.has_fused() {
             return Err(Refusal::Unavailable(shape));
         }
-        let instructions = program.instructions.len().max(program.results.len());
+        let results = program.outputs.len();
+        let instructions = program.operations.len().max(results);
         if instructions > MOST_INSTRUCTIONS {
             return Err(Refusal::TooLong { instructions });
         }
+        if !program.is_well_formed() {
+            return Err(Refusal::Malformed);
+        }
         let form = shape.form::<T>();
-        let extent = Extent::of(program, shape.width::<T>(), plan.ends);
-        let entries = program.states().max(extent.constants);
+        let [read, constants] = entries(program);
+        let entries = read.max(constants);
         if entries > i32::MAX as usize / form.bytes() {
             return Err(Refusal::OutOfReach { entries });
         }
-        assert!(program.states() <= extent.states, "a state that is read has a result");
-        let code = Allocation::of(&program.lowered(fuses, plan.ends), set.registers(), plan);
+        let states = if plan.ends == Ends::Elsewhere { read } else { results };
+        assert!(read <= states, "a state that is read has a result");
+        let extent = Extent { width: shape.width::<T>(), states, constants, results };
+        let code = Allocation::of(&lowered(program, fuses, plan.ends), set.registers(), plan);
         let stack = code.slots * form.bytes();
         if stack > MOST_STACK {
             return Err(Refusal::TooLong { instructions });
@@ -120,10 +128,10 @@ impl Frame {
 /// Writes the bytes of instructions.
 fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresses: Addresses<'_>) {
     let address = |assembler: &mut Assembler, place: Place| match place {
-        Place::Literal(bits) => {
+        Place::Literal(number) => {
             let bits = match assembler.form().element {
-                Element::Double => bits,
-                Element::Single => u64::from((f64::from_bits(bits) as f32).to_bits()),
+                Element::Double => number.value().to_bits(),
+                Element::Single => u64::from((number.value() as f32).to_bits()),
             };
             Memory::Pool(assembler.constant(bits))
         }

@@ -34,7 +34,7 @@ impl<T: Float> Orbit<T> {
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let ends = ends(program, shape);
-        let plan = RoundPlan { ends, keeps_constants: true, keeps_literals: true };
+        let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rsi);
         // States that are carried are read from one array and written to another, which may be the
@@ -53,8 +53,8 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads a register for each result, and `program.constants()` of them,
-        // and writes the results alone, those that are carried to the last state. It is entered by
+        // SAFETY: the code reads a register for each result and for each constant of the program, and
+        // writes the results alone, those that are carried to the last state. It is entered by
         // `Code::orbit`, or if they are carried by `Code::orbit_step`.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
@@ -92,7 +92,7 @@ impl<T: Float> ComposedOrbit<T> {
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
+        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rax);
         frame.assembler.test(General::Rcx);
@@ -112,8 +112,8 @@ impl<T: Float> ComposedOrbit<T> {
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes a register for each result, and reads
-        // `program.constants()` of them from each address of the table. It is entered by
+        // SAFETY: the code reads and writes a register for each result, and reads one for each
+        // constant of the program from each address of the table. It is entered by
         // `Code::composed_orbit`.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
@@ -130,7 +130,7 @@ impl<T: Float> ComposedOrbit<T> {
 /// Where the states are between two steps: in registers where there is room for the rest.
 fn ends(program: &Program, shape: Shape) -> Ends {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
-    if program.results().len() <= room { Ends::Carried } else { Ends::InPlace }
+    if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }
 }
 
 fn address(assembler: &Assembler, place: Place, constants: General) -> Memory {

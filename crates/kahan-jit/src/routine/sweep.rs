@@ -41,10 +41,9 @@ impl<T: Float> Sweep<T> {
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
         /// Of the registers that a function has to leave as they were, those used here.
         const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
-        let plan =
-            RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
+        let plan = RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared };
         let mut frame = Frame::open::<T>(program, shape, plan, SAVED)?;
-        for (column, pointer) in POINTERS.into_iter().enumerate().take(program.results().len()) {
+        for (column, pointer) in POINTERS.into_iter().enumerate().take(program.outputs.len()) {
             frame.assembler.load_general(pointer, General::Rdi, place_of(column));
         }
         let addresses = |assembler: &mut Assembler, place| match place {
@@ -75,8 +74,8 @@ impl<T: Float> Sweep<T> {
         frame.assembler.jump_if(Condition::NotZero, next_step);
         let (bytes, extent) = frame.close();
         // SAFETY: for each register of the columns, the code reads and writes one in each of the
-        // first `states` columns, and reads `program.constants()` registers from where the
-        // constants are. It is entered by `Code::sweep`, with the width of its registers and the
+        // first `states` columns, and reads a register for each constant of the program from where
+        // the constants are. It is entered by `Code::sweep`, with the width of its registers and the
         // distance between the constants of one and of the next.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }

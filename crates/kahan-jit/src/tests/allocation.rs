@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, Place, RoundPlan};
 use crate::assembler::{Binary, Fused, Order, Source, Vector};
-use crate::lowering::Ends;
+use crate::lowering::{Ends, lowered};
 use crate::program::{Instruction, Program};
 
+use super::draw::{push, state};
 use super::{Draw, random_program, run, same, subtract_product};
 
 /// A machine with registers and memory that does what is allocated.
@@ -18,7 +19,7 @@ struct Machine {
 impl Machine {
     fn at(&self, place: Place) -> f64 {
         match place {
-            Place::Literal(bits) => f64::from_bits(bits),
+            Place::Literal(number) => number.value(),
             _ => *self.memory.get(&place).expect("what is read was written"),
         }
     }
@@ -97,7 +98,7 @@ fn allocated(
     (states, constants): (&[f64], &[f64]),
     rounds: usize,
 ) -> Vec<f64> {
-    let code = Allocation::of(&program.lowered(fuses, plan.ends), registers, plan);
+    let code = Allocation::of(&lowered(program, fuses, plan.ends), registers, plan);
     let mut machine = Machine { registers: vec![None; registers.into()], memory: HashMap::new() };
     for (i, state) in states.iter().enumerate() {
         machine.memory.insert(Place::State(i), *state);
@@ -112,7 +113,7 @@ fn allocated(
         Ends::Elsewhere => Place::Result(i),
         Ends::Carried | Ends::InPlace => Place::State(i),
     };
-    (0..program.results().len()).map(|i| machine.at(place(i))).collect()
+    (0..program.outputs.len()).map(|i| machine.at(place(i))).collect()
 }
 
 #[test]
@@ -130,7 +131,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
             }
             let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
             for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
-                let plan = RoundPlan { ends, keeps_constants: keeps, keeps_literals: keeps };
+                let plan = RoundPlan { ends, keeps_constants: keeps };
                 let found = allocated(&program, (registers, plan), fuses, (&x, &c), rounds);
                 let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
                 let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
@@ -147,11 +148,11 @@ fn any_number_of_registers_computes_what_the_program_says() {
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();
-    let [a, b, c] = [0, 1, 2].map(|i| program.push(Instruction::State(i)));
-    let sum = program.push(Instruction::MultiplyAdd(a, b, c));
-    program.set_results(vec![sum]);
-    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
-    let round = Allocation::of(&program.lowered(true, plan.ends), 16, plan).round;
+    let [a, b, c] = [0, 1, 2].map(|i| push(&mut program, state(i)));
+    let sum = push(&mut program, Instruction::MultiplyAdd(a, b, c));
+    program.outputs = vec![sum];
+    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
+    let round = Allocation::of(&lowered(&program, true, plan.ends), 16, plan).round;
     let [
         MachineInstruction::Load(..),
         MachineInstruction::Load(..),

@@ -1,6 +1,8 @@
 //! Programs drawn at random from a seed.
 
-use crate::{Instruction, Program};
+use kahan_program::{Float, Node};
+
+use crate::{Called, Input, Instruction, Program};
 
 /// Numbers from a seed (SplitMix64).
 pub(crate) struct Draw(pub(crate) u64);
@@ -31,22 +33,41 @@ impl Draw {
     }
 }
 
+/// Appends an operation, also one that is there already, and returns its place.
+pub(crate) fn push(program: &mut Program, operation: Instruction) -> Node {
+    program.operations.push(operation);
+    Node(program.operations.len() - 1)
+}
+
+pub(crate) fn state(i: usize) -> Instruction {
+    Instruction::Input(Input::State(i))
+}
+
+pub(crate) fn constant(k: usize) -> Instruction {
+    Instruction::Input(Input::Constant(k))
+}
+
+pub(crate) fn literal(value: f64) -> Instruction {
+    Instruction::Constant(Float::of(value))
+}
+
 /// A program of about so many operations with a result for each state, in which most values are
 /// used soon and some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {
-        program.push(Instruction::State(i));
+        push(&mut program, state(i));
     }
     for k in 0..constants {
-        program.push(Instruction::Constant(k));
+        push(&mut program, constant(k));
     }
-    program.push(Instruction::literal(draw.number(55)));
-    let mut known = 1 + program.push(Instruction::literal(2.0));
+    push(&mut program, literal(draw.number(55)));
+    push(&mut program, literal(2.0));
     for _ in 0..operations {
+        let known = program.operations.len();
         let mut operand = || match draw.below(3) {
-            0 => draw.below(known),
-            _ => known - 1 - draw.below(known.min(6)),
+            0 => Node(draw.below(known)),
+            _ => Node(known - 1 - draw.below(known.min(6))),
         };
         let (a, b, c) = (operand(), operand(), operand());
         let instruction = match draw.below(14) {
@@ -58,18 +79,18 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
             7 | 8 => Instruction::MultiplyAdd(a, b, c),
             9 => Instruction::MultiplySubtract(a, b, c),
             10 => Instruction::SubtractProduct(a, b, c),
-            11 => Instruction::Maximum(a, b),
-            12 => Instruction::Minimum(a, b),
-            _ => Instruction::RoundToSingle(a),
+            11 => Instruction::Call(Called::Maximum, a, b),
+            12 => Instruction::Call(Called::Minimum, a, b),
+            _ => Instruction::Call(Called::RoundToSingle, a, a),
         };
-        known = 1 + program.push(instruction);
+        push(&mut program, instruction);
     }
+    let known = program.operations.len();
     // Now and then a state itself, a constant, or one value twice.
     let result = |draw: &mut Draw| match draw.below(8) {
-        0 => draw.below(states + constants + 2),
-        _ => known - 1 - draw.below(known.min(2 * states + 4)),
+        0 => Node(draw.below(states + constants + 2)),
+        _ => Node(known - 1 - draw.below(known.min(2 * states + 4))),
     };
-    let results = (0..states).map(|_| result(draw)).collect();
-    program.set_results(results);
+    program.outputs = (0..states).map(|_| result(draw)).collect();
     program
 }

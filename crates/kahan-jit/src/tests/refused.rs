@@ -1,8 +1,13 @@
 //! Programs without code, and the instructions that code is made of.
 
+use kahan_program::Node;
+
 use crate::{
-    Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program, Refusal, Shape, Sweep,
+    Called, ComposedOrbit, Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program,
+    Refusal, Shape, Sweep,
 };
+
+use super::draw::{constant, literal, push, state};
 
 const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
 
@@ -15,13 +20,8 @@ fn is_unavailable() -> bool {
     is_unavailable
 }
 
-fn program(instructions: &[Instruction], results: Vec<usize>) -> Program {
-    let mut program = Program::default();
-    for instruction in instructions {
-        program.push(*instruction);
-    }
-    program.set_results(results);
-    program
+fn program(operations: &[Instruction], outputs: Vec<Node>) -> Program {
+    Program { operations: operations.to_vec(), outputs }
 }
 
 /// An instruction holds the distance from the beginning of an array in 32 bits with a sign.
@@ -31,15 +31,15 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
         return;
     }
     for entry in [usize::MAX, usize::MAX - 1, 1 << 61, 1 << 60, 1 << 32, 1 << 29, 1 << 28] {
-        for instruction in [Instruction::State(entry), Instruction::Constant(entry)] {
-            let program = program(&[instruction, Instruction::literal(1.0)], vec![0]);
+        for instruction in [state(entry), constant(entry)] {
+            let program = program(&[instruction, literal(1.0)], vec![Node(0)]);
             let refusal = Function::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
             assert!(
                 matches!(refusal, Refusal::OutOfReach { entries } if entries == entry.saturating_add(1)),
                 "{refusal:?}"
             );
         }
-        let program = program(&[Instruction::Constant(entry)], vec![0]);
+        let program = program(&[constant(entry)], vec![Node(0)]);
         let orbit = Orbit::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
         assert!(matches!(orbit, Refusal::OutOfReach { .. }), "{orbit:?}");
         for of in [Constants::Shared, Constants::Own] {
@@ -47,39 +47,67 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
             assert!(matches!(sweep, Refusal::OutOfReach { .. }), "{sweep:?}");
         }
     }
-    let last = program(&[Instruction::State((1 << 28) - 2)], vec![0]);
+    let last = program(&[state((1 << 28) - 2)], vec![Node(0)]);
     assert!(Function::<f64>::compile(&last, SHAPE).is_ok(), "its last byte is in reach");
 }
 
 #[test]
 fn more_results_than_a_straight_line_has_are_refused() {
-    let many = program(&[Instruction::literal(1.0)], vec![0; 50_001]);
+    let many = program(&[literal(1.0)], vec![Node(0); 50_001]);
     let refusal = Function::<f64>::compile(&many, SHAPE).expect_err("it is too long");
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
+}
+
+/// Whatever a program reads must stand before it: nothing else has a place.
+#[test]
+fn programs_that_read_what_was_not_computed_are_refused() {
+    let x = Node(0);
+    let reads = [
+        (Instruction::Negate(Node(1)), x),
+        (Instruction::Add(x, Node(2)), x),
+        (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
+        (Instruction::Call(Called::Maximum, x, Node(1)), x),
+        (Instruction::Call(Called::RoundToSingle, Node(1), Node(1)), x),
+        // A function of one argument has it twice.
+        (Instruction::Call(Called::Copy, x, Node(1)), Node(1)),
+        (Instruction::Call(Called::RoundToSingle, x, Node(usize::MAX)), Node(1)),
+        (Instruction::Negate(x), Node(2)),
+    ];
+    for (operation, result) in reads {
+        let program = program(&[state(0), operation], vec![result]);
+        let refusals = [
+            Function::<f64>::compile(&program, SHAPE).expect_err("it reads what is not there"),
+            Orbit::<f64>::compile(&program, SHAPE).expect_err("it reads what is not there"),
+            ComposedOrbit::<f64>::compile(&program, SHAPE).expect_err("it reads what is not there"),
+            Sweep::<f64>::compile(&program, SHAPE, Constants::Own).expect_err("it reads what is not there"),
+        ];
+        let are_refused = refusals.iter().all(|refusal| matches!(refusal, Refusal::Malformed));
+        assert!(is_unavailable() || are_refused, "{operation:?}: {refusals:?}");
+    }
 }
 
 #[cfg(feature = "pages")]
 #[test]
 #[should_panic(expected = "a state that is read has a result")]
 fn a_round_has_a_result_for_each_state() {
-    let _ = Orbit::<f64>::compile(&program(&[Instruction::State(14)], vec![0]), SHAPE);
+    let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
 /// As many values as a program can keep at once: each waits for the end, where two are taken by one
 /// instruction.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
-    let mut last = program.push(Instruction::State(0));
-    let values: Vec<usize> = (0..values)
+    let mut last = push(&mut program, state(0));
+    let values: Vec<Node> = (0..values)
         .map(|_| {
-            last = program.push(Instruction::Divide(last, last));
+            last = push(&mut program, Instruction::Divide(last, last));
             last
         })
         .collect();
     for pair in values.rchunks_exact(2).rev() {
-        last = program.push(Instruction::MultiplyAdd(pair[0], pair[1], last));
+        last = push(&mut program, Instruction::MultiplyAdd(pair[0], pair[1], last));
     }
-    program.set_results(vec![last]);
+    program.outputs = vec![last];
     program
 }
 

@@ -4,8 +4,10 @@ use std::sync::LazyLock;
 
 use num_traits::Float;
 
-use crate::{Instruction, Program};
-use Instruction::*;
+use kahan_program::Node;
+use kahan_program::Operation::*;
+
+use crate::{Called, Program};
 
 /// The results of a program as a processor computes them.
 pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fuses: bool) -> Vec<T> {
@@ -21,30 +23,42 @@ pub(crate) fn run_by<T: Float>(
 ) -> Vec<T> {
     let multiply_add = |a: T, b: T, c: T| if fuses { a.mul_add(b, c) } else { a * b + c };
     let number = |value: f64| T::from(value).expect("floats have every number");
-    let last = program.results().iter().max();
+    let last = program.outputs.iter().max();
     let mut values: Vec<T> = Vec::new();
-    for index in 0..last.map_or(0, |last| last + 1) {
-        values.push(match program.instruction(index) {
-            State(i) => state(i),
-            Constant(k) => constant(k),
-            Literal(bits) => number(f64::from_bits(bits)),
-            Add(a, b) => values[a] + values[b],
-            Subtract(a, b) => values[a] - values[b],
-            Multiply(a, b) => values[a] * values[b],
-            Divide(a, b) => values[a] / values[b],
-            Maximum(a, b) if values[a] > values[b] => values[a],
-            Minimum(a, b) if values[a] < values[b] => values[a],
-            Maximum(_, b) | Minimum(_, b) => values[b],
-            Negate(a) => -values[a],
-            MultiplyAdd(a, b, c) => multiply_add(values[a], values[b], values[c]),
-            MultiplySubtract(a, b, c) => multiply_add(values[a], values[b], -values[c]),
-            SubtractProduct(a, b, c) if fuses => subtract_product(values[a], values[b], values[c]),
-            SubtractProduct(a, b, c) => values[a] - values[b] * values[c],
-            Copy(a) => values[a],
-            RoundToSingle(a) => number(f64::from(values[a].to_f32().expect("floats round"))),
+    for operation in &program.operations[..last.map_or(0, |last| last.0 + 1)] {
+        let at = |node: Node| values[node.0];
+        values.push(match *operation {
+            Input(crate::Input::State(i)) => state(i),
+            Input(crate::Input::Constant(k)) => constant(k),
+            Constant(literal) => number(literal.value()),
+            Add(a, b) => at(a) + at(b),
+            Subtract(a, b) => at(a) - at(b),
+            Multiply(a, b) => at(a) * at(b),
+            Divide(a, b) => at(a) / at(b),
+            Call(Called::Maximum, a, b) if at(a) > at(b) => at(a),
+            Call(Called::Minimum, a, b) if at(a) < at(b) => at(a),
+            Call(Called::Maximum | Called::Minimum, _, b) => at(b),
+            Negate(a) => -at(a),
+            MultiplyAdd(a, b, c) => multiply_add(at(a), at(b), at(c)),
+            MultiplySubtract(a, b, c) => multiply_add(at(a), at(b), -at(c)),
+            SubtractProduct(a, b, c) if fuses => subtract_product(at(a), at(b), at(c)),
+            SubtractProduct(a, b, c) => at(a) - at(b) * at(c),
+            Call(Called::Copy, a, _) => at(a),
+            Call(Called::RoundToSingle, a, _) => number(f64::from(at(a).to_f32().expect("floats round"))),
         });
     }
-    program.results().iter().map(|result| values[*result]).collect()
+    program.outputs.iter().map(|result| values[result.0]).collect()
+}
+
+/// How many states and how many constants a program reads at least.
+pub(crate) fn read(program: &Program) -> [usize; 2] {
+    let end = |of: fn(crate::Input) -> Option<usize>| {
+        let ends = program.inputs().into_iter().filter_map(of).map(|entry| entry.saturating_add(1));
+        ends.max().unwrap_or(0)
+    };
+    let states = end(|input| if let crate::Input::State(i) = input { Some(i) } else { None });
+    let constants = end(|input| if let crate::Input::Constant(k) = input { Some(k) } else { None });
+    [states, constants]
 }
 
 /// a − b·c, rounded once. Valgrind computes −(b·c − a) instead, whose zeros have the other sign.

@@ -148,7 +148,7 @@ impl Engine {
         let (objects, _) = Object::Bracket(derived.brackets.len()).entry(&derived);
         Engine {
             lines: (0..objects).map(|_| OnceLock::new()).collect(),
-            codes: Codes::new(objects),
+            codes: Codes::default(),
             derived,
             steps: OnceLock::new(),
             single_integrals: OnceLock::new(),
@@ -196,6 +196,11 @@ impl Engine {
         let (place, plan) = object.entry(&self.derived);
         let line = || Some(Line::of(plan?, &self.derived.system.field.symbols));
         self.lines.get(place)?.get_or_init(line).as_ref()
+    }
+
+    /// The number of places of objects.
+    pub(crate) fn objects(&self) -> usize {
+        self.lines.len()
     }
 
     /// The line of an object that every field has.

@@ -6,9 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_core::FloatScalar;
-use kahan_jit::{
-    ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
-};
+use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};
 
 use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
@@ -36,27 +34,28 @@ impl<K, C> Default for Table<K, C> {
 }
 
 impl<K: Eq + Hash, C> Table<K, C> {
-    fn get(&self, key: K, compile: impl FnOnce() -> Option<Result<C, Refusal>>) -> Option<Arc<C>> {
+    fn get(&self, key: K, compile: impl FnOnce() -> Option<C>) -> Option<Arc<C>> {
         if !CAN_RUN {
             return None;
         }
         // Nothing panics under the lock but what would panic again.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        table.entry(key).or_insert_with(|| Some(Arc::new(compile()?.ok()?))).clone()
+        table.entry(key).or_insert_with(|| compile().map(Arc::new)).clone()
     }
 }
 
 /// The code of a field over one float.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
-    functions: Vec<OnceLock<Option<Function<T>>>>,
+    /// Those of the objects, each in its place.
+    functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
     columns: Table<(StepKind, Shape), ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
 /// The code of a field.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Codes {
     single: CodesOf<f32>,
     double: CodesOf<f64>,
@@ -109,24 +108,7 @@ pub(crate) struct ColumnsCode<T> {
     is_guarded: bool,
 }
 
-impl<T> CodesOf<T> {
-    fn new(objects: usize) -> Self {
-        let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf { orbits: Table::default(), functions, columns: Table::default(), abreast: Table::default() }
-    }
-}
-
 impl Codes {
-    /// None yet, for a field with so many objects.
-    pub(crate) fn new(objects: usize) -> Self {
-        Codes {
-            single: CodesOf::new(objects),
-            double: CodesOf::new(objects),
-            steps: AtomicU64::new(0),
-            operations: OnceLock::new(),
-        }
-    }
-
     /// The operations of a step of `engine`, whose codes these are, where that eliminates.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
@@ -159,11 +141,11 @@ impl Codes {
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
             let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
             let step = if is_composed {
-                ComposedOrbit::compile(&program, shape).map(StepCode::Composed)
+                StepCode::Composed(ComposedOrbit::compile(&program, shape).ok()?)
             } else {
-                Orbit::compile(&program, shape).map(StepCode::Single)
+                StepCode::Single(Orbit::compile(&program, shape).ok()?)
             };
-            Some(step.map(|step| OrbitCode { step, is_guarded }))
+            Some(OrbitCode { step, is_guarded })
         })
     }
 
@@ -180,11 +162,8 @@ impl Codes {
                 SideBySide::Steps(kind, vectors) => (kind.carrying::<T>(engine, vectors)?, kind.fuses),
                 SideBySide::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
             };
-            Some(Sweep::compile(
-                &program,
-                Shape { instructions, lanes: LaneCount::All, fuses },
-                Constants::Own,
-            ))
+            let shape = Shape { instructions, lanes: LaneCount::All, fuses };
+            Sweep::compile(&program, shape, Constants::Own).ok()
         })
     }
 
@@ -198,7 +177,9 @@ impl Codes {
             let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
             Function::compile(&program, shape).ok()
         };
-        T::of(self).functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
+        let none_yet = || (0..engine.objects()).map(|_| OnceLock::new()).collect();
+        let functions = T::of(self).functions.get_or_init(none_yet);
+        functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
     /// The code of columns; likewise.
@@ -259,19 +240,16 @@ impl<T: MachineFloat> OrbitCode<T> {
 }
 
 impl<T: Coded> ColumnsCode<T> {
-    fn compile(engine: &Engine, kind: StepKind, shape: Shape) -> Option<Result<Self, Refusal>> {
+    fn compile(engine: &Engine, kind: StepKind, shape: Shape) -> Option<Self> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
-        let compile = || {
-            Ok(ColumnsCode {
-                // Constants are rounded once each, whatever the step does.
-                constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
-                shared: Sweep::compile(&program, shape, Constants::Shared)?,
-                own: Sweep::compile(&program, shape, Constants::Own)?,
-                is_guarded,
-            })
-        };
-        Some(compile())
+        Some(ColumnsCode {
+            // Constants are rounded once each, whatever the step does.
+            constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
+            shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
+            own: Sweep::compile(&program, shape, Constants::Own).ok()?,
+            is_guarded,
+        })
     }
 
     /// Whether a guard comes behind the columns of a state, as behind a state of [`OrbitCode`].

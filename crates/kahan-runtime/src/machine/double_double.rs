@@ -11,8 +11,7 @@ use std::cell::RefCell;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Scalar, operators};
-use kahan_jit::Instruction::State;
-use kahan_jit::{Instruction, Program};
+use kahan_jit::{Input, Program};
 
 use super::traced::{self, Traced};
 
@@ -51,7 +50,7 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
-        let guard = Double::of(State(results.len()));
+        let guard = Double::input(Input::State(results.len()));
         // The sum of a step's notes does not wait for the step before.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
@@ -64,17 +63,13 @@ fn power_of_two(exponent: i32) -> f64 {
     f64::exp2(f64::from(exponent))
 }
 
-fn number(value: f64) -> Double {
-    Double::of(Instruction::literal(value))
-}
-
 fn fuses() -> bool {
     NOTES.with_borrow(|notes| notes.fuses)
 }
 
 /// Notes 0 where |a|·2^exponent is finite, and else what is not a number.
 fn note_below(a: Double, exponent: i32) {
-    let note = a * number(power_of_two(exponent)) * number(0.0);
+    let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
     NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
@@ -118,7 +113,7 @@ fn two_product(a: Double, b: Double) -> (Double, Double) {
 /// Two floats of 26 bits with the sum a (Veltkamp); a beyond 2⁹⁹⁵ is noted.
 fn split(a: Double) -> (Double, Double) {
     note_below(a, 1024 - 995);
-    let spread = number(power_of_two(27) + 1.0) * a;
+    let spread = Double::number(power_of_two(27) + 1.0) * a;
     let high = spread - (spread - a);
     (high, a - high)
 }
@@ -134,8 +129,8 @@ fn remainder(whole: Double, a: Double, b: Double) -> Double {
 
 impl Pair {
     /// The numbers that a program begins with, `entry` being those of the state or the constants.
-    pub(super) fn of(entry: fn(usize) -> Instruction, place: usize) -> Self {
-        Pair { high: Double::of(entry(2 * place)), low: Double::of(entry(2 * place + 1)) }
+    pub(super) fn of(entry: fn(usize) -> Input, place: usize) -> Self {
+        Pair { high: Double::input(entry(2 * place)), low: Double::input(entry(2 * place + 1)) }
     }
 
     fn sum(self, other: Self) -> Self {
@@ -155,7 +150,7 @@ impl Pair {
 
     fn over(self, divisor: Self) -> Self {
         let leading = self.high / divisor.high;
-        let reciprocal = number(1.0) / divisor.high;
+        let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
             // So that the quotient can be divided once more.
@@ -164,7 +159,7 @@ impl Pair {
         if is_ordinary {
             NOTES.with_borrow_mut(|notes| notes.moderate.push(leading));
         } else if !NOTES.with_borrow(|notes| notes.moderate.contains(&self.high)) {
-            note_moderate(self.high, number(1.0) / self.high);
+            note_moderate(self.high, Double::number(1.0) / self.high);
         }
         let correction = self.low.subtract_product(leading, divisor.low);
         let remainder = remainder(self.high, leading, divisor.high) + correction;
@@ -184,7 +179,7 @@ impl Neg for Pair {
 
 impl Zero for Pair {
     fn zero() -> Self {
-        Pair { high: number(0.0), low: number(0.0) }
+        Pair { high: Double::number(0.0), low: Double::number(0.0) }
     }
 
     fn is_zero(&self) -> bool {
@@ -194,14 +189,14 @@ impl Zero for Pair {
 
 impl One for Pair {
     fn one() -> Self {
-        Pair { high: number(1.0), low: number(0.0) }
+        Pair { high: Double::number(1.0), low: Double::number(0.0) }
     }
 }
 
 impl Scalar for Pair {
     fn constant(c: &Constant<'_>) -> Self {
         let (high, low) = c.to_double_double();
-        Pair { high: number(high), low: number(low) }
+        Pair { high: Double::number(high), low: Double::number(low) }
     }
 
     fn quotient(self, divisor: Self) -> Option<Self> {

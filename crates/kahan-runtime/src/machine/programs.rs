@@ -2,8 +2,7 @@
 
 use kahan_core::Scalar;
 use kahan_dynamics::Precision;
-use kahan_jit::Instruction::{Constant, State};
-use kahan_jit::Program;
+use kahan_jit::{Input, Program};
 
 use crate::engine::{Engine, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
 use crate::line::Line;
@@ -29,8 +28,8 @@ impl StepKind {
                 return None;
             }
             return double_double::program(self.fuses, || {
-                let state = (0..variables).map(|i| Pair::of(State, i)).collect();
-                self.advanced(step, state, |k| Pair::of(Constant, k), |pair| pair)
+                let state = (0..variables).map(|i| Pair::of(Input::State, i)).collect();
+                self.advanced(step, state, |k| Pair::of(Input::Constant, k), |pair| pair)
             });
         }
         let numbers = if self.compensated { 2 * variables } else { variables };
@@ -115,7 +114,8 @@ impl StepKind {
     }
 
     fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
-        self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::rounded_to_single)
+        let constant = |k| Traced::input(Input::Constant(k));
+        self.advanced(step, numbers, constant, Traced::rounded_to_single)
     }
 
     /// The numbers of a state one step later; `None` where the step is no straight line.
@@ -185,7 +185,9 @@ pub(super) fn integrals_behind_the_state<T: Coded>(engine: &Engine) -> Option<Pr
 
 /// The parameters, and ε behind them.
 fn constants<T: Coded>(engine: &Engine) -> Vec<Traced<T>> {
-    (0..=engine.derived.system.field.symbols.parameters.len()).map(|k| Traced::of(Constant(k))).collect()
+    (0..=engine.derived.system.field.symbols.parameters.len())
+        .map(|k| Traced::input(Input::Constant(k)))
+        .collect()
 }
 
 fn results<T: Coded>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {

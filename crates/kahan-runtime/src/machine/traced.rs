@@ -7,86 +7,89 @@ use std::marker::PhantomData;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{FloatScalar, Scalar, operators};
-use kahan_jit::{Instruction, Program};
-
-use Instruction::{
-    Add, Divide, Literal, Maximum, Minimum, Multiply, MultiplyAdd, MultiplySubtract, Negate, RoundToSingle,
-    State, Subtract, SubtractProduct,
+use kahan_jit::{Called, Input, Instruction, Program};
+use kahan_program::Operation::{
+    Add, Call, Constant, Divide, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
 };
+use kahan_program::{Float, Node};
 
 thread_local! {
     /// What this thread is writing.
-    static PROGRAM: RefCell<Program> = RefCell::default();
+    static OPERATIONS: RefCell<Vec<Instruction>> = RefCell::default();
 }
 
 /// The program of the numbers that `compute` gives, if it gives some.
 pub(super) fn program<T>(compute: impl FnOnce() -> Option<Vec<Traced<T>>>) -> Option<Program> {
-    PROGRAM.take();
-    let results = compute()?;
-    let mut program = PROGRAM.take();
-    program.set_results(results.into_iter().map(|number| number.place).collect());
-    Some(program)
+    OPERATIONS.take();
+    let outputs = compute()?.into_iter().map(|number| number.place).collect();
+    Some(Program { operations: OPERATIONS.take(), outputs })
 }
 
-/// The result of an instruction over the float T.
+/// The result of an operation over the float T.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Traced<T> {
-    place: usize,
+    place: Node,
     float: PhantomData<T>,
 }
 
 impl<T> Traced<T> {
-    /// Writes an instruction.
-    pub(super) fn of(instruction: Instruction) -> Self {
-        let place = PROGRAM.with_borrow_mut(|program| program.push(instruction));
+    /// Writes an operation.
+    fn of(operation: Instruction) -> Self {
+        let place = OPERATIONS.with_borrow_mut(|operations| {
+            operations.push(operation);
+            Node(operations.len() - 1)
+        });
         Traced { place, float: PhantomData }
+    }
+
+    /// Writes a number.
+    pub(super) fn number(value: f64) -> Self {
+        Self::of(Constant(Float::of(value)))
+    }
+
+    /// Writes an entry of the state or of the constants.
+    pub(super) fn input(entry: Input) -> Self {
+        Self::of(Instruction::Input(entry))
     }
 
     /// Writes entries of the state.
     pub(super) fn states(places: impl IntoIterator<Item = usize>) -> Vec<Self> {
-        places.into_iter().map(|place| Self::of(State(place))).collect()
+        places.into_iter().map(|place| Self::input(Input::State(place))).collect()
     }
 
     /// The number of single precision nearest to it.
     pub(super) fn rounded_to_single(self) -> Self {
-        Self::of(RoundToSingle(self.place))
+        Self::of(Call(Called::RoundToSingle, self.place, self.place))
     }
 
     /// |self|
     pub(super) fn magnitude(self) -> Self {
-        let place = self.place;
-        Self::of(Maximum(place, (-self).place))
+        Self::of(Call(Called::Maximum, self.place, self.neg().place))
     }
 
     /// The larger of two numbers.
     pub(super) fn larger(self, other: Self) -> Self {
-        Self::of(Maximum(self.place, other.place))
+        Self::of(Call(Called::Maximum, self.place, other.place))
     }
 
     /// The smaller of two numbers.
     pub(super) fn smaller(self, other: Self) -> Self {
-        Self::of(Minimum(self.place, other.place))
+        Self::of(Call(Called::Minimum, self.place, other.place))
     }
 
     /// The number that it is, where that is known.
     pub(super) fn literal(self) -> Option<f64> {
-        match self.instruction() {
-            Literal(bits) => Some(f64::from_bits(bits)),
-            _ => None,
-        }
+        if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
     /// The place of −self where this is a number whose sign was changed: a subtraction takes that
     /// instead, with the same bits.
-    fn negated(self) -> Option<usize> {
-        match self.instruction() {
-            Negate(inner) => Some(inner),
-            _ => None,
-        }
+    fn negated(self) -> Option<Node> {
+        if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }
 
-    fn instruction(self) -> Instruction {
-        PROGRAM.with_borrow(|program| program.instruction(self.place))
+    fn operation(self) -> Instruction {
+        OPERATIONS.with_borrow(|operations| operations[self.place.0])
     }
 }
 
@@ -111,7 +114,7 @@ impl<T> Neg for Traced<T> {
 
 impl<T: Copy> Zero for Traced<T> {
     fn zero() -> Self {
-        Self::of(Instruction::literal(0.0))
+        Self::number(0.0)
     }
 
     /// Nothing is known of a number before the program runs.
@@ -122,13 +125,13 @@ impl<T: Copy> Zero for Traced<T> {
 
 impl<T: Copy> One for Traced<T> {
     fn one() -> Self {
-        Self::of(Instruction::literal(1.0))
+        Self::number(1.0)
     }
 }
 
 impl<T: FloatScalar> Scalar for Traced<T> {
     fn constant(c: &kahan_core::Constant<'_>) -> Self {
-        Self::of(Instruction::literal(T::constant(c).approximate()))
+        Self::number(T::constant(c).approximate())
     }
 
     fn quotient(self, divisor: Self) -> Option<Self> {

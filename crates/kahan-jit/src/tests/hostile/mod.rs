@@ -9,13 +9,15 @@ mod tests;
 
 use std::fmt::Debug;
 
+use kahan_program::Node;
+
 use crate::{
-    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, LaneCount, Orbit, Program,
-    Refusal, Shape, Sweep,
+    Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
+    Program, Refusal, Shape, Sweep,
 };
 
-use super::draw::Draw;
-use super::run::{run_by, same};
+use super::draw::{Draw, constant, literal, push, state};
+use super::run::{read, run_by, same};
 use guarded::{Edge, Guarded};
 
 /// How a program is run.
@@ -88,12 +90,13 @@ impl Source<'_> {
     fn instruction(&mut self, known: usize) -> Instruction {
         let kind = if known == 0 { self.byte() % 3 } else { self.byte() % 18 };
         match kind {
-            0 => return Instruction::State(self.entry()),
-            1 => return Instruction::Constant(self.entry()),
-            2 => return Instruction::literal(self.number()),
+            0 => return state(self.entry()),
+            1 => return constant(self.entry()),
+            2 => return literal(self.number()),
             _ => {}
         }
-        let mut operand = || known - 1 - self.byte() % known;
+        let mut operand = || Node(known - 1 - self.byte() % known);
+        let call = |function, a| Instruction::Call(function, a, a);
         match kind {
             3 | 4 => Instruction::Add(operand(), operand()),
             5 => Instruction::Subtract(operand(), operand()),
@@ -103,10 +106,10 @@ impl Source<'_> {
             10 | 11 => Instruction::MultiplyAdd(operand(), operand(), operand()),
             12 => Instruction::MultiplySubtract(operand(), operand(), operand()),
             13 => Instruction::SubtractProduct(operand(), operand(), operand()),
-            14 => Instruction::Copy(operand()),
-            15 => Instruction::Maximum(operand(), operand()),
-            16 => Instruction::Minimum(operand(), operand()),
-            _ => Instruction::RoundToSingle(operand()),
+            14 => call(Called::Copy, operand()),
+            15 => Instruction::Call(Called::Maximum, operand(), operand()),
+            16 => Instruction::Call(Called::Minimum, operand(), operand()),
+            _ => call(Called::RoundToSingle, operand()),
         }
     }
 
@@ -126,23 +129,30 @@ impl Source<'_> {
             254 => 3000,
             _ => 0,
         };
+        // Now and then an operation that reads what is not computed before it.
+        let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
-        let mut is_ordinary = results < MANY && instructions < MANY;
+        let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
         while !self.0.is_empty() || known < instructions {
             if self.0.is_empty() {
                 *self = beginning;
             }
             let instruction = self.instruction(known);
             is_ordinary &= match instruction {
-                Instruction::State(entry) | Instruction::Constant(entry) => entry < 24,
+                Instruction::Input(Input::State(entry) | Input::Constant(entry)) => entry < 24,
                 _ => true,
             };
-            known = 1 + program.push(instruction);
+            push(&mut program, instruction);
+            known = program.operations.len();
         }
         if known > 0 {
             let mut draw = Draw(results as u64);
             let near = known.min(results + 8);
-            program.set_results((0..results).map(|_| known - 1 - draw.below(near)).collect());
+            program.outputs = (0..results).map(|_| Node(known - 1 - draw.below(near))).collect();
+            if is_broken {
+                let place = draw.below(known);
+                program.operations[place] = Instruction::Negate(Node(place + draw.below(3)));
+            }
         }
         (program, is_ordinary)
     }
@@ -164,9 +174,17 @@ impl Case {
         Case { program, routine, shape, is_double, edge, seed, is_ordinary }
     }
 
+    fn states(&self) -> usize {
+        read(&self.program)[0]
+    }
+
+    fn constants(&self) -> usize {
+        read(&self.program)[1]
+    }
+
     /// Runs the case; whether there was code.
     pub(crate) fn has_run(&self) -> bool {
-        if self.routine != Routine::Function && self.program.states() > self.program.results().len() {
+        if self.routine != Routine::Function && self.states() > self.program.outputs.len() {
             // Whoever asks for rounds without a result for each state is told so by a panic.
             return false;
         }
@@ -217,9 +235,9 @@ impl Case {
     fn function<T: Float + num_traits::Float + Debug>(&self) -> Result<(), Refusal> {
         let function = Function::<T>::compile(&self.program, self.shape)?;
         let (mut draw, width) = (Draw(self.seed), self.shape.width::<T>());
-        let states: Guarded<T> = self.numbers(&mut draw, self.program.states() * width);
-        let constants: Guarded<T> = self.numbers(&mut draw, self.program.constants() * width);
-        let mut results = Guarded::<T>::zeros(self.program.results().len() * width, self.edge);
+        let states: Guarded<T> = self.numbers(&mut draw, self.states() * width);
+        let constants: Guarded<T> = self.numbers(&mut draw, self.constants() * width);
+        let mut results = Guarded::<T>::zeros(self.program.outputs.len() * width, self.edge);
         assert_eq!(function.results(), results.len());
         function.run(&states, &constants, &mut results);
         for lane in 0..width {
@@ -234,7 +252,7 @@ impl Case {
 
         let orbit = Orbit::<T>::compile(&self.program, self.shape)?;
         let (mut draw, width) = (Draw(self.seed), self.shape.width::<T>());
-        let (states, constants) = (self.program.results().len(), self.program.constants());
+        let (states, constants) = (self.program.outputs.len(), self.constants());
         let mut state: Guarded<T> = self.numbers(&mut draw, states * width);
         let constants: Guarded<T> = self.numbers(&mut draw, constants * width);
         let mut next = Guarded::<T>::zeros(states * width, self.edge);
@@ -260,7 +278,7 @@ impl Case {
 
         let orbit = ComposedOrbit::<T>::compile(&self.program, self.shape)?;
         let (mut draw, width) = (Draw(self.seed), self.shape.width::<T>());
-        let (states, constants) = (self.program.results().len(), self.program.constants());
+        let (states, constants) = (self.program.outputs.len(), self.constants());
         let mut state: Guarded<T> = self.numbers(&mut draw, states * width);
         let count = 1 + draw.below(3);
         let sets: Vec<Guarded<T>> = (0..count).map(|_| self.numbers(&mut draw, constants * width)).collect();
@@ -283,7 +301,7 @@ impl Case {
 
         let sweep = Sweep::<T>::compile(&self.program, self.shape, of)?;
         let (mut draw, width) = (Draw(self.seed), sweep.width());
-        let states = self.program.results().len();
+        let states = self.program.outputs.len();
         if states > MOST_COLUMNS {
             return Ok(());
         }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guarded::{Edge, Guarded};
-use super::{Case, Draw, Routine};
+use super::{Case, Draw, Routine, constant, push, state};
 use crate::{
     ComposedOrbit, Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,
 };
@@ -33,10 +33,10 @@ const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount
 /// States 0 and 1, constants 0 to 2.
 fn small() -> Program {
     let mut program = Program::default();
-    let x = program.push(Instruction::State(1));
-    let c = program.push(Instruction::Constant(2));
-    let sum = program.push(Instruction::Add(x, c));
-    program.set_results(vec![sum, x]);
+    let x = push(&mut program, state(1));
+    let c = push(&mut program, constant(2));
+    let sum = push(&mut program, Instruction::Add(x, c));
+    program.outputs = vec![sum, x];
     program
 }
 
