@@ -219,18 +219,13 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     let [embed, project] = [docs::embed(lifted), docs::project()]
         .map(|own| if context.is_proved { own } else { docs::stand_in(false) });
     let first_values = emit_first_values(context, lifted);
-    let embed_scalar = quote!(#scalar: __kahan::EmbedScalar);
-    let any_scalar = quote!(#scalar: __kahan::Scalar);
-    let of_type = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
-    let generics = |bound: &TokenStream| {
-        if context.this.has_parameters() {
-            (quote!(), quote!(where #bound))
-        } else {
-            (quote!(<#bound>), quote!())
-        }
+    let of_type = context.this.generics();
+    let generics = |bound: TokenStream| match of_type {
+        Some(_) => (quote!(), quote!(where #scalar: #bound)),
+        None => (quote!(<#scalar: #bound>), quote!()),
     };
-    let (of_embed, where_embed) = generics(&embed_scalar);
-    let (of_project, where_project) = generics(&any_scalar);
+    let (of_embed, where_embed) = generics(quote!(__kahan::EmbedScalar));
+    let (of_project, where_project) = generics(quote!(__kahan::Scalar));
     quote! {
         impl #of_type #this {
             #embed
