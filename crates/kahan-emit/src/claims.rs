@@ -34,9 +34,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     for (claim, plan) in density.chain(brackets).chain(drifts).chain(conditional) {
         emitted.methods.extend(emit_accessor(context, claim, plan));
     }
-    let this = context.this.path();
-    let scalar = &context.this.scalar;
-    let generics = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let (this, scalar, generics) = (context.this.path(), &context.this.scalar, context.this.generics());
     let lacks = |kind: ClaimKind, marker: TokenStream| {
         let is_lacking = context.system.accessors(kind).next().is_none();
         is_lacking.then(|| quote! { #[doc(hidden)] impl #generics __kahan::#marker for #this {} })

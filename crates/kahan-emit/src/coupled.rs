@@ -27,7 +27,7 @@ use super::step::emit_cost;
 /// [`emit_field`](super::field::emit_field) build on.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let [parameters, slopes, places] = sizes(context, couplings);
     let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(context.derived.field())));
     let field = emit_entries(context, context.derived.field());
     let entries = emit_entries(context, &couplings.slopes);
@@ -58,20 +58,10 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// The numbers of parameters, of entries of f′, and of places.
-pub(super) struct Sizes {
-    pub(super) parameters: Literal,
-    pub(super) slopes: Literal,
-    pub(super) places: Literal,
-}
-
-impl Sizes {
-    pub(super) fn of(context: &Context<'_>, couplings: &Couplings) -> Self {
-        let [parameters, slopes, places] =
-            [parameters(context), couplings.places.len(), couplings.columns.len()]
-                .map(Literal::usize_unsuffixed);
-        Sizes { parameters, slopes, places }
-    }
+/// Returns the numbers of parameters, of entries of f′, and of places.
+pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
+    let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
+    sizes.map(Literal::usize_unsuffixed)
 }
 
 /// The number of parameters; ε is the last of them where coefficients depend on it.
@@ -177,7 +167,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
 /// their order, without loops.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let Sizes { parameters, slopes, .. } = Sizes::of(context, couplings);
+    let [parameters, slopes, _] = sizes(context, couplings);
     let given = (0..couplings.places.len()).map(|k| format_ident!("__d{k}"));
     let right = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));
     let (filled, is_there) = emit_filled(couplings);

@@ -46,12 +46,10 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         " Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the {which}"
     ));
     lines.push(String::new());
-    lines.push(" ```text".to_owned());
     let constants = system.constants.iter().map(|(name, value)| format!("const {name} = {value}"));
     let written = system.written.iter().map(expression_text);
     let equations = states.iter().zip(written).map(|(state, value)| format!("{state}dot = {value}"));
     push_formulas(&mut lines, &constants.chain(equations).collect::<Vec<_>>());
-    lines.push(" ```".to_owned());
     if let Some(lift) = context.lifted.and_then(|lifted| lifted.lift.as_ref()) {
         push_lift(&mut lines, lift);
     }
@@ -99,11 +97,8 @@ fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
         lines.extend([String::new(), format!(" {note}")]);
     }
     if !lift.is_optimal {
-        lines.push(String::new());
-        lines.push(
-            " The macro did not prove that no other lift is smaller; `kahan lift --macro` searches for longer."
-                .to_owned(),
-        );
+        let text = "The macro did not prove that no other lift is smaller; `kahan lift --macro` searches for longer.";
+        lines.extend([String::new(), format!(" {text}")]);
     }
     if let Some(energy) = &lift.energy {
         push_block(lines, "The energy that the map keeps exactly:", std::slice::from_ref(energy));
@@ -119,11 +114,9 @@ pub(super) fn embed(lifted: &Lifted) -> TokenStream {
     if lifted.lift.as_ref().is_some_and(|lift| lift.has_time) {
         lines.push(" The last of the states is the time `t`.".to_owned());
     }
-    lines.push(String::new());
-    lines.push(
-        " They are computed in `f64`, by functions of the crate `libm`, and have the same bits everywhere."
-            .to_owned(),
-    );
+    let how =
+        " They are computed in `f64`, by functions of the crate `libm`, and have the same bits everywhere.";
+    lines.extend([String::new(), how.to_owned()]);
     emit_lines(&lines)
 }
 
@@ -161,20 +154,18 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
     if text.iter().map(String::len).sum::<usize>() > LONGEST {
         return;
     }
-    lines.push(String::new());
-    lines.push(format!(" {title}"));
-    lines.push(String::new());
-    lines.push(" ```text".to_owned());
+    lines.extend([String::new(), format!(" {title}"), String::new()]);
     push_formulas(lines, text);
-    lines.push(" ```".to_owned());
 }
 
-/// Formulas as they fit a page of rustdoc: a long one is broken before its terms.
+/// Appends formulas as they fit a page of rustdoc: a long one is broken before its terms.
 fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
     /// The characters that a page shows without a scroll bar, about.
     const WIDTH: usize = 96;
     let folded = formulas.iter().map(|formula| folded(formula, WIDTH)).collect::<String>();
+    lines.push(" ```text".to_owned());
     lines.extend(folded.lines().map(|line| format!(" {line}")));
+    lines.push(" ```".to_owned());
 }
 
 /// The documentation of `integrals`.
@@ -183,8 +174,8 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
         vec![" The integrals of motion of the map at `x`; `eps` is ε, half the time step.".to_owned()];
     let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
     push_block(&mut lines, "In order:", &statements);
-    lines.push(String::new());
-    lines.push(" Where a divisor is zero, floats are not finite and exact scalars panic.".to_owned());
+    let poles = " Where a divisor is zero, floats are not finite and exact scalars panic.";
+    lines.extend([String::new(), poles.to_owned()]);
     emit_lines(&lines)
 }
 

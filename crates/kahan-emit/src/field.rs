@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
-use super::coupled::{Sizes, emit_parameters};
+use super::coupled::{emit_parameters, sizes};
 use super::inputs::emit_inputs;
 use super::plan::{Emitted, emit_plan};
 
@@ -78,7 +78,7 @@ fn emit_value_and_slope(
     };
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let own = emit_parameters(context, eps);
-    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let [parameters, slopes, places] = sizes(context, couplings);
     let field = quote!(__kahan::CoupledField<#dimension, #parameters, #slopes, #places>);
     let value = quote! {
         __kahan::vector(<__Coupled as #field>::field::<#scalar>(&#own, __kahan::components(x)))

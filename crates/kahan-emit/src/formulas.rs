@@ -60,24 +60,18 @@ struct PostfixWriter<'a> {
 
 impl PostfixWriter<'_> {
     fn node(&mut self, node: Node) {
-        let index = |k: usize| Literal::usize_unsuffixed(k);
         let step = match self.plan.operations[node.0] {
-            Operation::Input(Input::Variable(variable)) => match self.symbols.symbol(variable) {
-                Symbol::State(k) => {
-                    let k = index(k);
-                    quote!(State(#k))
-                }
-                Symbol::Parameter(k) => {
-                    let k = index(k);
-                    quote!(Parameter(#k))
-                }
-                // ε follows the parameters where coefficients depend on it.
-                Symbol::Epsilon => {
-                    let k = index(self.symbols.parameters.len());
-                    quote!(Parameter(#k))
-                }
-                Symbol::SecondState(_) => unreachable!("a field has no such variable"),
-            },
+            Operation::Input(Input::Variable(variable)) => {
+                let (of, place) = match self.symbols.symbol(variable) {
+                    Symbol::State(k) => (quote!(State), k),
+                    Symbol::Parameter(k) => (quote!(Parameter), k),
+                    // ε follows the parameters where coefficients depend on it.
+                    Symbol::Epsilon => (quote!(Parameter), self.symbols.parameters.len()),
+                    Symbol::SecondState(_) => unreachable!("a field has no such variable"),
+                };
+                let place = Literal::usize_unsuffixed(place);
+                quote!(#of(#place))
+            }
             Operation::Constant(ref value) => {
                 let value = emit_exact(value);
                 quote!(Number(#value))

@@ -23,12 +23,12 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
-    let dimension = symbols.dimension();
-    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::State, dimension) {
-        bindings.extend(quote! { let #states = __kahan::components(x); });
-    }
-    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::SecondState, dimension) {
-        bindings.extend(quote! { let #states = __kahan::components(y); });
+    let points: [(fn(usize) -> Symbol, _); 2] =
+        [(Symbol::State, quote!(x)), (Symbol::SecondState, quote!(y))];
+    for (symbol, point) in points {
+        if let Some(states) = emit_pattern(&inputs, symbols, symbol, symbols.dimension()) {
+            bindings.extend(quote! { let #states = __kahan::components(#point); });
+        }
     }
     bindings.extend(emit_bound_parameters(&inputs, symbols, |field| quote!(&self.#field)));
     bindings

@@ -56,8 +56,14 @@ impl<'a> Type<'a> {
 
     /// `E7<T>`, or `E6` where there are no parameters.
     pub(super) fn path(&self) -> TokenStream {
-        let (name, scalar) = (&self.name, &self.scalar);
-        if self.has_parameters() { quote!(#name<#scalar>) } else { quote!(#name) }
+        let (name, generics) = (&self.name, self.generics());
+        quote!(#name #generics)
+    }
+
+    /// `<T>` behind an `impl` for the type, or nothing where there are no parameters.
+    pub(super) fn generics(&self) -> Option<TokenStream> {
+        let scalar = &self.scalar;
+        self.has_parameters().then(|| quote!(<#scalar>))
     }
 
     /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` is
@@ -151,9 +157,7 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
 /// const VARIABLES …`.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
-    let this = context.this.path();
-    let scalar = &context.this.scalar;
-    let generics = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let (this, generics) = (context.this.path(), context.this.generics());
     let variables = emit_list("VARIABLES", "The state variables, in order.", &symbols.states);
     let parameters = emit_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
     let text = quote!(&'static [&'static __kahan::str]);

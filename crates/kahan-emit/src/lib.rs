@@ -128,29 +128,23 @@ fn read_block(input: &Flat) -> Read {
 /// Mistakes become one `compile_error!` at the literal, with a caret under each place in the file.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
-    let refused =
-        |error: &syn::Error| Expansion { name: "nothing".to_owned(), tokens: error.to_compile_error() };
-    let literal: LitStr = match syn::parse2(file) {
-        Ok(literal) => literal,
-        Err(error) => {
-            let message =
-                "the path of a file is wanted\nhelp: write a literal, `include_kahan!(\"toda.kahan\")`";
-            return refused(&syn::Error::new(error.span(), message));
-        }
-    };
+    included(core, file, beside)
+        .unwrap_or_else(|error| Expansion { name: "nothing".to_owned(), tokens: error.to_compile_error() })
+}
+
+fn included(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> syn::Result<Expansion> {
+    const WANTED: &str =
+        "the path of a file is wanted\nhelp: write a literal, `include_kahan!(\"toda.kahan\")`";
+    let literal: LitStr = syn::parse2(file).map_err(|error| syn::Error::new(error.span(), WANTED))?;
     let (origin, span) = (literal.value(), literal.span());
     let path =
         beside.and_then(Path::parent).map_or_else(|| PathBuf::from(&origin), |folder| folder.join(&origin));
     #[expect(clippy::disallowed_methods, reason = "the compiler's user names the file")]
     let read = fs::canonicalize(&path).and_then(|path| Ok((fs::read_to_string(&path)?, path)));
-    let (text, path) = match read {
-        Ok(read) => read,
-        Err(error) => {
-            let help = "a path is relative to the file that `include_kahan!` stands in";
-            let message = format!("`{}` cannot be read: {error}\nhelp: {help}", path.display());
-            return refused(&syn::Error::new(span, message));
-        }
-    };
+    let (text, path) = read.map_err(|error| {
+        let help = "a path is relative to the file that `include_kahan!` stands in";
+        syn::Error::new(span, format!("`{}` cannot be read: {error}\nhelp: {help}", path.display()))
+    })?;
     let input = tokens::of_text(text, origin, span);
     let block = read_block(&input);
     let path = path.to_string_lossy();
@@ -161,7 +155,7 @@ pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> 
     let (name, is_item) = (name(header), header.is_some());
     let emitted = emit(core, block, &input);
     let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
-    Expansion { name, tokens }
+    Ok(Expansion { name, tokens })
 }
 
 fn name(header: Option<&Header>) -> String {

@@ -7,14 +7,15 @@ use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::interpret::{Interpreter, Point};
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::{parse, parse_lifted};
+use kahan_algebra::plan::Node;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InFormula, Name, Written};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::{Span, Token};
 use kahan_algebra::{check_unproved, seed};
-use kahan_lift::{Embedding, Lift, Options, Step, lift};
-use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream};
+use kahan_lift::{Called, Embedding, Input, Lift, Operation, Options, lift};
+use proc_macro2::{Literal, Punct, Spacing, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::inputs::binding;
@@ -218,18 +219,13 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     let [embed, project] = [docs::embed(lifted), docs::project()]
         .map(|own| if context.is_proved { own } else { docs::stand_in(false) });
     let first_values = emit_first_values(context, lifted);
-    let embed_scalar = quote!(#scalar: __kahan::EmbedScalar);
-    let any_scalar = quote!(#scalar: __kahan::Scalar);
-    let of_type = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
-    let generics = |bound: &TokenStream| {
-        if context.this.has_parameters() {
-            (quote!(), quote!(where #bound))
-        } else {
-            (quote!(<#bound>), quote!())
-        }
+    let of_type = context.this.generics();
+    let generics = |bound: TokenStream| match of_type {
+        Some(_) => (quote!(), quote!(where #scalar: #bound)),
+        None => (quote!(<#scalar: #bound>), quote!()),
     };
-    let (of_embed, where_embed) = generics(&embed_scalar);
-    let (of_project, where_project) = generics(&any_scalar);
+    let (of_embed, where_embed) = generics(quote!(__kahan::EmbedScalar));
+    let (of_project, where_project) = generics(quote!(__kahan::Scalar));
     quote! {
         impl #of_type #this {
             #embed
@@ -247,52 +243,49 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
 /// The body of `embed`: each operation is a binding, in `f64`.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
-    let Embedding { steps, values, numbers } = &lifted.embedding;
+    let program = &lifted.embedding.program;
     let mut used = vec![false; lifted.states];
     let mut bindings = TokenStream::new();
     let mut names: Vec<TokenStream> = Vec::new();
-    for (index, step) in steps.iter().enumerate() {
-        let of = |place: &usize| &names[*place];
-        let infix = |a: &usize, operator: char, b: &usize| {
+    for (index, operation) in program.operations.iter().enumerate() {
+        let of = |place: &Node| &names[place.0];
+        let infix = |a: &Node, operator: char, b: &Node| {
             let (a, b, operator) = (of(a), of(b), Punct::new(operator, Spacing::Alone));
             quote!(#a #operator #b)
         };
-        let call = |function: &str, a: &usize, others: &[TokenStream]| {
-            let (function, a) = (own(function), of(a));
-            quote!(__kahan::elementary::#function(#a #(, #others)*))
-        };
-        let value = match step {
-            Step::State(state) => {
+        let mut name = format_ident!("__e_{index}");
+        let value = match operation {
+            Operation::Input(Input::State(state)) => {
                 used[*state] = true;
                 names.push(binding(symbols, symbols.state(*state)).into_token_stream());
                 continue;
             }
-            Step::Number(number) => {
-                names.push(emit_float(numbers[*number].1));
+            Operation::Constant(value) => {
+                names.push(emit_float(value.to_f64()));
                 continue;
             }
-            Step::Parameter(parameter) => {
+            Operation::Input(Input::Parameter(parameter)) => {
+                name = binding(symbols, symbols.parameter(*parameter));
                 let field = identifier(&symbols.parameters[*parameter], proc_macro2::Span::call_site());
                 quote!(__kahan::EmbedScalar::widened(self.#field))
             }
-            Step::Negation(a) => {
+            Operation::Negate(a) => {
                 let a = of(a);
                 quote!(-#a)
             }
-            Step::Sum(a, b) => infix(a, '+', b),
-            Step::Product(a, b) => infix(a, '*', b),
-            Step::Quotient(a, b) => infix(a, '/', b),
-            Step::Power(a, exponent) => {
-                call("power", a, &[Literal::i32_unsuffixed(*exponent).into_token_stream()])
+            Operation::Add(a, b) => infix(a, '+', b),
+            Operation::Multiply(a, b) => infix(a, '*', b),
+            Operation::Divide(a, b) => infix(a, '/', b),
+            Operation::Call(called, a, b) => {
+                let second = match called {
+                    Called::Power(exponent) => Some(Literal::i32_unsuffixed(*exponent).into_token_stream()),
+                    Called::RealPower => Some(of(b).clone()),
+                    _ => None,
+                };
+                let (function, a, second) = (format_ident!("{}", called.name()), of(a), second.into_iter());
+                quote!(__kahan::elementary::#function(#a #(, #second)*))
             }
-            Step::RealPower(a, b) => call("pow", a, &[of(b).clone()]),
-            Step::SquareRoot(a) => call("sqrt", a, &[]),
-            Step::CubeRoot(a) => call("cbrt", a, &[]),
-            Step::Function(function, a) => call(function.name(), a, &[]),
-        };
-        let name = match step {
-            Step::Parameter(parameter) => binding(symbols, symbols.parameter(*parameter)),
-            _ => format_ident!("__e_{index}"),
+            _ => unreachable!("first values take one operation at a time"),
         };
         bindings.extend(quote! { let #name = #value; });
         names.push(name.into_token_stream());
@@ -303,17 +296,12 @@ fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     });
     let states =
         used.contains(&true).then(|| quote! { let [#(#pattern),*] = __kahan::components_in_f64(x); });
-    let values = values.iter().map(|&value| &names[value]);
+    let values = program.outputs.iter().map(|value| &names[value.0]);
     quote! {
         #states
         #bindings
         __kahan::embedded(x, [#(#values),*])
     }
-}
-
-/// An identifier of ours.
-fn own(name: &str) -> Ident {
-    Ident::new(name, proc_macro2::Span::call_site())
 }
 
 /// A float with all its bits.

@@ -8,7 +8,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::coupled::{Sizes, emit_coupled, emit_parameters};
+use super::coupled::{emit_coupled, emit_parameters, sizes};
 use super::field::{emit_body, emit_coefficients_of_eps};
 use super::inputs::{emit_bound_parameters, emit_pattern};
 use super::items::identifier;
@@ -32,14 +32,24 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     } else {
         quote!(__kahan::stable_step(self, prepared, x, eps))
     };
-    let closed_forms = emit_closed_forms(context);
-    let coefficients = emit_coefficients_of_eps(context);
-    let (stable_step, extension) = (emit_stable_step(context, &promise), emit_extension(context));
+    let (vector, closed_forms) = (context.vector(), emit_closed_forms(context));
+    let (coefficients, extension) = (emit_coefficients_of_eps(context), emit_extension(context));
     quote! {
         #items
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
             #prepared
-            #stable_step
+            #[inline(always)]
+            fn try_prepared(
+                &self,
+                prepared: &Self::Prepared,
+                x: &#vector,
+                eps: &#scalar,
+            ) -> __kahan::Result<#vector, __kahan::SingularStep>
+            where
+                #scalar: __kahan::Pivot,
+            {
+                #promise
+            }
             #closed_forms
             #coefficients
         }
@@ -63,30 +73,11 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// The step with a promise, by this call.
-fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream {
-    let (scalar, vector) = (&context.this.scalar, context.vector());
-    quote! {
-        #[inline(always)]
-        fn try_prepared(
-            &self,
-            prepared: &Self::Prepared,
-            x: &#vector,
-            eps: &#scalar,
-        ) -> __kahan::Result<#vector, __kahan::SingularStep>
-        where
-            #scalar: __kahan::Pivot,
-        {
-            #promise
-        }
-    }
-}
-
 /// The step that eliminates along the couplings, and the Jacobian by the same elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
-    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let [parameters, slopes, places] = sizes(context, couplings);
     let own = emit_parameters(context, &quote!(eps.clone()));
     quote! {
         type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #dimension, #parameters, #slopes, #places>;

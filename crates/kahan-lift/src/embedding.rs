@@ -1,70 +1,110 @@
-//! The first values of new variables as a straight line of steps.
+//! The first values of new variables as a straight-line program.
 //!
-//! `Lift::embed` runs the steps in `f64`, and generated code is written from them, so that both
-//! have the same bits: every step is one operation that rounds once, or a function of `libm`.
+//! `Lift::embed` runs the program in `f64`, and generated code is written from it, so that both
+//! have the same bits: every operation rounds once, or is a function of `libm`.
 
-use std::collections::hash_map::Entry;
-
+use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use rustc_hash::FxHashMap;
+use kahan_program::{Calls, Node, Program};
 
 use crate::laurent::Laurent;
 use crate::ring::{Function, Meaning, Ring};
 
-/// One step; operands are places of earlier steps.
+/// A number that first values depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Step {
+pub enum Input {
     /// A state, by its place in a point; the lifted time is the last one.
     State(usize),
     /// A parameter, by its place.
     Parameter(usize),
-    /// A number, by its place among the numbers.
-    Number(usize),
-    /// −a
-    Negation(usize),
-    /// a + b
-    Sum(usize, usize),
-    /// a·b
-    Product(usize, usize),
-    /// a/b
-    Quotient(usize, usize),
+}
+
+/// A function that first values call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Called {
     /// aⁿ by repeated squaring, and 1/a⁻ⁿ where n is negative.
-    Power(usize, i32),
+    Power(i32),
     /// a^b by `libm::pow`.
-    RealPower(usize, usize),
+    RealPower,
     /// The square root.
-    SquareRoot(usize),
+    SquareRoot,
     /// The cube root.
-    CubeRoot(usize),
-    /// A function; `libm` has it by the same name.
-    Function(Function, usize),
+    CubeRoot,
+    /// An elementary function.
+    Elementary(Function),
+}
+
+impl Called {
+    /// Returns the name by which generated code calls the function; `libm` has all but the first
+    /// one by these names.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Called::Power(_) => "power",
+            Called::RealPower => "pow",
+            Called::SquareRoot => "sqrt",
+            Called::CubeRoot => "cbrt",
+            Called::Elementary(function) => function.name(),
+        }
+    }
+}
+
+impl kahan_program::Function for Called {
+    fn arguments(&self) -> usize {
+        if *self == Called::RealPower { 2 } else { 1 }
+    }
+}
+
+/// One operation of first values.
+pub type Operation = kahan_program::Operation<Input, Rational, Called>;
+
+impl Calls<Called> for Float64 {
+    fn call(&self, function: &Called, a: &f64, b: &f64) -> Option<f64> {
+        Some(match *function {
+            Called::Power(exponent) => {
+                let power = num_traits::pow(*a, exponent.unsigned_abs() as usize);
+                if exponent < 0 { 1.0 / power } else { power }
+            }
+            Called::RealPower => libm::pow(*a, *b),
+            Called::SquareRoot => libm::sqrt(*a),
+            Called::CubeRoot => libm::cbrt(*a),
+            Called::Elementary(function) => function.at(*a),
+        })
+    }
+}
+
+impl Calls<Called> for Exact {
+    fn call(&self, function: &Called, a: &Rational, _: &Rational) -> Option<Rational> {
+        match *function {
+            Called::Power(exponent) => a.pow(exponent),
+            _ => None,
+        }
+    }
 }
 
 /// The first values of new variables as functions of the states and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Embedding {
-    /// The steps, operands before their uses and no step twice.
-    pub steps: Vec<Step>,
-    /// The step of each new variable's value.
-    pub values: Vec<usize>,
-    /// The numbers that occur, and the floats next to them.
-    pub numbers: Vec<(Rational, f64)>,
-}
-
-/// base^exponent by squaring.
-fn power(base: f64, exponent: i32) -> f64 {
-    let power = num_traits::pow(base, exponent.unsigned_abs() as usize);
-    if exponent < 0 { 1.0 / power } else { power }
+    /// The program; its outputs are the new variables' values.
+    pub program: Program<Vec<Operation>>,
+    /// A workspace with the constants in their places.
+    constants: Vec<f64>,
 }
 
 impl Embedding {
+    fn new(program: Program<Vec<Operation>>) -> Self {
+        let mut constants = vec![0.0; program.operations.len()];
+        program.load(&Float64, |_| Some(0.0), &mut constants).expect("numbers have floats next to them");
+        Embedding { program, constants }
+    }
+
     /// The values at a point, with these values of the parameters.
     #[must_use]
     pub fn values(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let found = self.run(states, parameters);
-        self.values.iter().map(|&value| found[value]).collect()
+        self.program.outputs.iter().map(|value| found[value.0]).collect()
     }
 
     /// The values at a point: exact for rational functions of the states, else those of floats.
@@ -72,116 +112,92 @@ impl Embedding {
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());
-        let mut found: Vec<Rational> = Vec::with_capacity(self.steps.len());
-        for (&step, float) in self.steps.iter().zip(self.run(&floats, &of)) {
-            found.push(match step {
-                Step::State(index) => states[index].clone(),
-                Step::Parameter(index) => parameters[index].clone(),
-                Step::Number(index) => self.numbers[index].0.clone(),
-                Step::Negation(a) => -&found[a],
-                Step::Sum(a, b) => &found[a] + &found[b],
-                Step::Product(a, b) => &found[a] * &found[b],
-                Step::Quotient(a, b) => found[a].checked_div(&found[b])?,
-                Step::Power(a, exponent) => found[a].pow(exponent)?,
-                Step::RealPower(..) | Step::SquareRoot(_) | Step::CubeRoot(_) | Step::Function(..) => {
-                    Rational::from_f64(float)?
-                }
-            });
-        }
-        Some(self.values.iter().map(|&value| found[value].clone()).collect())
+        let floats = self.run(&floats, &of);
+        let operations = self.program.operations.iter().zip(floats).map(|(operation, float)| {
+            Some(match operation {
+                Operation::Call(Called::Power(_), ..) => operation.clone(),
+                Operation::Call(..) => Operation::Constant(Rational::from_f64(float)?),
+                _ => operation.clone(),
+            })
+        });
+        let program = Program { operations: operations.collect::<Option<_>>()?, ..self.program.clone() };
+        let input = |input: &Input| match *input {
+            Input::State(index) => Some(states[index].clone()),
+            Input::Parameter(index) => Some(parameters[index].clone()),
+        };
+        program.evaluate(&Exact, input).into_iter().collect()
     }
 
-    /// The values of all steps.
+    /// The values of all operations.
     fn run(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
-        let mut found: Vec<f64> = Vec::with_capacity(self.steps.len());
-        for &step in &self.steps {
-            found.push(match step {
-                Step::State(index) => states[index],
-                Step::Parameter(index) => parameters[index],
-                Step::Number(index) => self.numbers[index].1,
-                Step::Negation(a) => -found[a],
-                Step::Sum(a, b) => found[a] + found[b],
-                Step::Product(a, b) => found[a] * found[b],
-                Step::Quotient(a, b) => found[a] / found[b],
-                Step::Power(a, exponent) => power(found[a], exponent),
-                Step::RealPower(a, b) => libm::pow(found[a], found[b]),
-                Step::SquareRoot(a) => libm::sqrt(found[a]),
-                Step::CubeRoot(a) => libm::cbrt(found[a]),
-                Step::Function(function, a) => function.at(found[a]),
-            });
+        let mut found = self.constants.clone();
+        for (value, operation) in found.iter_mut().zip(&self.program.operations) {
+            match *operation {
+                Operation::Input(Input::State(index)) => *value = states[index],
+                Operation::Input(Input::Parameter(index)) => *value = parameters[index],
+                _ => {}
+            }
         }
+        self.program.compute(&Float64, 0, &mut found).expect("floats have quotients by zero");
         found
     }
 }
 
-/// Writes steps, each once.
+/// Writes the program of first values.
 pub(crate) struct Builder<'a> {
     ring: &'a Ring,
-    embedding: Embedding,
-    known: FxHashMap<Step, usize>,
-    coordinates: Vec<Option<usize>>,
+    program: kahan_program::Builder<Input, Rational, Called>,
+    coordinates: Vec<Option<Node>>,
 }
 
 impl<'a> Builder<'a> {
     /// The embedding by these values.
     pub(crate) fn embedding<'b>(ring: &'a Ring, values: impl IntoIterator<Item = &'b Laurent>) -> Embedding {
-        let mut builder = Builder {
-            ring,
-            embedding: Embedding::default(),
-            known: FxHashMap::default(),
-            coordinates: vec![None; ring.coordinates.len()],
-        };
-        let values = values.into_iter().map(|value| builder.laurent(value)).collect();
-        Embedding { values, ..builder.embedding }
+        let (program, coordinates) = (kahan_program::Builder::default(), vec![None; ring.coordinates.len()]);
+        let mut builder = Builder { ring, program, coordinates };
+        let values: Vec<Node> = values.into_iter().map(|value| builder.laurent(value)).collect();
+        Embedding::new(builder.program.finish(&values))
     }
 
-    fn push(&mut self, step: Step) -> usize {
-        match self.known.entry(step) {
-            Entry::Occupied(known) => *known.get(),
-            Entry::Vacant(new) => {
-                self.embedding.steps.push(*new.key());
-                *new.insert(self.embedding.steps.len() - 1)
-            }
-        }
+    fn push(&mut self, operation: Operation) -> Node {
+        self.program.push(operation)
     }
 
-    fn number(&mut self, number: &Rational) -> usize {
-        let numbers = &mut self.embedding.numbers;
-        let known = numbers.iter().position(|(known, _)| known == number);
-        let place = known.unwrap_or_else(|| {
-            numbers.push((number.clone(), number.to_f64()));
-            numbers.len() - 1
-        });
-        self.push(Step::Number(place))
+    fn number(&mut self, number: &Rational) -> Node {
+        self.push(Operation::Constant(number.clone()))
     }
 
-    fn power(&mut self, base: usize, exponent: i32) -> usize {
-        if exponent == 1 { base } else { self.push(Step::Power(base, exponent)) }
+    fn call(&mut self, function: Called, argument: Node) -> Node {
+        self.push(Operation::Call(function, argument, argument))
+    }
+
+    fn power(&mut self, base: Node, exponent: i32) -> Node {
+        if exponent == 1 { base } else { self.call(Called::Power(exponent), base) }
     }
 
     /// number·factors from left to right, without a factor that is 1.
-    fn product(&mut self, number: &Rational, factors: Vec<usize>) -> usize {
+    fn product(&mut self, number: &Rational, factors: Vec<Node>) -> Node {
         let mut factors = factors.into_iter();
         let first = if number.abs().is_one() { factors.next() } else { None };
         let mut product = first.unwrap_or_else(|| self.number(number));
         if first.is_some() && number.is_negative() {
-            product = self.push(Step::Negation(product));
+            product = self.push(Operation::Negate(product));
         }
-        factors.fold(product, |product, factor| self.push(Step::Product(product, factor)))
+        factors.fold(product, |product, factor| self.push(Operation::Multiply(product, factor)))
     }
 
-    fn sum(&mut self, terms: Vec<usize>) -> usize {
-        let sum = terms.into_iter().reduce(|sum, term| self.push(Step::Sum(sum, term)));
+    fn sum(&mut self, terms: Vec<Node>) -> Node {
+        let sum = terms.into_iter().reduce(|sum, term| self.push(Operation::Add(sum, term)));
         sum.unwrap_or_else(|| self.number(&Rational::zero()))
     }
 
     /// A polynomial in the parameters.
-    fn polynomial(&mut self, polynomial: &Polynomial) -> usize {
+    fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         let mut terms = Vec::new();
         for (monomial, number) in polynomial.terms() {
             let mut factors = Vec::new();
             for &(parameter, exponent) in monomial.powers() {
-                let parameter = self.push(Step::Parameter(usize::from(parameter.0)));
+                let parameter = self.push(Operation::Input(Input::Parameter(parameter.0.into())));
                 factors.push(self.power(parameter, exponent.cast_signed()));
             }
             terms.push(self.product(number, factors));
@@ -190,7 +206,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A coefficient as a number and, unless that is all of it, a factor.
-    fn coefficient(&mut self, value: &RationalFunction) -> (Rational, Option<usize>) {
+    fn coefficient(&mut self, value: &RationalFunction) -> (Rational, Option<Node>) {
         if let Some(number) = value.as_polynomial().and_then(Polynomial::as_constant) {
             return (number, None);
         }
@@ -199,16 +215,16 @@ impl<'a> Builder<'a> {
             above
         } else {
             let below = self.polynomial(value.denominator());
-            self.push(Step::Quotient(above, below))
+            self.push(Operation::Divide(above, below))
         };
         (Rational::one(), Some(whole))
     }
 
-    fn laurent(&mut self, polynomial: &Laurent) -> usize {
+    fn laurent(&mut self, polynomial: &Laurent) -> Node {
         let mut terms = Vec::new();
         for (monomial, value) in polynomial.terms() {
             let (number, factor) = self.coefficient(value);
-            let mut factors: Vec<usize> = factor.into_iter().collect();
+            let mut factors: Vec<Node> = factor.into_iter().collect();
             for (coordinate, exponent) in monomial.powers() {
                 let coordinate = self.coordinate(coordinate);
                 factors.push(self.power(coordinate, exponent.into()));
@@ -218,7 +234,7 @@ impl<'a> Builder<'a> {
         self.sum(terms)
     }
 
-    fn coordinate(&mut self, index: usize) -> usize {
+    fn coordinate(&mut self, index: usize) -> Node {
         if let Some(known) = self.coordinates[index] {
             return known;
         }
@@ -226,20 +242,20 @@ impl<'a> Builder<'a> {
         let meaning = &ring.coordinates[index].meaning;
         let argument = meaning.argument().map(|argument| self.laurent(argument));
         let place = match (meaning, argument) {
-            (Meaning::State(state), _) => self.push(Step::State(*state)),
+            (Meaning::State(state), _) => self.push(Operation::Input(Input::State(*state))),
             (Meaning::Function(function, _), Some(argument)) => {
-                self.push(Step::Function(*function, argument))
+                self.call(Called::Elementary(*function), argument)
             }
-            (Meaning::Root(_, 2), Some(argument)) => self.push(Step::SquareRoot(argument)),
-            (Meaning::Root(_, 3), Some(argument)) => self.push(Step::CubeRoot(argument)),
+            (Meaning::Root(_, 2), Some(argument)) => self.call(Called::SquareRoot, argument),
+            (Meaning::Root(_, 3), Some(argument)) => self.call(Called::CubeRoot, argument),
             (Meaning::Root(_, degree @ 4..), Some(argument)) => {
                 let exponent = self.number(&Rational::new(1, i64::from(*degree)));
-                self.push(Step::RealPower(argument, exponent))
+                self.push(Operation::Call(Called::RealPower, argument, exponent))
             }
             (Meaning::Power(_, exponent), Some(argument)) => {
                 let (number, factor) = self.coefficient(exponent);
                 let exponent = factor.unwrap_or_else(|| self.number(&number));
-                self.push(Step::RealPower(argument, exponent))
+                self.push(Operation::Call(Called::RealPower, argument, exponent))
             }
             (Meaning::Root(..) | Meaning::Sum(_), Some(argument)) => argument,
             (_, None) => unreachable!("every coordinate but a state has an argument"),
@@ -256,9 +272,9 @@ mod tests {
 
     use crate::{Options, lift};
 
-    /// The steps against values in rational numbers, which go another way.
+    /// The program against values in rational numbers, which go another way.
     #[test]
-    fn steps_have_the_exact_values_to_rounding() {
+    fn programs_have_the_exact_values_to_rounding() {
         for text in [
             "xdot = v; vdot = -g*sin(x);",
             "xdot = p; ydot = q; pdot = -k*x*(x^2 + y^2)^(-3/2); qdot = -k*y*(x^2 + y^2)^(-3/2);",

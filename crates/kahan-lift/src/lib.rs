@@ -41,7 +41,7 @@ mod lift;
 mod reembedding;
 
 pub use choice::Which;
-pub use embedding::{Embedding, Step};
+pub use embedding::{Called, Embedding, Input, Operation};
 pub use equations::{Stated, stated};
 pub use lift::{Along, Lift, NewVariable, Options, Relation, lift, lifts};
 pub use reembedding::Reembedding;

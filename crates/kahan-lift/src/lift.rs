@@ -364,13 +364,13 @@ impl Lift {
         self.embedding.values(states, parameters)
     }
 
-    /// The values of the new variables as steps.
+    /// The values of the new variables as a program.
     #[must_use]
     pub fn embedding(&self) -> &Embedding {
         &self.embedding
     }
 
-    /// The steps that compute the derivatives of the new variables by the states without `t`, one
+    /// The program that computes the derivatives of the new variables by the states without `t`, one
     /// variable after the other. The work done since the start has the derivatives 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {

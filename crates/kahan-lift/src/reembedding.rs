@@ -1,7 +1,7 @@
 //! Symmetric projection onto the relations (E. Hairer, "Symmetric projection methods for
 //! differential equations on manifolds", BIT 40, 2000), and the signs that new variables have.
 
-use crate::embedding::{Embedding, Step};
+use crate::embedding::{Called, Embedding, Operation};
 use crate::ring::Function;
 
 /// How often the image of a point is computed for one step, at most.
@@ -71,26 +71,28 @@ impl Embedding {
     /// powers.
     #[must_use]
     pub fn positive(&self) -> Vec<usize> {
-        let mut positive: Vec<bool> = Vec::with_capacity(self.steps.len());
-        for step in &self.steps {
-            positive.push(match *step {
-                Step::SquareRoot(_) | Step::Function(Function::Exp | Function::Cosh, _) => true,
-                // Odd roots have the sign of what they are of.
-                Step::RealPower(_, exponent) => !matches!(
-                    self.steps[exponent],
-                    Step::Number(index) if self.numbers[index].1.recip().round() % 2.0 != 0.0
-                ),
-                Step::Number(index) => self.numbers[index].1 > 0.0,
-                Step::Sum(a, b) | Step::Product(a, b) | Step::Quotient(a, b) => positive[a] && positive[b],
-                Step::Power(a, _) => positive[a],
-                Step::State(_)
-                | Step::Parameter(_)
-                | Step::Negation(_)
-                | Step::CubeRoot(_)
-                | Step::Function(..) => false,
+        let operations = &self.program.operations;
+        let mut positive: Vec<bool> = Vec::with_capacity(operations.len());
+        for operation in operations {
+            positive.push(match operation {
+                Operation::Call(function, a, exponent) => match function {
+                    Called::SquareRoot | Called::Elementary(Function::Exp | Function::Cosh) => true,
+                    // Odd roots have the sign of what they are of.
+                    Called::RealPower => !matches!(
+                        &operations[exponent.0],
+                        Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0
+                    ),
+                    Called::Power(_) => positive[a.0],
+                    Called::CubeRoot | Called::Elementary(_) => false,
+                },
+                Operation::Constant(value) => value.to_f64() > 0.0,
+                Operation::Add(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {
+                    positive[a.0] && positive[b.0]
+                }
+                _ => false,
             });
         }
-        let places = self.values.iter().enumerate();
-        places.filter(|(_, step)| positive[**step]).map(|(place, _)| place).collect()
+        let places = self.program.outputs.iter().enumerate();
+        places.filter(|(_, value)| positive[value.0]).map(|(place, _)| place).collect()
     }
 }

@@ -87,10 +87,9 @@ impl Lexer<'_> {
             if line.starts_with("///") && !line.starts_with("////") {
                 self.docs.push(line.trim_end().to_owned());
             }
-        } else if c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign)) {
-            self.out.is_of_others = true;
-            self.at += self.run(self.at, |c| c != '\n');
-        } else if c == '"' && self.begins_line() {
+        } else if c == '"' && self.begins_line()
+            || c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign))
+        {
             self.out.is_of_others = true;
             self.at += self.run(self.at, |c| c != '\n');
         } else if c == '\\'

@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Kind;
 use crate::spelling::{derivative, without_dots};
-use crate::syntax::{Block, ClaimKind, Constant, Equation, Name};
+use crate::syntax::{Block, ClaimKind, Constant, Equation, Expr, Name};
 use crate::table::distinct;
 use crate::token::{Span, TokenKind};
 
@@ -64,34 +64,25 @@ pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<
 fn constant<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     cursor.advance();
     let name = cursor.expect_name("the name of a constant")?;
-    block.constants.push(Constant { name, value: None });
-    equals(cursor)?;
-    let value = parse_expr(cursor)?;
-    if let Some(constant) = block.constants.last_mut() {
-        constant.value = Some(value);
-    }
-    semicolon(cursor)
+    let (value, outcome) = defined(cursor);
+    block.constants.push(Constant { name, value });
+    outcome
 }
 
 fn equation<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     let left = cursor.expect_name("an equation")?;
     let state = state_of(cursor, block, left)?;
-    right_side(cursor, block, state)
+    let (value, outcome) = defined(cursor);
+    block.equations.push(Equation { state, value });
+    outcome
 }
 
-/// Reads `= expr;` behind the left-hand side of this state.
-pub(super) fn right_side<X: Dialect>(
-    cursor: &mut Cursor<'_>,
-    block: &mut Block<X>,
-    state: Name,
-) -> Parsed<()> {
-    block.equations.push(Equation { state, value: None });
-    equals(cursor)?;
-    let value = parse_expr(cursor)?;
-    if let Some(equation) = block.equations.last_mut() {
-        equation.value = Some(value);
+/// Reads `= expr;`. The expression is there where all but the `;` was read.
+pub(super) fn defined<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, Parsed<()>) {
+    match equals(cursor).and_then(|()| parse_expr(cursor)) {
+        Ok(value) => (Some(value), semicolon(cursor)),
+        Err(mistake) => (None, Err(mistake)),
     }
-    semicolon(cursor)
 }
 
 /// The state of the left-hand side `left`.

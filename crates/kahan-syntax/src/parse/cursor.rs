@@ -147,11 +147,6 @@ impl<'a> Cursor<'a> {
             && self.peek(0).is_some_and(|token| token.touches_next)
     }
 
-    /// Whether the token just read is `=`.
-    pub(super) fn is_after_equals(&self) -> bool {
-        self.at > 0 && self.tokens[self.at - 1].kind == TokenKind::Punctuation('=')
-    }
-
     /// Reads the punctuation `c` if it is next.
     pub(super) fn take(&mut self, c: char) -> bool {
         let found = self.is_punctuation(0, c);
@@ -159,17 +154,12 @@ impl<'a> Cursor<'a> {
         found
     }
 
-    /// Reads an identifier if one is next.
-    pub(super) fn take_name(&mut self) -> Option<Name> {
-        let text = self.identifier(0)?.to_owned();
-        let span = self.here();
-        self.advance();
-        Some(Name { text, span })
-    }
-
     /// Reads a name or says what was expected.
     pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
-        self.take_name().ok_or_else(|| self.missing(Kind::Syntax, self.here(), what, "write a name here"))
+        let missing = || self.missing(Kind::Syntax, self.here(), what, "write a name here");
+        let name = self.name(0).ok_or_else(missing)?;
+        self.advance();
+        Ok(name)
     }
 
     /// The mistake that the next token is where `what` should stand.

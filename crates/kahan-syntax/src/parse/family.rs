@@ -1,10 +1,10 @@
 //! Families: `for i in periodic { x[i]dot = …; }`, the equations of every site of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Boundary, FamilyHead, InFamily, Name};
+use crate::syntax::{Block, Boundary, Equation, FamilyHead, InFamily, Name};
 use crate::token::{Span, TokenKind};
 
-use super::block::right_side;
+use super::block::defined;
 use super::cursor::Cursor;
 use super::expr::{Dialect, atom};
 use super::mistakes::check_plain_name;
@@ -104,7 +104,9 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     }
     cursor.advance();
     let state = Name { text: array.text, span: span.to(cursor.behind()) };
-    right_side(cursor, block, state)
+    let (value, outcome) = defined(cursor);
+    block.equations.push(Equation { state, value });
+    outcome
 }
 
 /// A block without a family has neither sites nor sums over them.

@@ -25,7 +25,7 @@ pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     }
     let (message, help) = if !ends {
         (format!("{found} begins no operand"), "write a number, a name or `(`")
-    } else if cursor.position() > 0 && cursor.is_after_equals() {
+    } else if cursor.before(1).is_some_and(|token| token.kind == TokenKind::Punctuation('=')) {
         (
             format!("the right-hand side is empty: expected an expression, found {found}"),
             "write an expression, `0` if it vanishes",

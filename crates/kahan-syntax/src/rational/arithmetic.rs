@@ -6,7 +6,6 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Pow;
 
@@ -150,10 +149,7 @@ impl Neg for &Rational {
     fn neg(self) -> Rational {
         match &self.0 {
             Repr::Small { num, den } => Rational(Repr::Small { num: -num, den: *den }),
-            Repr::Big(big) => {
-                let num: BigInt = -big.numer();
-                Rational::from_normal(BigRational::new_raw(num, big.denom().clone()))
-            }
+            Repr::Big(big) => Rational::from_normal(-&**big),
         }
     }
 }

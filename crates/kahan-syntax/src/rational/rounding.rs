@@ -77,12 +77,7 @@ impl Rational {
 
     /// |p| and q.
     pub(super) fn magnitude(&self) -> (BigUint, BigUint) {
-        match &self.0 {
-            Repr::Small { num, den } => {
-                (BigUint::from(num.unsigned_abs()), BigUint::from(den.unsigned_abs()))
-            }
-            Repr::Big(big) => (big.numer().magnitude().clone(), big.denom().magnitude().clone()),
-        }
+        (self.numerator().into_parts().1, self.denominator().into_parts().1)
     }
 }
 
