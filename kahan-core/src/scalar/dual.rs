@@ -8,11 +8,11 @@
 //! they are calls, because each inlined one would keep its operands in the caller's frame.
 
 use core::array::from_fn;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar, assignments};
+use super::{Constant, Scalar, operators};
 
 /// A value with its derivatives along N directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,25 +56,35 @@ macro_rules! along {
     };
 }
 
-impl<T: Scalar, const N: usize> Add for Dual<T, N> {
-    type Output = Self;
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn add(mut self, other: Self) -> Self {
-        self += other;
-        self
-    }
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn sum<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
+    along!(a, b, |own, other| own.clone() + other.clone());
+    Dual { value: a.value + b.value, gradient: a.gradient }
 }
 
-impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
-    type Output = Self;
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sub(mut self, other: Self) -> Self {
-        self -= other;
-        self
-    }
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn difference<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
+    along!(a, b, |own, other| own.clone() - other.clone());
+    Dual { value: a.value - b.value, gradient: a.gradient }
 }
+
+// (uv)′ = u′v + uv′
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn product<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
+    let (u, v) = (a.value, b.value);
+    along!(a, b, |own, other| own.clone() * v.clone() + u.clone() * other.clone());
+    Dual { value: u * v, gradient: a.gradient }
+}
+
+// (u/v)′ = (u′ − (u/v)v′)/v
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn ratio<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
+    let value = a.value / b.value.clone();
+    along!(a, b, |own, slope| (own.clone() - value.clone() * slope.clone()) / b.value.clone());
+    Dual { value, gradient: a.gradient }
+}
+
+operators!([T: Scalar, const N: usize] Dual<T, N>: sum, difference, product, ratio);
 
 impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
@@ -85,51 +95,6 @@ impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
         Self { value: -self.value, gradient: self.gradient }
     }
 }
-
-impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
-    type Output = Self;
-
-    // (uv)′ = u′v + uv′
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn mul(mut self, other: Self) -> Self {
-        let (u, v) = (self.value, other.value);
-        along!(self, other, |own, other| own.clone() * v.clone() + u.clone() * other.clone());
-        Self { value: u * v, gradient: self.gradient }
-    }
-}
-
-impl<T: Scalar, const N: usize> Div for Dual<T, N> {
-    type Output = Self;
-
-    // (u/v)′ = (u′ − (u/v)v′)/v
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn div(mut self, other: Self) -> Self {
-        let value = self.value / other.value.clone();
-        along!(self, other, |own, slope| {
-            (own.clone() - value.clone() * slope.clone()) / other.value.clone()
-        });
-        Self { value, gradient: self.gradient }
-    }
-}
-
-impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn add_assign(&mut self, other: Self) {
-        self.value += other.value;
-        along!(self, other, |own, other| own.clone() + other.clone());
-    }
-}
-
-impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sub_assign(&mut self, other: Self) {
-        self.value -= other.value;
-        along!(self, other, |own, other| own.clone() - other.clone());
-    }
-}
-
-assignments!(one [T: Scalar, const N: usize] Dual<T, N>, MulAssign mul_assign *);
-assignments!(one [T: Scalar, const N: usize] Dual<T, N>, DivAssign div_assign /);
 
 impl<T: Scalar, const N: usize> Zero for Dual<T, N> {
     fn zero() -> Self {

@@ -39,7 +39,7 @@ pub(crate) use laurent::Laurent;
 pub(crate) use operators::{assignments, operators};
 #[cfg(feature = "std")]
 pub(crate) use wide::{Capacity, Long, level_row};
-pub(crate) use wide::{Size, Wide};
+pub(crate) use wide::{Size, Wide, significand};
 
 /// A number that a Kahan map computes with.
 ///

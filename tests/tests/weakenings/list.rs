@@ -140,7 +140,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     rule("more roundings than the slack pays for", BOUNDED,
         "(0.04 / V::UNIT) as u32", "(0.05 / V::UNIT) as u32"),
     rule("an unknown value that allows any input", BOUNDED,
-        "let bits = u32::MAX;", "let bits = 0;"),
+        "bits: u32::MAX,", "bits: 0,"),
     rule("literals that never underflow", BOUNDED,
         "underflows: roundings,", "underflows: 0,"),
     rule("an eps beyond its bits", BOUNDED,

@@ -64,40 +64,28 @@ impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
 
 operators!([V: Number, P: Pair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
 
-/// Calls an operation.
-#[inline(never)]
-fn called<R>(operation: impl FnOnce() -> R) -> R {
-    operation()
+/// Writes operations, each inlined into its caller or called, as the number says.
+macro_rules! inlined_or_called {
+    ($($name:ident, $called:ident = $operation:ident($($operand:ident),*) -> $result:ty;)*) => { $(
+        #[inline(never)]
+        fn $called(self, $($operand: Self),*) -> $result {
+            self.$operation($($operand),*)
+        }
+
+        #[inline(always)]
+        fn $name(self, $($operand: Self),*) -> $result {
+            if V::IS_CALLED { self.$called($($operand),*) } else { self.$operation($($operand),*) }
+        }
+    )* };
 }
 
 impl<V: Number, P: Pair<V>> Bounded<V, P> {
-    #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        if V::IS_CALLED { called(|| self.sum(other)) } else { self.sum(other) }
-    }
-
-    #[inline(always)]
-    fn minus(self, other: Self) -> Self {
-        if V::IS_CALLED { called(|| self.difference(other)) } else { self.difference(other) }
-    }
-
-    #[inline(always)]
-    fn times(self, other: Self) -> Self {
-        if V::IS_CALLED { called(|| self.product(other)) } else { self.product(other) }
-    }
-
-    #[inline(always)]
-    fn times_plus(self, factor: Self, addend: Self) -> Self {
-        if V::IS_CALLED {
-            called(|| self.product_plus(factor, addend))
-        } else {
-            self.product_plus(factor, addend)
-        }
-    }
-
-    #[inline(always)]
-    fn over(self, divisor: Self) -> Option<Self> {
-        if V::IS_CALLED { called(|| self.quotient(divisor)) } else { self.quotient(divisor) }
+    inlined_or_called! {
+        plus, called_sum = sum(other) -> Self;
+        minus, called_difference = difference(other) -> Self;
+        times, called_product = product(other) -> Self;
+        times_plus, called_product_plus = product_plus(factor, addend) -> Self;
+        over, called_quotient = quotient(divisor) -> Option<Self>;
     }
 
     #[inline(always)]

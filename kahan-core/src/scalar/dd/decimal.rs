@@ -1,15 +1,14 @@
 //! Decimals: the digits of a number, and the number of digits.
 //!
 //! In: text, or a pair of floats. Out: each other, exactly; text of any length is read as if all
-//! its digits counted. The digits of a float and the float of digits are those of `core`. Nothing
-//! here allocates.
+//! its digits counted. `core` finds the float of some digits. Nothing here allocates.
 
 use core::fmt::{self, Write};
 use core::num::ParseFloatError;
 use core::str::FromStr;
 
 use super::Dd;
-use super::extremes::exponent;
+use crate::scalar::significand;
 
 /// Places before the point; the largest numbers have 309 digits there, and one more may be carried.
 const BEFORE: usize = 310;
@@ -18,11 +17,18 @@ const BEFORE: usize = 310;
 /// the point; a digit at the last place here stands for all digits that are farther behind.
 const PLACES: usize = BEFORE + 1077;
 
+/// Decimal digits of a chunk of a number, and what one more chunk is worth.
+const CHUNK: usize = 18;
+const CHUNK_BASE: u128 = 1_000_000_000_000_000_000;
+
+/// Chunks of the significant digits of a float; none has more than 767.
+const CHUNKS: usize = 767_usize.div_ceil(CHUNK);
+
 /// Σ digits\[k\]·10^(BEFORE − 1 − k), each digit from 0 to 9.
 pub(super) struct Decimal {
     digits: [i8; PLACES],
     /// The place of the first digit other than 0, and the one behind the last; both are `BEFORE`
-    /// for 0.
+    /// for 0. Before digits are carried there may be zeros.
     start: usize,
     end: usize,
 }
@@ -52,11 +58,37 @@ impl Decimal {
 
     /// Adds sign·|x|, for a finite x, without carrying.
     fn add_float(&mut self, sign: i8, x: f64) {
-        if x != 0.0 {
-            let mut text = Text::EMPTY;
-            let places = (52 - exponent(x)).clamp(0, 1074) as usize;
-            write!(text, "{:.places$}", x.abs()).expect("a float has fewer digits");
-            self.add(sign, text.as_str());
+        let (odd, exponent) = significand(x.abs());
+        let zeros = if odd == 0 { 0 } else { odd.trailing_zeros() };
+        let exponent = exponent + i64::from(zeros);
+        // Powers below a chunk: n·2⁻ᵏ is n·5ᵏ·10⁻ᵏ.
+        let (base, most) = if exponent < 0 { (5_u64, 25) } else { (2, 59) };
+        let mut chunks = [0; CHUNKS];
+        chunks[0] = odd as u64 >> zeros;
+        let (mut used, mut left) = (1, exponent.unsigned_abs() as u32);
+        while left > 0 && odd != 0 {
+            let power = u128::from(base.pow(left.min(most)));
+            left -= left.min(most);
+            let mut carry = 0;
+            for chunk in &mut chunks[..used] {
+                let product = u128::from(*chunk) * power + carry;
+                *chunk = (product % CHUNK_BASE) as u64;
+                carry = product / CHUNK_BASE;
+            }
+            if carry > 0 {
+                chunks[used] = carry as u64;
+                used += 1;
+            }
+        }
+        let last = BEFORE - 1 + exponent.min(0).unsigned_abs() as usize;
+        for (i, &chunk) in chunks[..used].iter().enumerate() {
+            let (mut rest, mut place) = (chunk, last - CHUNK * i);
+            while rest > 0 {
+                self.digits[place] += sign * (rest % 10) as i8;
+                self.start = self.start.min(place);
+                self.end = self.end.max(place + 1);
+                (rest, place) = (rest / 10, place.saturating_sub(1));
+            }
         }
     }
 
@@ -73,26 +105,34 @@ impl Decimal {
         for (place, digit) in (first..).zip(digits.map(|character| (character - b'0').cast_signed())) {
             // Zeros may lead where there is no place.
             if digit != 0 {
-                match self.digits[..PLACES - 1].get_mut(place as usize) {
-                    Some(own) => *own += sign * digit,
-                    None => self.digits[PLACES - 1] = sign,
+                let place = (place as usize).min(PLACES - 1);
+                if place < PLACES - 1 {
+                    self.digits[place] += sign * digit;
+                } else {
+                    self.digits[place] = sign;
                 }
+                self.start = self.start.min(place);
+                self.end = self.end.max(place + 1);
             }
         }
     }
 
     /// Carries, and changes the sign of a number below zero; returns whether it was one.
     fn settle(&mut self) -> bool {
+        let from = self.start.saturating_sub(1);
+        let digits = &mut self.digits[from..self.end];
         // All digits behind the first are less than a unit of it.
-        let is_negative = self.digits.iter().find(|digit| **digit != 0).is_some_and(|digit| *digit < 0);
+        let is_negative = digits.iter().find(|digit| **digit != 0).is_some_and(|digit| *digit < 0);
         let mut carry = 0;
-        for digit in self.digits.iter_mut().rev() {
+        for digit in digits.iter_mut().rev() {
             let sum = carry + if is_negative { -*digit } else { *digit };
             carry = sum.div_euclid(10);
             *digit = sum.rem_euclid(10);
         }
-        self.start = self.digits.iter().position(|digit| *digit != 0).unwrap_or(BEFORE);
-        self.end = self.digits.iter().rposition(|digit| *digit != 0).map_or(BEFORE, |last| last + 1);
+        let place = |found: Option<usize>| found.map(|place| from + place);
+        let last = place(digits.iter().rposition(|digit| *digit != 0));
+        self.start = place(digits.iter().position(|digit| *digit != 0)).unwrap_or(BEFORE);
+        self.end = last.map_or(BEFORE, |last| last + 1);
         is_negative
     }
 
@@ -103,12 +143,12 @@ impl Decimal {
         if end >= self.end as i64 {
             return;
         }
-        let (kept, dropped) = self.digits.split_at_mut(end as usize);
-        let last = &mut kept[end as usize - 1];
-        let has_rest = dropped[1..].iter().any(|digit| *digit != 0);
-        let goes_up = dropped[0] > 5 || dropped[0] == 5 && (has_rest || *last % 2 == 1);
-        *last += i8::from(goes_up);
-        dropped.fill(0);
+        let end = end as usize;
+        let (next, last) = (self.digits[end], self.digits[end - 1]);
+        // The last digit is not 0, so more than one digit is more than a tie.
+        let goes_up = next > 5 || next == 5 && (self.end > end + 1 || last % 2 == 1);
+        self.digits[end - 1] += i8::from(goes_up);
+        self.digits[end..self.end].fill(0);
         self.settle();
     }
 

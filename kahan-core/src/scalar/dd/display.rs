@@ -26,7 +26,7 @@ impl fmt::Display for Dd {
                 || decimal.digits().len() == 0
                 || POSITIONAL.contains(&(decimal.exponent() - 1))
             {
-                write_positional(&decimal, precision, out)
+                write_positional(&decimal, decimal.exponent(), precision, out)
             } else {
                 write_scientific(&decimal, precision, out)
             }
@@ -121,9 +121,13 @@ fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn 
     Ok(())
 }
 
-/// 12.5
-fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
-    let point = decimal.exponent();
+/// Digits with the point behind the first `point` of them: 12.5, 0.001
+fn write_positional(
+    decimal: &Decimal,
+    point: i64,
+    precision: Option<i64>,
+    out: &mut dyn Write,
+) -> fmt::Result {
     if point > 0 {
         write_digits(decimal, 0..point, out)?;
     } else {
@@ -139,12 +143,7 @@ fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Wri
 
 /// 1.25e1
 fn write_scientific(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
-    write_digits(decimal, 0..1, out)?;
-    let end = precision.map_or(decimal.digits().len() as i64, |places| 1 + places);
-    if end > 1 {
-        out.write_char('.')?;
-        write_digits(decimal, 1..end, out)?;
-    }
+    write_positional(decimal, 1, precision, out)?;
     let exponent = if decimal.digits().len() == 0 { 0 } else { decimal.exponent() - 1 };
     write!(out, "e{exponent}")
 }
