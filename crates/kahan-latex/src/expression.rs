@@ -1,36 +1,13 @@
-//! Expressions as they were written, in LaTeX.
+//! Products as they were written, in LaTeX.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Level, Notation, sum_of};
-use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFamily, Reference};
+use kahan_algebra::render::{Level, Notation, at_least, written};
+use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
-/// An expression, and how tightly it binds.
-pub(crate) fn write(expr: &Expr) -> (String, Level) {
-    match &expr.kind {
-        ExprKind::Number(value) => {
-            let level = if value.is_integer() { Level::Atom } else { Level::Product };
-            (Latex.number(value), level)
-        }
-        ExprKind::Name(name) => (Latex.name(name), Level::Atom),
-        ExprKind::Special(InFamily::Site { array, offset }) => {
-            (Latex.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
-        }
-        ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),
-        ExprKind::Sum(terms) => (sum_of(terms, at_least), Level::Sum),
-        ExprKind::Product(factors) => product(factors),
-        ExprKind::Special(InFamily::OverSites(inner)) => {
-            (format!("\\sum_i ({})", write(inner).0), Level::Atom)
-        }
-        ExprKind::Power(base, exponent) => {
-            (Latex.power(&at_least(base, Level::Atom), *exponent), Level::Power)
-        }
-    }
-}
-
 /// A product: its numbers as one, what divides below a line, no factor of 1.
-fn product(factors: &[Factor]) -> (String, Level) {
+pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
@@ -71,20 +48,15 @@ fn product(factors: &[Factor]) -> (String, Level) {
 fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Level) {
     match factors {
         [] => (Latex.number(number), Level::Atom),
-        [single] if number.is_one() => write(single),
+        [single] if number.is_one() => written(&Latex, single),
         _ => {
             let number = (!number.is_one()).then(|| Latex.number(number));
-            let written = factors.iter().map(|factor| at_least(factor, Level::Power));
-            (Latex.product(&number.into_iter().chain(written).collect::<Vec<_>>()), Level::Product)
+            let others = factors.iter().map(|factor| at_least(&Latex, factor, Level::Power));
+            (Latex.product(&number.into_iter().chain(others).collect::<Vec<_>>()), Level::Product)
         }
     }
 }
 
-fn at_least(expr: &Expr, level: Level) -> String {
-    let (text, own) = write(expr);
-    if own >= level { text } else { parenthesized(&text) }
-}
-
-fn parenthesized(text: &str) -> String {
+pub(crate) fn parenthesized(text: &str) -> String {
     format!("\\left({text}\\right)")
 }

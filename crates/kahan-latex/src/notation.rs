@@ -2,9 +2,9 @@
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Level, Notation};
 use kahan_algebra::symbols::Symbols;
-use kahan_algebra::syntax::Expr;
+use kahan_algebra::syntax::Factor;
 
 use crate::expression;
 use crate::name::latex_name;
@@ -119,8 +119,20 @@ impl Notation for Latex {
         }
     }
 
-    fn expression(&self, expr: &Expr) -> String {
-        expression::write(expr).0
+    fn written_product(&self, factors: &[Factor]) -> (String, Level) {
+        expression::product(factors)
+    }
+
+    fn behind_sign(&self) -> Level {
+        Level::Product
+    }
+
+    fn over_sites(&self, summand: &str) -> String {
+        format!("\\sum_i ({summand})")
+    }
+
+    fn parenthesized(&self, text: &str) -> String {
+        expression::parenthesized(text)
     }
 }
 

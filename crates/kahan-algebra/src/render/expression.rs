@@ -1,6 +1,6 @@
 //! Expressions as they were written.
 
-use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference, Term};
+use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 
 use super::notation::{Notation, Text};
 
@@ -20,51 +20,45 @@ pub enum Level {
 /// An expression as it was written.
 #[must_use]
 pub fn expression_text(expr: &Expr) -> String {
-    write(expr).0
+    Text.expression(expr)
 }
 
-fn write(expr: &Expr) -> (String, Level) {
+/// Returns an expression in a notation, and how tightly it binds.
+pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Level) {
     match &expr.kind {
         ExprKind::Number(value) => {
             let level = if value.is_integer() { Level::Atom } else { Level::Product };
-            (value.to_string(), level)
+            (notation.number(value), level)
         }
-        ExprKind::Name(name) => (name.clone(), Level::Atom),
+        ExprKind::Name(name) => (notation.name(name), Level::Atom),
         ExprKind::Special(InFamily::Site { array, offset }) => {
-            (Reference::Site { array, offset: *offset }.to_string(), Level::Atom)
+            (notation.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
         }
-        // −(a·b) is read back as it was written.
-        ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Power)), Level::Sum),
-        ExprKind::Sum(terms) => (sum_of(terms, at_least), Level::Sum),
-        ExprKind::Product(factors) => {
+        ExprKind::Negation(inner) => {
+            (format!("-{}", at_least(notation, inner, notation.behind_sign())), Level::Sum)
+        }
+        ExprKind::Sum(terms) => {
             let mut text = String::new();
-            for (index, factor) in factors.iter().enumerate() {
-                if index > 0 {
-                    text.push(if factor.divides { '/' } else { '*' });
-                }
-                // A sign at the front needs no parentheses: −a·b is (−a)·b.
-                let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
-                let level = if signed { Level::Sum } else { Level::Power };
-                text.push_str(&at_least(&factor.expr, level));
+            for (index, term) in terms.iter().enumerate() {
+                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
+                push_term(&mut text, term.negative, &at_least(notation, &term.expr, level));
             }
-            (text, Level::Product)
+            (text, Level::Sum)
         }
-        ExprKind::Special(InFamily::OverSites(inner)) => (format!("sum({})", write(inner).0), Level::Atom),
+        ExprKind::Product(factors) => notation.written_product(factors),
+        ExprKind::Special(InFamily::OverSites(inner)) => {
+            (notation.over_sites(&written(notation, inner).0), Level::Atom)
+        }
         ExprKind::Power(base, exponent) => {
-            (Text.power(&at_least(base, Level::Atom), *exponent), Level::Power)
+            (notation.power(&at_least(notation, base, Level::Atom), *exponent), Level::Power)
         }
     }
 }
 
-/// Terms with their signs; `at_least` writes one so that it binds as tightly as it must.
-#[must_use]
-pub fn sum_of(terms: &[Term], at_least: fn(&Expr, Level) -> String) -> String {
-    let mut text = String::new();
-    for (index, term) in terms.iter().enumerate() {
-        let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
-        push_term(&mut text, term.negative, &at_least(&term.expr, level));
-    }
-    text
+/// Returns an expression in a notation, in parentheses where it binds less tightly.
+pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Level) -> String {
+    let (text, own) = written(notation, expr);
+    if own >= level { text } else { notation.parenthesized(&text) }
 }
 
 /// Adds a term to the sum that is being written, or subtracts it.
@@ -76,9 +70,4 @@ pub fn push_term(sum: &mut String, is_negative: bool, term: &str) {
         (false, true) => " - ",
     });
     sum.push_str(term);
-}
-
-fn at_least(expr: &Expr, level: Level) -> String {
-    let (text, own) = write(expr);
-    if own >= level { text } else { format!("({text})") }
 }

@@ -3,14 +3,14 @@
 use std::fmt;
 
 use kahan_syntax::rational::Rational;
-use kahan_syntax::syntax::Expr;
+use kahan_syntax::syntax::{Expr, ExprKind, Factor};
 use kahan_syntax::table::sorted_by_key;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
-use super::expression::{expression_text, push_term};
+use super::expression::{Level, at_least, push_term, written};
 
 /// How formulas are written. [`Text`] is here; LaTeX, for which the macro has no use, is
 /// `kahan-latex`.
@@ -46,17 +46,42 @@ pub trait Notation: fmt::Debug {
     /// `above/below`, both sums at worst.
     fn quotient(&self, above: &str, below: &str) -> String;
 
-    /// x + 2ε·increment/denominator, x the state with this name; the increment is not 0.
-    fn moved(
-        &self,
-        symbols: &Symbols,
-        name: &str,
-        increment: &Polynomial,
-        denominator: &Polynomial,
-    ) -> String;
+    /// x + 2ε·above/below, x the state with this name; `above` is not 0.
+    fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String;
 
     /// An expression as it was written, with the parentheses it needs.
-    fn expression(&self, expr: &Expr) -> String;
+    fn expression(&self, expr: &Expr) -> String {
+        written(self, expr).0
+    }
+
+    /// A product as it was written, and how tightly it binds.
+    fn written_product(&self, factors: &[Factor]) -> (String, Level) {
+        let mut text = String::new();
+        for (index, factor) in factors.iter().enumerate() {
+            if index > 0 {
+                text.push(if factor.divides { '/' } else { '*' });
+            }
+            // A sign at the front is the sign of all: −a·b is (−a)·b.
+            let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
+            text.push_str(&at_least(self, &factor.expr, if signed { Level::Sum } else { Level::Power }));
+        }
+        (text, Level::Product)
+    }
+
+    /// How tightly an expression binds at least that stands behind a sign without parentheses.
+    fn behind_sign(&self) -> Level {
+        Level::Power
+    }
+
+    /// A sum over all sites, of what is written already.
+    fn over_sites(&self, summand: &str) -> String {
+        format!("sum({summand})")
+    }
+
+    /// An expression in parentheses.
+    fn parenthesized(&self, text: &str) -> String {
+        format!("({text})")
+    }
 
     /// above/below.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
@@ -147,22 +172,12 @@ impl Notation for Text {
         format!("{}/{}", parenthesize_sum(above), parenthesize(below))
     }
 
-    fn moved(
-        &self,
-        symbols: &Symbols,
-        name: &str,
-        increment: &Polynomial,
-        denominator: &Polynomial,
-    ) -> String {
-        let increment = parenthesize(&self.polynomial(symbols, increment));
-        if denominator.is_one() {
+    fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String {
+        let increment = parenthesize(&self.polynomial(symbols, above));
+        if below.is_one() {
             return format!("{name} + 2*eps*{increment}");
         }
-        format!("{name} + 2*eps*{increment}/{}", parenthesize(&self.polynomial(symbols, denominator)))
-    }
-
-    fn expression(&self, expr: &Expr) -> String {
-        expression_text(expr)
+        format!("{name} + 2*eps*{increment}/{}", parenthesize(&self.polynomial(symbols, below)))
     }
 }
 
