@@ -129,7 +129,7 @@ pub use map::{Projective, ProjectivePoint, StepThroughF64, ThroughPoles};
 pub use observe::Tangent;
 pub use scalar::{Constant, Dd, Dual, EmbedScalar, FloatScalar, Scalar, nearest_short_eps};
 pub use step::{
-    PointOf, PreparedStep, Quotients, Reason, SingularStep, StateVector, Step, StepCost, Stopped, WideStep,
+    NoLanes, PointOf, PreparedStep, Quotients, Reason, SingularStep, StateVector, Step, StepCost, Stopped,
     Workspace,
 };
 

@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::prelude::*;
-use kahan_core::{Constant, PreparedStep, WideStep};
+use kahan_core::{Constant, PreparedStep};
 
 thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
@@ -25,8 +25,8 @@ fn counted(operations: usize, value: f64) -> Counted {
 
 /// Additions, multiplications and multiply-adds of one step, the last one of each component and
 /// estimated divisions included; 0 for a step without lanes.
-pub(crate) fn operations<const N: usize>(step: &impl WideStep<f64, N>) -> usize {
-    fn of<S: WideStep<f64, N>, const N: usize>(step: &S) -> usize {
+pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
+    fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {
             return 0;
         }

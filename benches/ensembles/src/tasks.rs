@@ -10,7 +10,7 @@ use std::time::Instant;
 use kahan_bench_fields::serve::Task;
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
-use kahan_core::{Ensemble, KahanAt, Level, Reciprocal, WideStep};
+use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 
 use crate::bounds;
 use crate::counted::operations;
@@ -60,7 +60,7 @@ fn bounds() -> Vec<Task> {
 fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,
-    M::Prepared: WideStep<f64, N> + Sync,
+    M::Prepared: Sync,
 {
     let points = (0..POINTS).map(|k| SVector::from(start.map(|x| x * (1.0 + 1e-4 * k as f64)))).collect();
     let ensemble = Ensemble::new(points);
@@ -96,7 +96,7 @@ where
 fn advance<M, const N: usize>(ensemble: &Ensemble<f64, N>, at: &KahanAt<M, f64, N>, steps: usize) -> f64
 where
     M: KahanMap<f64, N> + Sync,
-    M::Prepared: WideStep<f64, N> + Sync,
+    M::Prepared: Sync,
 {
     let mut seconds = 0.0;
     for done in (0..steps).step_by(SEGMENT) {

@@ -7,7 +7,7 @@ use std::hint::black_box;
 use kahan_bench_fields::EPS;
 use kahan_bench_fields::serve::Task;
 use kahan_core::prelude::*;
-use kahan_core::{Ensemble, Level, WideStep};
+use kahan_core::{Ensemble, Level};
 use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
@@ -19,7 +19,7 @@ const POINTS: usize = 512;
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,
-    M::Prepared: WideStep<f64, N> + Sync,
+    M::Prepared: Sync,
 {
     let &Pair { system, generated, ref read, start } = pair;
     let points = (0..POINTS).map(|k| SVector::from(start.map(|x| x * (1.0 + 1e-4 * k as f64)))).collect();
@@ -52,7 +52,7 @@ fn of_macro<M, const N: usize>(
 ) -> Task
 where
     M: KahanMap<f64, N> + Sync + 'static,
-    M::Prepared: WideStep<f64, N> + Sync,
+    M::Prepared: Sync,
 {
     in_segments(system, what, move |steps| {
         let (at, mut ensemble) = (generated.at(EPS), ensemble.clone());

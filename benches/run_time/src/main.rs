@@ -8,7 +8,7 @@ mod pair;
 
 use kahan_bench_fields::serve::{Task, serve};
 use kahan_bench_fields::{self as fields, Clebsch, EulerTop, Lorenz, SOURCES, Source, start};
-use kahan_core::{ExtendScalars, WideStep};
+use kahan_core::ExtendScalars;
 
 use pair::Pair;
 
@@ -40,7 +40,7 @@ fn system<M, const N: usize>(
 ) -> Vec<Task>
 where
     M: ExtendScalars<f64, N> + Sync + Copy + 'static,
-    M::Prepared: WideStep<f64, N> + Sync,
+    M::Prepared: Sync,
 {
     let pair = Pair::new(source, generated, values, start);
     let mut tasks = chains::of(&pair);

@@ -3,7 +3,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_core::{Elimination, ExtendScalars, KahanMap, Pivot, PreparedStep, Scalar, WideStep};
+use kahan_core::{Elimination, ExtendScalars, KahanMap, Pivot, PreparedStep, Scalar};
 use kahan_runtime::Field;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_systems::registry::find;

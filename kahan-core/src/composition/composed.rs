@@ -11,7 +11,7 @@ use crate::{
     Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, Scalar, Step, Stopped, Workspace,
 };
 
-use super::{Composition, InOrder};
+use super::Composition;
 
 /// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
 ///
@@ -39,6 +39,14 @@ impl<P> Palindrome<P> {
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
+    }
+
+    /// Each of the steps in its turn.
+    #[inline(always)]
+    pub(super) fn in_order(&self) -> impl Iterator<Item = &P> {
+        let distinct = &self.steps[..self.len];
+        let last = 2 * distinct.len() - 2;
+        (0..=last).map(move |k| &distinct[k.min(last - k)])
     }
 
     /// What `of` makes of each.

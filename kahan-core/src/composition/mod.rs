@@ -18,7 +18,7 @@ use core::fmt;
 use crate::{Constant, StepCost};
 
 pub use composed::Composed;
-pub(crate) use stages::{InOrder, Staged};
+pub(crate) use stages::Staged;
 
 /// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε
 /// is made of the steps with γ₁ε, …, γₛε, in this order.

@@ -16,10 +16,13 @@ pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T,
     /// The map of all stages.
     type Map: KahanMap<T, N>;
     /// A P for each stage.
-    type Stages<P>: InOrder<P>;
+    type Stages<P>;
 
     /// Applies `of` to each stage.
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
+
+    /// Returns what stands for each stage, in the order of a step.
+    fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
     /// Applies `of` to the k-th stages of several maps, for each k; `None` where the maps have
     /// different compositions.
@@ -28,36 +31,6 @@ pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T,
         each: [&Self; W],
         of: impl Fn([&KahanAt<Self::Map, T, N>; W]) -> P,
     ) -> Option<Self::Stages<P>>;
-}
-
-/// Values that a step takes one after the other.
-pub trait InOrder<P> {
-    /// Each of them in its turn.
-    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
-    where
-        P: 'a;
-}
-
-impl<P> InOrder<P> for [P; 1] {
-    #[inline(always)]
-    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
-    where
-        P: 'a,
-    {
-        self.iter()
-    }
-}
-
-impl<P> InOrder<P> for Palindrome<P> {
-    #[inline(always)]
-    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
-    where
-        P: 'a,
-    {
-        let distinct = &self.steps[..self.len];
-        let last = 2 * distinct.len() - 2;
-        (0..=last).map(move |k| &distinct[k.min(last - k)])
-    }
 }
 
 impl<M, T, const N: usize> Staged<T, N> for KahanAt<M, T, N>
@@ -71,6 +44,11 @@ where
     #[inline(always)]
     fn stages<'a, P>(&'a self, of: impl Fn(&'a Self) -> P) -> [P; 1] {
         [of(self)]
+    }
+
+    #[inline(always)]
+    fn in_order<'a, P: 'a>(stages: &'a [P; 1]) -> impl Iterator<Item = &'a P> {
+        stages.iter()
     }
 
     #[cfg(feature = "std")]
@@ -91,6 +69,11 @@ where
     #[inline(always)]
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<M, T, N>) -> P) -> Palindrome<P> {
         self.stages.map(of)
+    }
+
+    #[inline(always)]
+    fn in_order<'a, P: 'a>(stages: &'a Palindrome<P>) -> impl Iterator<Item = &'a P> {
+        stages.in_order()
     }
 
     #[cfg(feature = "std")]

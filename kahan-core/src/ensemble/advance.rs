@@ -6,7 +6,7 @@
 
 use crate::composition::Staged;
 use crate::step::error::pole;
-use crate::{Composed, KahanAt, KahanMap, WideStep};
+use crate::{Composed, KahanAt, KahanMap};
 
 use super::columns::Group;
 use super::level::Instructions;
@@ -43,7 +43,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    M: KahanMap<T, N>,
     T: EnsembleScalar,
     Self: Sync,
 {
@@ -62,7 +62,7 @@ where
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for Composed<KahanAt<M, T, N>>
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    M: KahanMap<T, N>,
     T: EnsembleScalar,
     Self: Sync,
 {
@@ -88,7 +88,7 @@ fn by_one_map<S, T, const N: usize>(
     on: Instructions,
 ) -> Result<(), T>
 where
-    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>> + Sync,
+    S: Staged<T, N> + Sync,
     T: EnsembleScalar,
 {
     let sweep = |_, columns: Stretch<'_, T, N>| T::sweep(map, columns, steps, on);

@@ -7,9 +7,9 @@
 use core::array::from_fn;
 use std::vec::Vec;
 
-use crate::composition::{InOrder, Staged};
+use crate::composition::Staged;
 use crate::field::linear::vector;
-use crate::{KahanMap, PreparedStep, WideStep, Workspace};
+use crate::{KahanMap, PreparedStep, Workspace};
 
 use super::EnsembleScalar;
 use super::advance::{Advances, Stretch, divide};
@@ -27,7 +27,7 @@ struct Each<'a, 'c, S, T, const N: usize> {
 
 impl<S, T, const N: usize> OverLanes<T> for Each<'_, '_, S, T, N>
 where
-    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
+    S: Staged<T, N>,
     T: EnsembleScalar,
 {
     type Output = Option<()>;
@@ -44,14 +44,14 @@ where
                 let own = from_fn::<_, GROUP, _>(|lane| maps[(part + lane) % GROUP]);
                 S::zip_stages(own, |each| {
                     let prepared = each.map(|at| &at.prepared);
-                    WideStep::gather(prepared, |own| L::load(&own.map(|own| *own), 0))
+                    PreparedStep::gather(prepared, |own| L::load(&own.map(|own| *own), 0))
                 })
             });
             let stages = [first?, second?];
             let mut x = parts.map(|part| vector(from_fn(|c| L::load(&columns[c][..], part))));
             for _ in 0..steps {
                 for (stages, x) in stages.iter().zip(&mut x) {
-                    for step in stages.in_order() {
+                    for step in S::in_order(stages) {
                         *x = PreparedStep::<L, N>::next(step, x)?;
                     }
                 }
@@ -68,7 +68,7 @@ where
 
 impl<S, T, const N: usize> Each<'_, '_, S, T, N>
 where
-    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
+    S: Staged<T, N>,
     T: EnsembleScalar,
 {
     /// ε of the map that meets a pole, should one do.
@@ -110,7 +110,7 @@ where
 #[diagnostic::do_not_recommend]
 impl<S, T, const N: usize> Advances<T, N> for [S]
 where
-    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>> + Sync,
+    S: Staged<T, N> + Sync,
     T: EnsembleScalar,
 {
     fn count(&self) -> Option<usize> {

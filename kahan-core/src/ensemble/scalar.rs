@@ -3,10 +3,10 @@
 //! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
 //! registers that the scalar has.
 
-#[cfg(target_arch = "x86_64")]
-use crate::PreparedStep;
+use crate::Scalar;
 use crate::composition::Staged;
-use crate::{KahanMap, Scalar, WideStep};
+#[cfg(target_arch = "x86_64")]
+use crate::{KahanMap, PreparedStep};
 
 use super::columns::Group;
 use super::lanes::{InLanes, OverLanes};
@@ -33,9 +33,9 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
         _instructions: Instructions,
     ) -> Option<()>
     where
-        S: Staged<Self, N, Map: KahanMap<Self, N, Prepared: WideStep<Self, N>>>,
+        S: Staged<Self, N>,
     {
-        sweep::<Self, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
+        sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
     }
 
     /// Runs work over the lanes of a level; `None` where the scalar has no lanes.
@@ -62,12 +62,12 @@ macro_rules! implement_for_float {
                 instructions: Instructions,
             ) -> Option<()>
             where
-                S: Staged<Self, N, Map: KahanMap<Self, N, Prepared: WideStep<Self, N>>>,
+                S: Staged<Self, N>,
             {
                 if <S::Map as KahanMap<Self, N>>::Prepared::HAS_LANES {
                     super::x86_64::$sweep_lanes(map, columns, steps, instructions)
                 } else {
-                    sweep::<Self, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
+                    sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
                 }
             }
         }

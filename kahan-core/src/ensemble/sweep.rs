@@ -7,9 +7,9 @@
 
 use core::array::from_fn;
 
-use crate::PreparedStep;
-use crate::composition::InOrder;
+use crate::composition::Staged;
 use crate::field::linear::vector;
+use crate::{PreparedStep, Scalar};
 
 use super::columns::{GROUP, Group};
 use super::lanes::Lanes;
@@ -19,13 +19,15 @@ use super::lanes::Lanes;
 ///
 /// Inlined into its caller, whose instructions it then is compiled with.
 #[inline(always)]
-pub(crate) fn sweep<R, T, P, const N: usize>(
-    stages: &impl InOrder<P>,
+pub(crate) fn sweep<R, S, T, P, const N: usize>(
+    stages: &S::Stages<P>,
     mut columns: [&mut [Group<T>]; N],
     steps: u64,
 ) -> Option<()>
 where
     R: Lanes<T>,
+    S: Staged<T, N>,
+    T: Scalar,
     P: PreparedStep<R, N>,
 {
     let groups = columns.first().map_or(0, |column| column.len());
@@ -34,7 +36,7 @@ where
         // Slices of one length in sight of the loop, so that it checks no index.
         let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
         for _ in 0..steps {
-            for step in stages.in_order() {
+            for step in S::in_order(stages) {
                 for group in 0..len {
                     for part in 0..GROUP / R::WIDTH {
                         let place = part * R::WIDTH;

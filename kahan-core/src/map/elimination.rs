@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use crate::field::linear::increment_by_elimination;
 use crate::step::NoLanes;
-use crate::{KahanMap, PreparedStep, Quotients, Scalar, WideStep};
+use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
 /// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at
 /// every state.
@@ -64,6 +64,8 @@ impl<M, T> Elimination<M, T> {
 }
 
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> PreparedStep<T, N> for Elimination<M, T> {
+    type Wide<L: Scalar> = NoLanes;
+
     /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -72,8 +74,4 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> PreparedStep<T, N> for Elimin
         let [increments] = increment.data.0;
         Some(Quotients::whole(increments))
     }
-}
-
-impl<M: KahanMap<T, N>, T: Scalar, const N: usize> WideStep<T, N> for Elimination<M, T> {
-    type Wide<L: Scalar> = NoLanes;
 }

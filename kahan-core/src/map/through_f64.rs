@@ -15,7 +15,6 @@ use crate::step::NoLanes;
 use crate::step::error::Reason;
 use crate::{
     ExtendScalars, KahanMap, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost,
-    WideStep,
 };
 #[cfg(feature = "std")]
 use crate::{Step, Stopped, Workspace};
@@ -127,6 +126,8 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
     /// The step's in `f64`.
     const COST: StepCost = P::COST;
 
+    type Wide<L: Scalar> = NoLanes;
+
     /// The increment, rounded once.
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
@@ -154,10 +155,6 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
     fn next(&self, x: &SVector<f32, N>) -> Option<SVector<f32, N>> {
         Some(rounded(&self.0.next(&widened(x))?))
     }
-}
-
-impl<P: PreparedStep<f64, N>, const N: usize> WideStep<f32, N> for ThroughF64Step<P> {
-    type Wide<L: Scalar> = NoLanes;
 }
 
 impl<M: QuadraticField<f32, N>, const N: usize> QuadraticField<f32, N> for ThroughF64<M> {

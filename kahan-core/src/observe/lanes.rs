@@ -6,7 +6,7 @@
 
 use core::array::from_fn;
 
-use crate::composition::{InOrder, Staged};
+use crate::composition::Staged;
 use crate::ensemble::columns::GROUP;
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
@@ -49,7 +49,7 @@ where
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
                     // Floats have a value at every point.
-                    let stages = stages.in_order().map(|(map, eps)| (map, eps));
+                    let stages = S::in_order(&stages).map(|(map, eps)| (map, eps));
                     let Some(carried) = carry_to(stages, &x, &y, &v) else { continue };
                     let mut squared = L::zero();
                     for (entry, column) in carried.iter().zip(columns) {

@@ -10,7 +10,7 @@ use core::array::from_fn;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::composition::{Composed, InOrder, Staged};
+use crate::composition::{Composed, Staged};
 #[cfg(feature = "std")]
 use crate::ensemble::columns::GROUP;
 use crate::field::linear::{determinant, vector};
@@ -103,7 +103,7 @@ macro_rules! implement_for_stages {
             fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
                 // Floats have a value at every point.
-                if let Some(carried) = carry(stages.in_order().copied(), &point(x), v) {
+                if let Some(carried) = carry(Self::in_order(&stages).copied(), &point(x), v) {
                     *v = carried;
                 }
             }
@@ -111,7 +111,8 @@ macro_rules! implement_for_stages {
             #[inline(always)]
             fn carry_to(&self, x: &[T], next: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                if let Some(carried) = carry_to(stages.in_order().copied(), &point(x), &point(next), v) {
+                if let Some(carried) = carry_to(Self::in_order(&stages).copied(), &point(x), &point(next), v)
+                {
                     *v = carried;
                 }
             }

@@ -25,8 +25,8 @@ pub use two_forms::{StepOfOneOrbit, StepOverEps};
 
 /// A step that knows its ε and its parameters.
 ///
-/// By hand, [`quotients`](Self::quotients) is all that is written. Nothing in a step allocates
-/// beyond what the scalar does, and the order of operations is fixed.
+/// By hand, [`quotients`](Self::quotients) is all that is written, and `Wide` is [`NoLanes`].
+/// Nothing in a step allocates beyond what the scalar does, and the order of operations is fixed.
 pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// What one step costs; here, elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
@@ -34,6 +34,10 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// Whether the step is straight-line code, which lanes run side by side; elimination chooses
     /// its pivots by comparing, so it is none.
     const HAS_LANES: bool = false;
+
+    /// This step over another scalar, such as the lanes of a register; [`NoLanes`] where
+    /// `HAS_LANES` is false.
+    type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that
     /// has no reciprocal of zero.
@@ -66,12 +70,6 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     fn next_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<[SVector<T, N>; 2]> {
         self.finish(x, |quotients| quotients.added_with_carry(x, carry))
     }
-}
-
-/// A prepared step whose constants can be spread over the lanes of a vector register.
-pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
-    /// This step over another scalar; `NoLanes` where `HAS_LANES` is false.
-    type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// Each constant spread over the lanes of `L`.
     ///
@@ -95,6 +93,8 @@ pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
 pub enum NoLanes {}
 
 impl<L: Scalar, const N: usize> PreparedStep<L, N> for NoLanes {
+    type Wide<W: Scalar> = Self;
+
     fn quotients(&self, _x: &SVector<L, N>) -> Option<Quotients<L, N>> {
         match *self {}
     }

@@ -13,7 +13,7 @@ use nalgebra::SVector;
 use crate::Scalar;
 use crate::field::linear::components;
 
-use super::{PreparedStep, Quotients, StepCost, WideStep};
+use super::{PreparedStep, Quotients, StepCost};
 
 /// The formulas of a step in N variables with C prepared constants.
 pub trait Kernel<const N: usize, const C: usize> {
@@ -74,6 +74,8 @@ where
     const COST: StepCost = K::COST;
     const HAS_LANES: bool = true;
 
+    type Wide<L: Scalar> = StraightStep<K, L, C>;
+
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let state = components(x).clone();
@@ -82,6 +84,19 @@ where
         } else {
             K::quotients(&self.constants, state)
         }
+    }
+
+    #[inline(always)]
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> StraightStep<K, L, C> {
+        StraightStep::new(from_fn(|i| spread(&self.constants[i].0)))
+    }
+
+    #[inline(always)]
+    fn gather<L: Scalar, const W: usize>(
+        each: [&Self; W],
+        pack: impl Fn([&T; W]) -> L,
+    ) -> StraightStep<K, L, C> {
+        StraightStep::new(from_fn(|i| pack(each.map(|step| &step.constants[i].0))))
     }
 }
 
@@ -97,27 +112,6 @@ where
     T: Scalar,
 {
     K::quotients(constants, state)
-}
-
-impl<K, T, const N: usize, const C: usize> WideStep<T, N> for StraightStep<K, T, C>
-where
-    K: Kernel<N, C>,
-    T: Scalar,
-{
-    type Wide<L: Scalar> = StraightStep<K, L, C>;
-
-    #[inline(always)]
-    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> StraightStep<K, L, C> {
-        StraightStep::new(from_fn(|i| spread(&self.constants[i].0)))
-    }
-
-    #[inline(always)]
-    fn gather<L: Scalar, const W: usize>(
-        each: [&Self; W],
-        pack: impl Fn([&T; W]) -> L,
-    ) -> StraightStep<K, L, C> {
-        StraightStep::new(from_fn(|i| pack(each.map(|step| &step.constants[i].0))))
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use crate::Scalar;
 use crate::scalar::tuning;
 
-use super::{PreparedStep, Quotients, StepCost, StraightStep, WideStep};
+use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
 /// A step divided by ε, which only floats take, and only at an ordinary ε, beside the general form
 /// for all else.
@@ -46,6 +46,8 @@ where
     const COST: StepCost = S::COST;
     const HAS_LANES: bool = S::HAS_LANES;
 
+    type Wide<L: Scalar> = G::Wide<L>;
+
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         if !tuning::divides_by_eps::<T>() {
@@ -67,6 +69,16 @@ where
             None => called(self.general.clone(), x.clone()).map(finish),
         }
     }
+
+    #[inline(always)]
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
+        self.general.widen(spread)
+    }
+
+    #[inline(always)]
+    fn gather<L: Scalar, const W: usize>(each: [&Self; W], pack: impl Fn([&T; W]) -> L) -> G::Wide<L> {
+        G::gather(each.map(|step| &step.general), pack)
+    }
 }
 
 /// The general form of a scalar that takes the other one as a rule.
@@ -87,25 +99,6 @@ where
     } else {
         quotients
     })
-}
-
-impl<S, G, T, const N: usize> WideStep<T, N> for OverEps<S, G>
-where
-    S: PreparedStep<T, N>,
-    G: WideStep<T, N>,
-    T: Scalar,
-{
-    type Wide<L: Scalar> = G::Wide<L>;
-
-    #[inline(always)]
-    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
-        self.general.widen(spread)
-    }
-
-    #[inline(always)]
-    fn gather<L: Scalar, const W: usize>(each: [&Self; W], pack: impl Fn([&T; W]) -> L) -> G::Wide<L> {
-        G::gather(each.map(|step| &step.general), pack)
-    }
 }
 
 /// A step with a second division, which shortens the critical path of one orbit, beside the form
@@ -131,25 +124,18 @@ impl<S, G, T: Scalar, const C: usize, const D: usize> StepOfOneOrbit<S, G, T, C,
 impl<S, G, T, const N: usize> PreparedStep<T, N> for OneOrbit<S, G>
 where
     S: PreparedStep<T, N>,
-    G: Clone,
+    G: PreparedStep<T, N>,
     T: Scalar,
 {
     const COST: StepCost = S::COST;
     const HAS_LANES: bool = S::HAS_LANES;
 
+    type Wide<L: Scalar> = G::Wide<L>;
+
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         self.step.quotients(x)
     }
-}
-
-impl<S, G, T, const N: usize> WideStep<T, N> for OneOrbit<S, G>
-where
-    S: PreparedStep<T, N>,
-    G: WideStep<T, N>,
-    T: Scalar,
-{
-    type Wide<L: Scalar> = G::Wide<L>;
 
     #[inline(always)]
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {

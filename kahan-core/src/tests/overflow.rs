@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::by_hand::{Coupled, E1, field_of};
-use crate::{KahanMap, PreparedStep, QuadraticField, Quotients, Scalar, vector};
+use crate::{KahanMap, NoLanes, PreparedStep, QuadraticField, Quotients, Scalar, vector};
 
 /// The map of E1 written by hand, all of it over one denominator.
 #[derive(Clone)]
@@ -16,6 +16,8 @@ field_of!(E1, for ByHand in 3);
 struct ByHandStep(f64);
 
 impl PreparedStep<f64, 3> for ByHandStep {
+    type Wide<L: Scalar> = NoLanes;
+
     fn quotients(&self, state: &SVector<f64, 3>) -> Option<Quotients<f64, 3>> {
         let (eps, [x, y, z]) = (self.0, [state[0], state[1], state[2]]);
         let (plus, minus) = (1.0 + eps * x, 1.0 - eps * x);
@@ -97,6 +99,8 @@ impl QuadraticField<f64, 2> for Clock {
 struct ClockStep(f64);
 
 impl PreparedStep<f64, 2> for ClockStep {
+    type Wide<L: Scalar> = NoLanes;
+
     fn quotients(&self, x: &SVector<f64, 2>) -> Option<Quotients<f64, 2>> {
         let ex = self.0 * x[0];
         let numerators = [-2.0 * ex * x[0] * ex, 2.0 * self.0];

@@ -1,7 +1,7 @@
 //! Every level against plain steps of its arithmetic.
 
 use kahan_core::prelude::*;
-use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal, WideStep};
+use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal};
 
 use crate::ensemble::fused::Fused;
 use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, Logistic};
@@ -39,7 +39,7 @@ fn step_each_as_lanes<T, M, const N: usize>(
 ) -> Vec<SVector<T, N>>
 where
     T: Scalar,
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    M: KahanMap<T, N>,
 {
     if !cfg!(target_arch = "x86_64") {
         return step_each(map, points);
@@ -61,8 +61,8 @@ fn compare<F, M, W, const N: usize>(
 ) where
     F: EnsembleScalar,
     Fused<F>: Scalar,
-    M: KahanMap<F, N, Prepared: WideStep<F, N> + Sync> + Sync,
-    W: KahanMap<Fused<F>, N, Prepared: WideStep<Fused<F>, N>>,
+    M: KahanMap<F, N, Prepared: Sync> + Sync,
+    W: KahanMap<Fused<F>, N>,
 {
     for len in LENGTHS {
         let start: Vec<_> = points(len).into_iter().map(|x: SVector<f64, N>| x.map(round)).collect();
@@ -105,7 +105,7 @@ fn every_level_computes_as<T: EnsembleScalar, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     start: &[SVector<T, N>],
 ) where
-    M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync> + Sync,
+    M: KahanMap<T, N, Prepared: Sync> + Sync,
 {
     let each = step_each(map, start.to_vec());
     for level in levels() {

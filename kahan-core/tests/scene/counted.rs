@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use kahan_core::nalgebra::SMatrix;
 use kahan_core::prelude::*;
-use kahan_core::{ExtendScalars, PreparedStep, QuadraticField, Quotients, StepCost};
+use kahan_core::{ExtendScalars, NoLanes, PreparedStep, QuadraticField, Quotients, StepCost};
 use kahan_dynamics::{NoSetting, Scene};
 
 use crate::systems::{Burst, E6, Lorenz, LotkaVolterra, Relaxation};
@@ -47,6 +47,8 @@ impl<T: Scalar, M: KahanMap<T, N>, const N: usize> KahanMap<T, N> for Counted<M>
 
 impl<T: Scalar, P: PreparedStep<T, N>, const N: usize> PreparedStep<T, N> for Counted<P> {
     const COST: StepCost = P::COST;
+
+    type Wide<L: Scalar> = NoLanes;
 
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         STEPS.set(STEPS.get() + 1);

@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Elimination, ExtendScalars, PreparedStep, Quotients, Scalar, WideStep};
+use kahan_core::{Elimination, ExtendScalars, PreparedStep, Quotients, Scalar};
 use std::sync::Arc;
 
 use crate::line::has_value;
@@ -46,6 +46,9 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
+    /// Ensembles step an interpreted system one trajectory at a time.
+    type Wide<L: Scalar> = InterpretedStep<L, N>;
+
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let step = self.map.engine.steps().form(self.is_general);
@@ -67,11 +70,6 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
             from_fn(|i| Some(results.get(quotient(i)?.1?))),
         ))
     }
-}
-
-impl<T: Scalar, const N: usize> WideStep<T, N> for InterpretedStep<T, N> {
-    /// Ensembles step an interpreted system one trajectory at a time.
-    type Wide<L: Scalar> = InterpretedStep<L, N>;
 
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> InterpretedStep<L, N> {
         InterpretedStep {

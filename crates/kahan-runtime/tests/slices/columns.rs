@@ -44,7 +44,7 @@ fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, Ma
 
 fn ensembles_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
 where
-    M: ExtendScalars<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
+    M: ExtendScalars<T, N, Prepared: Sync> + Sync,
     T: MachineFloat + EnsembleScalar,
 {
     for (count, eps) in
@@ -126,7 +126,7 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
 fn a_million_points_agree_at_every_level() {
     fn check<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
     where
-        M: ExtendScalars<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
+        M: ExtendScalars<T, N, Prepared: Sync> + Sync,
         T: MachineFloat + EnsembleScalar,
     {
         const COUNT: usize = 1_000_003;

@@ -13,8 +13,8 @@ mod lanes;
 #[cfg(test)]
 mod tests;
 
+use crate::PreparedStep;
 use crate::composition::Staged;
-use crate::{KahanMap, WideStep};
 
 use super::columns::Group;
 use super::lanes::{InLanes, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
@@ -36,7 +36,7 @@ macro_rules! dispatch_for_float {
             Instructions { level, reciprocal }: Instructions,
         ) -> Option<()>
         where
-            S: Staged<$float, N, Map: KahanMap<$float, N, Prepared: WideStep<$float, N>>>,
+            S: Staged<$float, N>,
         {
             match (level, reciprocal) {
                 (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
@@ -92,7 +92,7 @@ macro_rules! over_registers {
         where
             T: crate::Scalar,
             R: Lanes<T>,
-            S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
+            S: Staged<T, N>,
         {
             $body
         }
@@ -111,7 +111,7 @@ over_registers! {
     /// Inlined into its caller, whose instructions it then is compiled with.
     #[inline(always)]
     widen_and_sweep: |map, columns, steps| {
-        sweep::<R, T, _, N>(&map.stages(|at| at.prepared.widen(R::spread)), columns, steps)
+        sweep::<R, S, _, _, N>(&map.stages(|at| at.prepared.widen(R::spread)), columns, steps)
     }
 }
 

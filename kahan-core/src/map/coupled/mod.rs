@@ -17,7 +17,7 @@ use crate::field::linear::{components, solve_in_place, vector};
 use crate::scalar::tuning::{is, same};
 use crate::step::NoLanes;
 use crate::step::error::pole;
-use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost, WideStep};
+use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost};
 
 use super::checked::try_step;
 use super::stable::Promised;
@@ -220,6 +220,8 @@ where
 {
     const COST: StepCost = K::COST;
 
+    type Wide<L: Scalar> = NoLanes;
+
     /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -233,13 +235,4 @@ where
         };
         Some(Quotients::whole(increments))
     }
-}
-
-impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> WideStep<T, N>
-    for CoupledStep<K, T, N, P, M, S>
-where
-    K: CoupledField<N, P, M, S>,
-    T: Scalar,
-{
-    type Wide<L: Scalar> = NoLanes;
 }
