@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
+import math
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import lru_cache
-from types import CodeType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,11 +13,9 @@ import numpy as np
 from ._arrays import by_name, floats, one_order, read
 from ._errors import needed, unknown
 from ._exact import Number, exact, half_step
-from ._kahan import columns
+from ._kahan import Program, columns
 
 __all__ = ["Formula", "Symbols"]
-
-_NUMBER_OR_NAME = re.compile(r"(?<!\^)\b\d+|[^\W\d]\w*")
 
 
 class Symbols(NamedTuple):
@@ -38,23 +35,6 @@ class Symbols(NamedTuple):
 
     def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
         return columns(names, list(self.variables), list(self.parameters), varies, name)
-
-
-class _Values(dict[str, Any]):
-    """The values of names, those of functions computed when they are needed."""
-
-    def __init__(self, functions: dict[str, str], number: Callable[[str], Any]) -> None:
-        self.functions, self.number = functions, number
-
-    def __missing__(self, name: str) -> Any:
-        if name not in self.functions:
-            raise TypeError(f"the formula depends on {name}: add {name}=… to the call")
-        self[name] = self.of(self.functions[name])
-        return self[name]
-
-    def of(self, text: str) -> Any:
-        """The value of a formula."""
-        return eval(_code(text), {"__builtins__": {}, "_number": self.number, "_value": self})
 
 
 class Formula:
@@ -131,7 +111,7 @@ class Formula:
         ``eps``, or ``dt`` = 2 eps, is needed where the formula depends on it, and values for ``parameters`` that have none in
         the field; each is one number, or one a point. Points with fractions or text among their
         coordinates have exact values, by fractions; at a pole ``ZeroDivisionError`` is raised for them,
-        and floats are infinite or NaN there. Costs the operations of the formula in NumPy's arithmetic.
+        and floats are infinite or NaN there. Floats have the bits that the command gives the formula.
         """
         given = [value for _, value in by_name(x, lambda: self._of._names) or ()]
         one_order([*given, eps, dt, *parameters.values()])
@@ -152,16 +132,25 @@ class Formula:
                 raise TypeError(unknown("parameter", name, known))
             if known[name] is not None:
                 raise TypeError(f"{name} is {known[name]} in this formula; the field with another value has another one")
-        values = _Values(functions, Fraction if is_exact else array.dtype.type)
-        values.update(zip(variables, np.moveaxis(array, -1, 0)))
+        values: dict[str, Any] = dict(zip(variables, np.moveaxis(array, -1, 0)))
         for name, value in {"eps": eps, **known, **parameters}.items():
             if value is not None:
                 exactly = np.vectorize(_fraction, otypes=[object])(value, name)
-                values[name] = exactly[()] if is_exact else exactly.astype(array.dtype)[()]
-        with np.errstate(all="ignore"):
-            entries = [np.broadcast_to(values.of(text), array.shape[:-1]) for text in np.ravel(self._text).tolist()]
-        found: Any = np.stack(entries, axis=-1).reshape(array.shape[:-1] + self.shape)
-        return found[()]
+                values[name] = exactly if is_exact else exactly.astype(array.dtype)
+        names = (*variables, *known, "eps")
+        program = _program(names, tuple(functions.items()), tuple(np.ravel(self._text).tolist()))
+        for name in (names[k] for k in program.needed):
+            if name not in values:
+                raise TypeError(f"the formula depends on {name}: add {name}=… to the call")
+        shape, points = array.shape[:-1], math.prod(array.shape[:-1])
+        rows = [np.broadcast_to(values[names[k]], shape).ravel() for k in program.needed]
+        found: Any
+        if is_exact:
+            parts = [(value.numerator, value.denominator) for row in rows for value in row]
+            found = np.array([Fraction(*value) for value in program.fractions(parts, points)], dtype=object)
+        else:
+            found = program.floats(np.array(rows, dtype=array.dtype), points)
+        return found.reshape(shape + self.shape)[()]
 
     def __str__(self) -> str:
         text = self._text
@@ -218,10 +207,7 @@ def _fraction(value: Number, name: str) -> Fraction:
     return value if isinstance(value, Fraction) else Fraction(exact(value, name))
 
 
-@lru_cache(maxsize=1024)
-def _code(text: str) -> CodeType:
-    """The formula as Python's code, in which numbers, but not exponents, have the type of the values."""
-    def written(found: re.Match[str]) -> str:
-        return f"_number({found[0]})" if found[0].isdigit() else f"_value[{found[0]!r}]"
-
-    return compile(_NUMBER_OR_NAME.sub(written, text).replace("^", "**"), "formula", "eval")
+@lru_cache(maxsize=256)
+def _program(names: tuple[str, ...], definitions: tuple[tuple[str, str], ...], texts: tuple[str, ...]) -> Program:
+    program: Program = Program(names, definitions, texts)
+    return program

@@ -16,6 +16,7 @@ mod field;
 mod gradient;
 mod lattice;
 mod orbit;
+mod program;
 mod sensitivities;
 mod table;
 
@@ -32,7 +33,7 @@ mod _kahan {
     #[pymodule_export]
     use super::{
         arrays::columns, arrow::arrow, basis::Relation, command, field::Field, lattice::Chain,
-        lattice::is_family, names, nearest, picture_scale,
+        lattice::is_family, names, nearest, picture_scale, program::Program,
     };
 
     /// The version of the package.

@@ -68,3 +68,13 @@ def test_compensated_orbits_keep_integrals_better():
 def test_an_orbit_ends_before_it_leaves_the_range():
     orbit = kahan.System("xdot = x^2;").orbit([1.0], 0.25, 100)
     assert orbit.ended == "range" and orbit.steps == len(orbit.x) - 1 and np.isfinite(orbit.x).all()
+
+
+def test_formulas_have_the_values_of_the_command():
+    s = kahan.System("idot = i^2/3 - i/7 + 1/10;")
+    text = str(s.map[0])
+    rows = command("orbit", "--field", "for i in open { x[i]dot = x[i+1]; }", "--sites", "30",
+                   "--start", f"x = {text.replace('eps', '(1/16)')}", "--eps", "1", "--steps", "0")
+    wanted = [float(x) for x in rows[1][-30:]]
+    assert "^" in text and "/" in text and len(set(wanted)) == 30
+    assert s.map(np.arange(30.0)[:, None], 1 / 16)[:, 0].tolist() == wanted

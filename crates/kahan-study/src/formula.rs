@@ -1,22 +1,24 @@
-//! Formulas in floats: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the variables of a
-//! state.
+//! Formulas as straight-line programs: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the
+//! variables of a state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a straight-line
-//! program in doubles, without simplifications: each operation is rounded as written, and a common
-//! subexpression is computed once. The module must not know how the text is read, only what its
-//! names and functions mean.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program without
+//! simplifications: each operation is rounded as written, and a common subexpression is computed
+//! once. A [`Formula`] runs it in doubles, [`Formulas`] in doubles, single precision and fractions.
+//! The module must not know how the text is read, only what its names and functions mean.
 
 use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::fmt;
 
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::{parse_formula, parse_formulas};
+use kahan_algebra::rational::Rational;
 use kahan_algebra::render::report;
 use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Span, Token};
-use kahan_program::{Arithmetic, Calls, Float, Function, Node, Program};
+use kahan_program::{Calls, Function, Node, Program};
 
 /// A function of one number.
 type Unary = fn(f64) -> f64;
@@ -42,7 +44,7 @@ const FUNCTIONS: [(&str, Unary); 15] = [
 
 /// A function that a formula calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Called {
+pub enum Called {
     /// A function of one number: an index of [`FUNCTIONS`].
     Named(usize),
     /// a^b, by multiplications where b is an integer of moderate size.
@@ -58,43 +60,7 @@ impl Function for Called {
     }
 }
 
-/// Doubles, in which every operation and every function has a value.
-struct Doubles;
-
-impl Arithmetic for Doubles {
-    type Value = f64;
-    type Constant = Float;
-
-    fn constant(&self, value: &Float) -> Option<f64> {
-        Some(value.value())
-    }
-
-    fn add(&self, a: &f64, b: &f64) -> f64 {
-        a + b
-    }
-
-    fn subtract(&self, a: &f64, b: &f64) -> f64 {
-        a - b
-    }
-
-    fn multiply(&self, a: &f64, b: &f64) -> f64 {
-        a * b
-    }
-
-    fn negate(&self, a: &f64) -> f64 {
-        -a
-    }
-
-    fn divide(&self, a: &f64, b: &f64) -> Option<f64> {
-        Some(a / b)
-    }
-
-    fn is_zero(&self, a: &f64) -> bool {
-        *a == 0.0
-    }
-}
-
-impl Calls<Called> for Doubles {
+impl Calls<Called> for Float64 {
     fn call(&self, function: &Called, a: &f64, b: &f64) -> Option<f64> {
         Some(match *function {
             Called::Named(index) => FUNCTIONS[index].1(*a),
@@ -104,29 +70,57 @@ impl Calls<Called> for Doubles {
     }
 }
 
-/// An operation of a formula; inputs are the numbers of its variables.
-type Operation = kahan_program::Operation<usize, Float, Called>;
+impl Calls<Called> for Float32 {
+    fn call(&self, function: &Called, a: &f32, b: &f32) -> Option<f32> {
+        Some(match *function {
+            Called::Named(index) => FUNCTIONS[index].1((*a).into()) as f32,
+            Called::Power if b.fract() == 0.0 && b.abs() <= 1024.0 => a.powi(*b as i32),
+            Called::Power => a.powf(*b),
+        })
+    }
+}
+
+/// Fractions have powers with integers as exponents, and no other functions.
+impl Calls<Called> for Exact {
+    fn call(&self, function: &Called, a: &Rational, b: &Rational) -> Option<Rational> {
+        match function {
+            Called::Named(_) => None,
+            Called::Power => a.pow(i32::try_from(b.as_i64()?).ok()?),
+        }
+    }
+}
+
+/// An operation of a formula; inputs are the numbers of its names.
+type Operation = kahan_program::Operation<usize, Rational, Called>;
 
 /// The operations of a formula that is being read.
-type Builder = kahan_program::Builder<usize, Float, Called>;
+type Builder = kahan_program::Builder<usize, Rational, Called>;
 
 /// A formula, read into a program with one output.
 #[derive(Clone, Debug)]
 pub struct Formula {
     program: Program<Vec<Operation>>,
+    /// A workspace with the numbers that are known in their places.
+    known: Vec<f64>,
     /// The variables that occur, each with the place of its value in the workspace.
     variables: Vec<(usize, usize)>,
 }
 
 impl Formula {
-    fn new(program: Program<Vec<Operation>>) -> Self {
+    /// Returns the formula whose inputs are `count` variables, then numbers with these values.
+    fn new(program: Program<Vec<Operation>>, count: usize, values: &Known) -> Self {
         let mut variables = Vec::new();
         for (place, operation) in program.operations.iter().enumerate() {
-            if let Operation::Input(variable) = operation {
-                variables.push((*variable, place));
+            if let Operation::Input(variable) = *operation
+                && variable < count
+            {
+                variables.push((variable, place));
             }
         }
-        Formula { program, variables }
+        let value = |input: &usize| Some(input.checked_sub(count).map_or(0.0, |known| values[known].1));
+        let mut known = vec![0.0; program.operations.len()];
+        program.load(&Float64, value, &mut known).expect("numbers have floats next to them");
+        Formula { program, known, variables }
     }
 
     /// Returns the value at a site, whose index is the only variable.
@@ -139,13 +133,13 @@ impl Formula {
     /// [`function`](Self::function) does once.
     #[must_use]
     pub fn of(&self, variables: &[f64]) -> f64 {
-        self.run(variables, &mut self.workspace())
+        self.run(variables, &mut self.known.clone())
     }
 
     /// Returns the formula as a function of its variables, for many calls: it keeps the memory that
     /// it computes in.
     pub fn function(self) -> impl Fn(&[f64]) -> f64 {
-        let workspace = RefCell::new(self.workspace());
+        let workspace = RefCell::new(self.known.clone());
         move |variables| self.run(variables, &mut workspace.borrow_mut())
     }
 
@@ -156,20 +150,81 @@ impl Formula {
         self.variables.iter().map(|(variable, _)| *variable).max()
     }
 
-    /// Returns a workspace with the constants in their places.
-    fn workspace(&self) -> Vec<f64> {
-        let mut workspace = vec![0.0; self.program.operations.len()];
-        let loaded = self.program.load(&Doubles, |_| Some(0.0), &mut workspace);
-        loaded.expect("a double is a constant");
-        workspace
-    }
-
     fn run(&self, variables: &[f64], workspace: &mut [f64]) -> f64 {
         for (variable, place) in &self.variables {
             workspace[*place] = variables[*variable];
         }
-        self.program.compute(&Doubles, 0, workspace).expect("doubles have quotients by zero");
+        self.program.compute(&Float64, 0, workspace).expect("doubles have quotients by zero");
         workspace[self.program.outputs[0].0]
+    }
+}
+
+/// Formulas of the same names, computed together: in doubles each has the bits of its [`Formula`].
+#[derive(Clone, Debug)]
+pub struct Formulas {
+    program: Program<Vec<Operation>>,
+}
+
+impl Formulas {
+    /// Reads formulas of these names. `definitions` are formulas by name, which the others, and
+    /// definitions behind them, may name, too.
+    ///
+    /// # Errors
+    /// The first mistake.
+    pub fn read(names: &[&str], definitions: &[(&str, &str)], texts: &[&str]) -> Result<Self, NoFormula> {
+        let mut builder = Builder::default();
+        let mut defined: Vec<(&str, Node)> = Vec::new();
+        for (name, text) in definitions {
+            let value = Names { variables: names, known: &[], defined: &defined }.read(&mut builder, text)?;
+            defined.push((name, value));
+        }
+        let names = Names { variables: names, known: &[], defined: &defined };
+        let outputs: Result<Vec<Node>, NoFormula> =
+            texts.iter().map(|text| names.read(&mut builder, text)).collect();
+        Ok(Formulas { program: builder.finish(&outputs?) })
+    }
+
+    /// Returns the places of the names that the formulas need.
+    #[must_use]
+    pub fn needed(&self) -> Vec<usize> {
+        self.program.inputs()
+    }
+
+    /// Returns the number of formulas.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.program.outputs.len()
+    }
+
+    /// Computes the formulas at points. `inputs` has a row for each name that is
+    /// [`needed`](Self::needed), and `outputs` one for each point. `None` where fractions have no
+    /// value.
+    ///
+    /// # Panics
+    /// If a row of `inputs` lacks values.
+    pub fn compute<A: Calls<Called, Constant = Rational>>(
+        &self,
+        arithmetic: &A,
+        inputs: &[A::Value],
+        outputs: &mut [A::Value],
+    ) -> Option<()> {
+        let Program { operations, outputs: results } = &self.program;
+        let zero = arithmetic.constant(&Rational::ZERO)?;
+        let mut workspace = vec![zero.clone(); operations.len()];
+        self.program.load(arithmetic, |_| Some(zero.clone()), &mut workspace)?;
+        let is_input = |place: &usize| matches!(operations[*place], Operation::Input(_));
+        let read: Vec<usize> = (0..operations.len()).filter(is_input).collect();
+        let points = outputs.len().checked_div(self.count()).unwrap_or_default();
+        for (point, outputs) in outputs.chunks_mut(self.count().max(1)).enumerate() {
+            for (row, place) in read.iter().enumerate() {
+                workspace[*place].clone_from(&inputs[row * points + point]);
+            }
+            self.program.compute(arithmetic, 0, &mut workspace)?;
+            for (output, node) in outputs.iter_mut().zip(results) {
+                output.clone_from(&workspace[node.0]);
+            }
+        }
+        Some(())
     }
 }
 
@@ -216,7 +271,7 @@ pub fn formula(text: &str, known: &Known) -> Result<Formula, NoFormula> {
 /// # Errors
 /// The first mistake.
 pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formula, NoFormula> {
-    read(text, |tokens| Names { variables, known }.formula(&parse_formula(tokens)?))
+    read(text, |tokens| Names { variables, known, defined: &[] }.formula(&parse_formula(tokens)?))
 }
 
 /// Formulas of the index of a site by name: `a = 1; b = i/n`.
@@ -225,7 +280,7 @@ pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formu
 /// The first mistake.
 pub fn formulas(text: &str, known: &Known) -> Result<Vec<(String, Formula)>, NoFormula> {
     read(text, |tokens| {
-        let names = Names { variables: &OF_SITES, known };
+        let names = Names { variables: &OF_SITES, known, defined: &[] };
         let formulas = parse_formulas(tokens)?.into_iter();
         formulas.map(|(name, formula)| Ok((name.text, names.formula(&formula)?))).collect()
     })
@@ -239,20 +294,27 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
 struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
+    /// Formulas that have names, with their values in the program.
+    defined: &'a [(&'a str, Node)],
 }
 
 impl Names<'_> {
     fn formula(&self, expr: &Expr<InFormula>) -> Result<Formula, Diagnostic> {
         let mut builder = Builder::default();
         let value = self.lower(&mut builder, expr)?;
-        Ok(Formula::new(builder.finish(&[value])))
+        Ok(Formula::new(builder.finish(&[value]), self.variables.len(), self.known))
+    }
+
+    /// Adds the operations of a formula, and returns its value.
+    fn read(&self, builder: &mut Builder, text: &str) -> Result<Node, NoFormula> {
+        read(text, |tokens| self.lower(builder, &parse_formula(tokens)?))
     }
 
     /// Adds the operations of an expression, and returns its value.
     fn lower(&self, builder: &mut Builder, expr: &Expr<InFormula>) -> Result<Node, Diagnostic> {
         let operation = match &expr.kind {
-            ExprKind::Number(value) => number(value.to_f64()),
-            ExprKind::Name(name) => self.named(name, expr.span)?,
+            ExprKind::Number(value) => Operation::Constant(value.clone()),
+            ExprKind::Name(name) => return self.named(builder, name, expr.span),
             ExprKind::Sum(terms) => {
                 let terms = terms.iter().map(|term| (term.negative, &term.expr));
                 return self.chain(builder, terms, Operation::Add, Operation::Subtract);
@@ -264,7 +326,11 @@ impl Names<'_> {
             ExprKind::Negation(inner) => Operation::Negate(self.lower(builder, inner)?),
             ExprKind::Power(base, exponent) => {
                 let base = self.lower(builder, base)?;
-                Operation::Call(Called::Power, base, builder.push(number(*exponent as f64)))
+                Operation::Call(
+                    Called::Power,
+                    base,
+                    builder.push(Operation::Constant(Rational::from(*exponent))),
+                )
             }
             ExprKind::Special(InFormula::Power(parts)) => {
                 let [base, exponent] = &**parts;
@@ -272,7 +338,7 @@ impl Names<'_> {
                 Operation::Call(Called::Power, base, self.lower(builder, exponent)?)
             }
             ExprKind::Special(InFormula::Call { function, arguments }) => {
-                let (function, argument) = self.call(function, arguments, expr.span)?;
+                let (function, argument) = self.call(builder, function, arguments, expr.span)?;
                 let argument = self.lower(builder, argument)?;
                 Operation::Call(function, argument, argument)
             }
@@ -300,14 +366,19 @@ impl Names<'_> {
         Ok(joined.expect("a sum has terms, and a product factors"))
     }
 
-    /// The value or the variable of this name.
-    fn named(&self, name: &str, span: Span) -> Result<Operation, Diagnostic> {
+    /// Returns the value or the variable of this name.
+    fn named(&self, builder: &mut Builder, name: &str, span: Span) -> Result<Node, Diagnostic> {
         let variable = self.variables.iter().position(|variable| *variable == name);
-        let known = self.known.iter().find(|(known, _)| known == name);
-        match (variable, known) {
-            (Some(variable), _) => Ok(Operation::Input(variable)),
-            (None, Some((_, value))) => Ok(number(*value)),
-            (None, None) if name == "pi" => Ok(number(PI)),
+        let known = self.known.iter().position(|(known, _)| known == name);
+        let input = variable.or_else(|| known.map(|known| self.variables.len() + known));
+        let defined = self.defined.iter().find(|(defined, _)| *defined == name);
+        match (input, defined) {
+            (Some(input), _) => Ok(builder.input(input)),
+            (None, Some((_, value))) => Ok(*value),
+            (None, None) if name == "pi" => {
+                let pi = Rational::from_f64(PI).expect("a finite number");
+                Ok(builder.push(Operation::Constant(pi)))
+            }
             (None, None) if FUNCTIONS.iter().any(|(function, _)| *function == name) => Err(mistake(
                 span,
                 format!("`{name}` is a function, and its argument is missing"),
@@ -325,12 +396,13 @@ impl Names<'_> {
     /// What is called, with its argument.
     fn call<'a>(
         &self,
+        builder: &mut Builder,
         name: &str,
         arguments: &'a [Expr<InFormula>],
         span: Span,
     ) -> Result<(Called, &'a Expr<InFormula>), Diagnostic> {
         let Some(index) = FUNCTIONS.iter().position(|(known, _)| *known == name) else {
-            let help = match self.named(name, span) {
+            let help = match self.named(builder, name, span) {
                 Ok(_) => format!("for a product write `{name}*(…)`"),
                 Err(_) => format!("there are {}", functions()),
             };
@@ -346,10 +418,6 @@ impl Names<'_> {
     }
 }
 
-fn number(value: f64) -> Operation {
-    Operation::Constant(Float::of(value))
-}
-
 /// The mistake of a name that means something else here, or nothing.
 fn mistake(span: Span, message: String, help: String) -> Diagnostic {
     Diagnostic::new(Kind::UnknownName, span, message, help)
@@ -362,7 +430,10 @@ fn functions() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{formula, formulas};
+    use kahan_algebra::arithmetic::{Exact, Float64};
+    use kahan_algebra::rational::Rational;
+
+    use super::{Formulas, formula, formula_of, formulas};
 
     #[test]
     fn formulas_bind_as_the_language_does() {
@@ -426,6 +497,29 @@ mod tests {
         for site in 0..7 {
             assert_eq!(function(&[site as f64]).to_bits(), wave.at(site).to_bits(), "site {site}");
         }
+    }
+
+    #[test]
+    fn formulas_together_have_the_values_of_each() {
+        let texts = ["(x/3 + y)^3 - F*x", "x*y/7 - 1/10", "F^-2"];
+        let together = Formulas::read(&["t", "x", "y"], &[("F", "1/x + y")], &texts).expect("formulas");
+        let rows = together.needed();
+        assert_eq!((rows.contains(&0), together.count()), (false, 3));
+        let points = [[0.3, 1.7], [2.5, -0.7]];
+        let inputs: Vec<f64> = rows.iter().flat_map(|row| points.map(|point| point[row - 1])).collect();
+        let (mut found, mut exact) = ([0.0; 6], vec![Rational::ZERO; 6]);
+        together.compute(&Float64, &inputs, &mut found).expect("floats");
+        let fractions: Vec<Rational> = inputs.iter().filter_map(|value| Rational::from_f64(*value)).collect();
+        together.compute(&Exact, &fractions, &mut exact).expect("no pole");
+        for (place, value) in found.iter().enumerate() {
+            let text = texts[place % 3].replace('F', "(1/x + y)");
+            let alone = formula_of(&["x", "y"], &text, &[]).expect(&text).of(&points[place / 3]);
+            assert_eq!(value.to_bits(), alone.to_bits(), "{text}");
+            assert!((exact[place].to_f64() - alone).abs() <= 1e-14 * alone.abs(), "{text}");
+        }
+        let zeros = vec![Rational::ZERO; rows.len()];
+        assert!(together.compute(&Exact, &zeros, &mut exact[..3]).is_none());
+        assert!(Formulas::read(&["x"], &[], &["x + z"]).is_err());
     }
 
     #[test]
