@@ -9,7 +9,8 @@ use kahan_core::Step;
 use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Sectioned};
 use kahan_discover::Watch;
 use kahan_runtime::{End, Follow, Followed, MapAt, RuntimePoint};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::count::Count;
 use crate::error::StudyError;
@@ -36,7 +37,7 @@ pub struct Section {
     /// without `when`, the parameters and `eps`.
     pub plane: String,
     /// Which sign changes count.
-    #[serde(default)]
+    #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
     /// The most crossings.
     #[serde(default = "usual_points")]
@@ -45,6 +46,16 @@ pub struct Section {
     /// its variables.
     #[serde(default)]
     pub reembed: bool,
+}
+
+fn name_of<S: Serializer>(direction: &Direction, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(direction.name())
+}
+
+fn of_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Direction, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    let known = Direction::ALL.into_iter().find(|direction| direction.name() == name);
+    known.ok_or_else(|| D::Error::unknown_variant(&name, &["rising", "falling", "both"]))
 }
 
 fn usual_points() -> usize {
