@@ -36,7 +36,7 @@ pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
 #[cfg(all(feature = "std", feature = "exact"))]
 pub(crate) use laurent::Laurent;
-pub(crate) use operators::{assignments, operators};
+pub(crate) use operators::operators;
 #[cfg(feature = "std")]
 pub(crate) use wide::{Capacity, Long, level_row};
 pub(crate) use wide::{Size, Wide, significand};

@@ -44,4 +44,4 @@ macro_rules! assignments {
     };
 }
 
-pub(crate) use {assignments, operators};
+pub(crate) use operators;
