@@ -23,9 +23,8 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
-    let points: [(fn(usize) -> Symbol, _); 2] =
-        [(Symbol::State, quote!(x)), (Symbol::SecondState, quote!(y))];
-    for (symbol, point) in points {
+    let kinds: [fn(usize) -> Symbol; 2] = [Symbol::State, Symbol::SecondState];
+    for (symbol, point) in kinds.into_iter().zip([quote!(x), quote!(y)]) {
         if let Some(states) = emit_pattern(&inputs, symbols, symbol, symbols.dimension()) {
             bindings.extend(quote! { let #states = __kahan::components(#point); });
         }

@@ -53,8 +53,9 @@ pub enum Spacing {
 
 /// The most values of a range that a text gives.
 const MOST: usize = 100_000;
-/// The most values of an axis of a table.
-const MANY: usize = 1 << 40;
+/// The most values of an axis of a table: 2^40 − 1 where an index has 64 bits, 2^24 − 1 where it has
+/// 32.
+const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {
     /// Reads FROM:TO:COUNT, FROM:TO:+STEP or FROM:TO:/CELLS.
@@ -65,7 +66,7 @@ impl Range {
         Self::up_to(MOST, text)
     }
 
-    /// Reads a range of the axis of a table, which may have up to 2^40 values.
+    /// Reads a range of the axis of a table, which may have fewer than 2^40 values.
     ///
     /// # Errors
     /// [`NoRange`] says what is wrong with the text.

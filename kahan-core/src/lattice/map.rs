@@ -18,9 +18,9 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 
 /// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
 ///
-/// A state is site by site, arrays interleaved: array b of site i is entry i·[`BLOCK`](Self::BLOCK)
-/// + b. **ε is half the time step.** The macro implements it for a block with a family, and writes
-/// what is not documented here, the equations of one site, which serve every site of a chain.
+/// A state is site by site, arrays interleaved: array b of site i is entry
+/// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** The macro implements it for a block
+/// with a family, and writes the equations of one site, which serve every site of a chain.
 ///
 /// With R = [`Sizes::reach`], a line of site i gets
 /// - `constants`: what `constants` returned, each as an `L`;
