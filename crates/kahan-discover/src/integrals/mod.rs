@@ -1,6 +1,6 @@
 //! Rational integrals: from null vectors of relations ([`search`]) over their coefficients
-//! ([`relation_coefficients`]) and special members of a pencil ([`members`]) to reconstructed,
-//! simplified, proved and independent ones ([`reconstructed`], [`accepted`]).
+//! (`relation_coefficients`) and special members of a pencil (`members`) to reconstructed,
+//! simplified, proved and independent ones ([`reconstructed`], `accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;
