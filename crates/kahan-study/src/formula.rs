@@ -45,7 +45,7 @@ const FUNCTIONS: [(&str, Unary); 15] = [
 /// A function that a formula calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// A function of one number: an index of [`FUNCTIONS`].
+    /// A function of one number: an index of `FUNCTIONS`.
     Named(usize),
     /// a^b, by multiplications where b is an integer of moderate size.
     Power,
