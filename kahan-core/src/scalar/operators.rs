@@ -44,4 +44,6 @@ macro_rules! assignments {
     };
 }
 
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+pub(crate) use assignments;
 pub(crate) use operators;

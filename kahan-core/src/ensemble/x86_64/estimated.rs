@@ -10,8 +10,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::assignments;
 use crate::ensemble::lanes::{Lanes, Square};
+use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 use super::lanes::{Choosing, lanes, machine};

@@ -14,8 +14,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::assignments;
 use crate::ensemble::lanes::{Lanes, Square};
+use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 mod choosing;
