@@ -11,10 +11,11 @@
 //! text. An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which
 //! evaluates it.
 //!
-//! Modules in reading order: [`watch`] and [`deadline`]; [`modular`], the arithmetic; [`maps`], what is
-//! looked at; [`orbits`], what orbits show; [`integrals`], [`densities`], [`poisson`] and [`drift`],
-//! what is found; [`claims`], its proof and its text; `stages`, the whole search, and [`report`], its
-//! answer. [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows curves through poles.
+//! Modules in reading order: [`watch`] and [`deadline`]; [`modular`], the arithmetic; [`maps`],
+//! what is looked at; [`orbits`], what orbits show; [`integrals`], [`densities`], [`poisson`] and
+//! [`drift`], what is found; [`claims`], its proof and its text; `stages`, the whole search, and
+//! [`report`], its answer. [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows
+//! curves through poles.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

@@ -7,9 +7,9 @@
 //! them. It must not know what the numbers mean. Without the feature `pages` every program is
 //! refused.
 //!
-//! A program is one of `kahan-program`, whose operations name values; lowering leaves fewer kinds of
-//! them, and registers are allocated for these. Machine instructions name registers, and are what
-//! the assembler has bytes for.
+//! A program is one of `kahan-program`, whose operations name values; lowering leaves fewer kinds
+//! of them, and registers are allocated for these. Machine instructions name registers, and are
+//! what the assembler has bytes for.
 //!
 //! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
 //! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:

@@ -370,8 +370,8 @@ impl Lift {
         &self.embedding
     }
 
-    /// The program that computes the derivatives of the new variables by the states without `t`, one
-    /// variable after the other. The work done since the start has the derivatives 0.
+    /// The program that computes the derivatives of the new variables by the states without `t`,
+    /// one variable after the other. The work done since the start has the derivatives 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);

@@ -11,7 +11,7 @@
 //! | a field, its map, a claim | variables, prepared constants | exact rationals | none |
 //! | the interpreter | places of a slice | rationals with their nearest floats | reciprocals |
 //! | machine code | entries of two arrays | floats | maximum, minimum, roundings |
-//! | a formula of the command or of Python | numbers of names | exact rationals | sin, exp, powers, … |
+//! | formulas of commands and of Python | numbers of names | exact rationals | sin, exp, powers, … |
 //! | first values of a lift | states, parameters | exact rationals | exp, roots, powers, … |
 
 #![no_std]

@@ -59,8 +59,8 @@ where
         needed
     }
 
-    /// Whether operations read only earlier ones, functions of one argument have it twice, and outputs
-    /// are operations.
+    /// Whether operations read only earlier ones, functions of one argument have it twice, and
+    /// outputs are operations.
     #[must_use]
     pub fn is_well_formed(&self) -> bool {
         let operations: &[Operation<I, C, F>] = &self.operations;

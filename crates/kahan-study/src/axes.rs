@@ -1,4 +1,4 @@
-//! What a question goes through, in JSON: an object with the values of each name,
+//! Axes of a question in JSON: an object with the values of each name,
 //! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
 //!
 //! For `#[serde(with = "axes")]` on an [`Entry`], on one that may be absent, and on a list of them.
@@ -44,14 +44,17 @@ impl Entry for Axis {
     }
 }
 
-/// Some entries.
+/// One entry, at most one, or a list of them.
 pub(crate) trait Entries: Sized {
     type Entry: Entry;
 
+    /// The entries in their order.
     fn entries(&self) -> &[Self::Entry];
 
+    /// Makes them of a list.
+    ///
     /// # Errors
-    /// Where these are too few or too many.
+    /// The mistake in words, for a list that is too short or too long.
     fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
 }
 
@@ -108,7 +111,7 @@ pub(crate) fn serialize<T: Entries, S: Serializer>(axes: &T, serializer: S) -> R
 /// Reads an object, in its order; null has no entries.
 ///
 /// # Errors
-/// Where the values of a name are none.
+/// The first mistake, with its place where the deserializer tells places.
 pub(crate) fn deserialize<'de, T: Entries, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     let entries = deserializer.deserialize_any(Object(PhantomData))?;
     T::of(entries).map_err(D::Error::custom)

@@ -59,8 +59,8 @@ impl<'t> TomlDocument<'t> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, from 1 on, of the value at a path of names and of numbers from 0 on; of the
-    /// last value on the way where the path leads out of the document.
+    /// Returns the line, from 1 on, of the value at a path of names and of numbers from 0 on; of
+    /// the last value on the way where the path leads out of the document.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);

@@ -53,8 +53,8 @@ pub enum Spacing {
 
 /// The most values of a range that a text gives.
 const MOST: usize = 100_000;
-/// The most values of an axis of a table: 2^40 − 1 where an index has 64 bits, 2^24 − 1 where it has
-/// 32.
+/// The most values of an axis of a table: 2^40 − 1 where an index has 64 bits, 2^24 − 1 where it
+/// has 32.
 const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {

@@ -559,6 +559,19 @@ fn a_launcher_says_which_shard_this_is() {
 }
 
 #[test]
+fn what_is_usual_is_observed_of_a_field_without_integrals() {
+    let plan = "[subject]\nfield = \"xdot = x - x^2;\"\n[question]\nask = \"observe\"\nsteps = 9\n\
+                over = { x = [0.5, 2], eps = 0.1 }\n";
+    let folder = folder(plan);
+    done(folder.path(), &["--out", "r"]);
+    fs::write(folder.path().join("plan.toml"), plan.replace("steps", "observe = [\"drift\"]\nsteps"))
+        .expect("a plan");
+    let output = sweep(folder.path(), &["--out", "r"]);
+    let said = text(&output.stderr);
+    assert!(output.status.code() == Some(2) && said.contains("plan.toml:5: observe: drift"), "{said}");
+}
+
+#[test]
 fn results_are_read_as_text() {
     const ROWS: &str = r#"
 [subject]

@@ -51,8 +51,21 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// H(x), which the flow keeps and the map does not; it does not compile for a family that claims
-    /// no Hamiltonian.
+    /// H(x), which the flow keeps and the map does not.
+    ///
+    /// A family that claims no Hamiltonian is refused by `cargo build`; `cargo check` passes it.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    /// kahan! { pub struct Decay; for i in periodic { x[i]dot = -x[i]; } }
+    /// assert!(Decay.at(0.1, 4).unwrap().integrals(&[1.0; 4]).is_empty());
+    /// ```
+    ///
+    /// ```compile_fail
+    /// use kahan_core::prelude::*;
+    /// kahan! { pub struct Decay; for i in periodic { x[i]dot = -x[i]; } }
+    /// Decay.at(0.1, 4).unwrap().hamiltonian(&[1.0; 4]);
+    /// ```
     ///
     /// # Panics
     /// If the state is not of this chain's length.

@@ -201,7 +201,8 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// What a claim sums over all sites: the claim with `sum` taken off, as sums are linear.
+/// Returns the density of a claim, whose sum over all sites the claim is: sums are linear, so `sum`
+/// is taken off each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {

@@ -43,10 +43,10 @@
 //!
 //! Two more were measured with them. (2ε)x as εx + εx went (27 steps: 1.00, 0.99, 1.00 and 1.00 in
 //! the mean). A division a component in place of a shared reciprocal is left to fields of one
-//! variable (`PlanBuilder::increment`); it changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84;
-//! 0.93). For Lotka and Volterra's step, compiled for any x86-64 processor, it saved a fifth of the
-//! instructions and 6 % of the time. Ensembles that report how they ended took twice the time with
-//! it: they take the form of single orbits, and two divisions bound the lanes.
+//! variable (`PlanBuilder::increment`); it changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and
+//! 0.84; 0.93). For Lotka and Volterra's step, compiled for any x86-64 processor, it saved a fifth
+//! of the instructions and 6 % of the time. Ensembles that report how they ended took twice the
+//! time with it: they take the form of single orbits, and two divisions bound the lanes.
 
 mod operation;
 

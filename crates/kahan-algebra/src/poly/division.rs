@@ -1,5 +1,5 @@
-//! Exact division: the quotient where there is one, and nothing where there is a remainder; and what
-//! can be taken out of every term, a rational and a monomial.
+//! Exact division: the quotient where there is one, and nothing where there is a remainder; and
+//! what can be taken out of every term, a rational and a monomial.
 //!
 //! Leading terms are divided out one after another; the order is admissible, so the first leading
 //! term that the divisor's does not divide proves that no polynomial quotient exists. Degrees and

@@ -1,7 +1,7 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
-//! It comes from a [`Family`](crate::maps::parametric_field::Family) at values of the parameters, and steps by
-//! elimination on A(x,ε). Removable poles count as poles here: random points meet neither.
+//! A [`Family`](crate::maps::parametric_field::Family) at values of the parameters gives the map,
+//! which steps by elimination on A(x,ε). Removable poles count as poles here: random points meet neither.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::stepping::Stepping;

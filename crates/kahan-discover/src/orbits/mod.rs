@@ -1,5 +1,5 @@
-//! What orbits show: relations along them and how many integrals these stand for, the growth of the
-//! degrees of iterates, and Hirota–Kimura bases.
+//! Searches along orbits: polynomial relations and the number of integrals that they show, the growth
+//! of the degrees of iterates, and Hirota–Kimura bases.
 
 pub mod basis;
 pub mod ceiling;

@@ -1,5 +1,5 @@
-//! Poisson structures: the constant one of the field with its modified Hamiltonians, and brackets that
-//! the map preserves.
+//! Poisson structures: the constant one of the field with its modified Hamiltonians, and brackets
+//! that the map preserves.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;

@@ -159,8 +159,8 @@ impl Search<'_> {
         is_independent
     }
 
-    /// What the relations up to a degree on the orbit of the place say of gradients there; nothing
-    /// where the time is over.
+    /// Returns normals of the relations up to a degree on the orbit through the place, which are
+    /// gradients of integrals there; none where the time is over.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

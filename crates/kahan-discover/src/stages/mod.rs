@@ -44,7 +44,8 @@ pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result
     discover_within(system, options, &work, &|kind, text| work.found(kind, text))
 }
 
-/// The same as a part of other work; `tell` hears the kind and the line of each claim.
+/// Does the work of [`discover`] as a part of other work; `tell` hears the kind and the line of each
+/// claim.
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
@@ -236,7 +237,7 @@ struct Until<'a> {
 }
 
 impl<'a> Until<'a> {
-    /// As much of the time that is left as each had of the whole after the stages before.
+    /// Returns deadlines within the time that is left, in the proportion of the first search.
     fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
         Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }

@@ -21,7 +21,7 @@ use crate::report::{DensitySearch, ModifiedPlace};
 /// gives the density.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
-/// What formulas are looked for with.
+/// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
 pub(super) struct Search<'a> {
     pub(super) searched: &'a SearchField,
     pub(super) field: &'a Field,
@@ -35,14 +35,14 @@ pub(super) struct Search<'a> {
     /// Integrals of the map by the rotation rule.
     pub(super) further: &'a [(Polynomial, Polynomial)],
     pub(super) is_even: bool,
-    /// Where independence is seen.
+    /// The random point at which independence is tested.
     pub(super) place: &'a SampledStep,
-    /// Who hears of a stage that begins, and of a claim that is proved.
+    /// Callbacks that hear of a stage that begins, and of a claim that is proved.
     pub(super) begins: &'a dyn Fn(&str),
     pub(super) tell: &'a dyn Fn(ClaimKind, &str),
 }
 
-/// What was found with the relations of some degree.
+/// The findings from the relations up to some degree.
 pub(super) struct Found {
     pub(super) of: Integrals,
     pub(super) densities: Vec<Formula>,
@@ -54,7 +54,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// How many integrals have a formula, a compact form, or stand in a basis.
+    /// Returns the number of integrals that have a formula or a compact form, or stand in a basis.
     pub(super) fn said(&self) -> usize {
         let Integrals { integrals, bases, modified, .. } = &self.of;
         let in_bases: usize = bases.iter().map(|basis| basis.integrals.len()).sum();

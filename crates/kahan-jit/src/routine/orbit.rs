@@ -53,8 +53,8 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads a register for each result and for each constant of the program, and
-        // writes the results alone, those that are carried to the last state. It is entered by
+        // SAFETY: the code reads a register for each result and for each constant of the program,
+        // and writes the results alone, those that are carried to the last state. It is entered by
         // `Code::orbit`, or if they are carried by `Code::orbit_step`.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })

@@ -75,8 +75,8 @@ impl<T: Float> Sweep<T> {
         let (bytes, extent) = frame.close();
         // SAFETY: for each register of the columns, the code reads and writes one in each of the
         // first `states` columns, and reads a register for each constant of the program from where
-        // the constants are. It is entered by `Code::sweep`, with the width of its registers and the
-        // distance between the constants of one and of the next.
+        // the constants are. It is entered by `Code::sweep`, with the width of its registers and
+        // the distance between the constants of one and of the next.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 

@@ -58,7 +58,7 @@ fn more_results_than_a_straight_line_has_are_refused() {
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
 }
 
-/// Whatever a program reads must stand before it: nothing else has a place.
+/// Operations may read earlier operations only, as later ones have no register yet.
 #[test]
 fn programs_that_read_what_was_not_computed_are_refused() {
     let x = Node(0);

@@ -81,6 +81,9 @@ macro_rules! questions {
         /// The values of `ask`.
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
+        /// The values of `ask` of questions that have rows over axes.
+        const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
+
         impl Question {
             /// Its name, the value of `ask`.
             #[must_use]
@@ -200,12 +203,11 @@ impl Question {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
         };
         let name = name.as_str().unwrap_or_default();
-        match name {
-            // Others have an `over` of their own.
-            "observe" | "evaluate" | "heights" | "discover" if object.contains_key("over") => {
-                Over::read(name, object).map(Self::Over)
-            }
-            _ => Self::alone(name, object),
+        // Other questions have an `over` of their own, or none.
+        if OVER_AXES.contains(&name) && object.contains_key("over") {
+            Over::read(name, object).map(Self::Over)
+        } else {
+            Self::alone(name, object)
         }
     }
 }

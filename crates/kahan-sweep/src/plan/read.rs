@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::columns::{Others, Wanted};
 use kahan_study::number_file::Numbers;
 use kahan_study::{
-    Misread, Observable, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument,
+    Misread, Observable, Over, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument,
     Unwatched, read,
 };
 use serde::Deserialize;
@@ -23,7 +23,7 @@ const MOST_NUMBERS: u64 = 12_000_000;
 /// Parts of a sweep: a file of Parquet numbers its row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
 
-/// What a plan has.
+/// The keys of a plan.
 const KEYS: [&str; 6] = ["seed", "draws", "starts", "subject", "question", "output"];
 /// Names of plans before, and their names now.
 const RENAMED: [(&str, &str); 3] =
@@ -53,7 +53,7 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // These stand at the top of the plan.
+        // Keys of the plan itself have no table before them.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
@@ -69,81 +69,38 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
             now.map_or_else(|| format!("it has {}", KEYS.join(", ")), |(_, now)| format!("write {now}"));
         mistakes.push(mistake(&[name], format!("the plan has no `{name}`; {now}")));
     }
-    let subject = match root.remove("subject") {
-        Some(subject) => {
-            note(read::<Subject>(subject.clone()), "subject", mistakes).map(|own| (own, subject))
-        }
+    let written = root.remove("subject");
+    let subject = match &written {
+        Some(written) => note(read::<Subject>(written.clone()), "subject", mistakes),
         None => {
-            let why = "a plan has a [subject], with name = \"e6\" or field = \"xdot = …;\"";
-            mistakes.push(mistake(&[], why));
+            mistakes
+                .push(mistake(&[], "a plan has a [subject], with name = \"e6\" or field = \"xdot = …;\""));
             None
         }
     };
     let output = root.remove("output").map_or(Ok(Output::default()), read);
     let output = note(output, "output", mistakes);
-    let is_drawn_by = root.contains_key("draws");
+    let has_draws = root.contains_key("draws");
+    let has_observables = root.get("question").is_some_and(|question| question.get("observe").is_some());
     let file = root.remove("starts");
-    let question = match root.remove("question") {
-        Some(Value::Object(mut question)) => {
-            question.entry("over").or_insert_with(|| Map::new().into());
-            for key in ["seed", "draws"] {
-                question.extend(root.remove(key).map(|value| (key.to_owned(), value)));
-            }
-            note(Question::read(question), "question", mistakes)
-        }
-        Some(_) => {
-            mistakes
-                .push(mistake(&["question"], "`question` is a table; write [question] on a line of its own"));
-            None
-        }
-        None => {
-            let why = "a plan has a [question], with ask = \"observe\", \"heights\", \"evaluate\" or \"discover\", and [question.over]";
-            mistakes.push(mistake(&[], why));
-            None
-        }
-    };
-    let (subject, written) = subject?;
-    let study = subject.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
+    let question = question(root, mistakes);
+    let written = written?;
+    let study = subject?.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
     let study = study.map_err(|why| mistakes.push(of_subject(&why, &written))).ok()?;
-    let (mut question, output) = (question?, output?);
-    let Question::Over(over) = &mut question else {
-        let why = format!(
-            "`{}` has no rows over axes; there are observe, heights, evaluate, discover",
-            question.name()
-        );
-        mistakes.push(mistake(&["question", "ask"], why));
-        return None;
-    };
+    let (mut over, output) = (question?, output?);
     if let Some(file) = file {
         let points = starts(&file, origin, &study, &over.question);
         over.starts = points.map_err(|why| mistakes.push(mistake(&["starts"], why))).ok()?;
     }
-    for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
-        if over.over.iter().any(|axis| axis.name == *name) {
-            let why = format!("`{name}` stands under [subject.params], too; leave it out of one");
-            mistakes.push(mistake(&["question", "over", name], why));
-        }
-    }
-    let is_drawn = over.over.iter().any(|axis| matches!(axis.through, Through::Drawn { .. }));
-    if is_drawn && !is_drawn_by {
-        mistakes.push(mistake(
-            &["question", "over"],
-            "axes are drawn; say how many points by draws = 1000 at the top of the plan",
-        ));
-    } else if is_drawn_by && !is_drawn {
-        mistakes.push(mistake(&["draws"], "no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }"));
-    }
-    if let Question::Observe(asked) = &mut *over.question {
-        asked.observe = asked.observables();
-        if asked.observe.contains(&Observable::Drift) && study.field().integrals().is_empty() {
-            let why = "observe: drift is that of integrals, and the field claims none";
-            mistakes.push(mistake(&["question", "observe"], why));
-        }
+    contradictions(&over, (&written, has_draws), mistakes);
+    if has_observables {
+        no_drift(&over, &study, mistakes);
     }
     if !mistakes.is_empty() {
         return None;
     }
     let points = over.cells(&study);
+    let question = Question::Over(over);
     let mut empty = Table::default();
     // No rows, and so their columns alone.
     let asked = study.rows(&question, 0..0, &mut empty, &Unwatched);
@@ -156,7 +113,75 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     Some(plan)
 }
 
-/// Why there is no study of a subject, at the value that is at fault.
+/// Reads the question, with the seed and the number of draws that stand at the top of the plan.
+fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Option<Over> {
+    let mut question = match root.remove("question") {
+        Some(Value::Object(question)) => question,
+        Some(_) => {
+            let why = "`question` is a table; write [question] on a line of its own";
+            mistakes.push(mistake(&["question"], why));
+            return None;
+        }
+        None => {
+            let why = "a plan has a [question], with ask = \"observe\", \"heights\", \"evaluate\" or \"discover\", and [question.over]";
+            mistakes.push(mistake(&[], why));
+            return None;
+        }
+    };
+    question.entry("over").or_insert_with(|| Map::new().into());
+    for key in ["seed", "draws"] {
+        question.extend(root.remove(key).map(|value| (key.to_owned(), value)));
+    }
+    match note(Question::read(question), "question", mistakes)? {
+        Question::Over(mut over) => {
+            if let Question::Observe(asked) = &mut *over.question {
+                asked.observe = asked.observables();
+            }
+            Some(over)
+        }
+        other => {
+            let why = format!(
+                "`{}` has no rows over axes; there are observe, heights, evaluate, discover",
+                other.name()
+            );
+            mistakes.push(mistake(&["question", "ask"], why));
+            None
+        }
+    }
+}
+
+/// Notes parameters that the `written` subject gives values, too, and draws without a drawn axis or
+/// the other way round.
+fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
+    for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
+        if over.over.iter().any(|axis| axis.name == *name) {
+            let why = format!("`{name}` stands under [subject.params], too; leave it out of one");
+            mistakes.push(mistake(&["question", "over", name], why));
+        }
+    }
+    match (over.over.iter().any(|axis| matches!(axis.through, Through::Drawn { .. })), has_draws) {
+        (true, false) => {
+            let why = "axes are drawn; say how many points by draws = 1000 at the top of the plan";
+            mistakes.push(mistake(&["question", "over"], why));
+        }
+        (false, true) => {
+            let why = "no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }";
+            mistakes.push(mistake(&["draws"], why));
+        }
+        _ => {}
+    }
+}
+
+/// Notes drifts that are asked for by name where the field claims no integral.
+fn no_drift(over: &Over, study: &Study, mistakes: &mut Vec<Misread>) {
+    let Question::Observe(asked) = &*over.question else { return };
+    if asked.observe.contains(&Observable::Drift) && study.field().integrals().is_empty() {
+        let why = "observe: drift is that of integrals, and the field claims none";
+        mistakes.push(mistake(&["question", "observe"], why));
+    }
+}
+
+/// Returns the mistake of a subject that cannot be studied, at the value that is at fault.
 fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
     let said = said.trim_start_matches("error: ").trim_end();
@@ -167,7 +192,7 @@ fn of_subject(why: &StudyError, written: &Value) -> Misread {
     }
 }
 
-/// Why a question has no rows, at the value that is at fault.
+/// Returns the mistake of a question without rows, at the value that is at fault.
 fn of_question(why: &StudyError) -> Misread {
     match why {
         StudyError::UnknownAxis { name, .. }
@@ -200,7 +225,7 @@ fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result
     points.map_err(|why| format!("starts: {} {why}", path.display()))
 }
 
-/// Which rows are written where, and which of their columns.
+/// The rows of a part, and the columns that are written.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Output {
@@ -237,7 +262,8 @@ impl Output {
     }
 }
 
-/// What would not fit into memory, or into a file.
+/// Returns the mistake of a part that would not fit into memory, or of parts that would not fit into
+/// a file.
 fn too_large(plan: &Plan) -> Option<Misread> {
     let columns = plan.empty.columns.len() as u64;
     let most = MOST_NUMBERS / columns.max(1);

@@ -13,7 +13,7 @@ pub(in crate::plan) struct Candidate {
     pub(in crate::plan) builder: PlanBuilder,
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
-    /// What is compared.
+    /// The measure by which candidates are compared.
     pub(in crate::plan) price: u64,
     /// Operations from a state to the next, which bound the time of many orbits at once.
     pub(in crate::plan) operations: usize,

@@ -170,8 +170,8 @@ impl StepPlan {
 }
 
 impl PlanBuilder {
-    /// Divides the increment of a single variable at once, x̃ = x ± 2εn/d: returns the numerator over
-    /// the divisor of this reciprocal ±1/d or ±2/d; `None` for another one.
+    /// Divides the increment of a single variable at once, x̃ = x ± 2εn/d: returns the numerator
+    /// over the divisor of this reciprocal ±1/d or ±2/d; `None` for another one.
     ///
     /// A reciprocal that is shared by several components costs one division for all of them. A
     /// single component gains nothing by it: the multiplication that follows would be on the way

@@ -273,20 +273,20 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// What a prepared constant that was rounded more than once costs, in operations.
+/// The cost of a prepared constant that was rounded more than once, in operations.
 pub(in crate::plan) const DERIVED: usize = 3;
 
-/// When the sum of values is ready, the earliest two added first.
+/// Returns the time at which the sum of values is ready, the earliest two added first.
 fn gathered(ready: &[u32]) -> u32 {
     combined(ready.to_vec(), ADD)
 }
 
-/// When the product of values is ready, the earliest two multiplied first.
+/// Returns the time at which the product of values is ready, the earliest two multiplied first.
 fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-/// When one value is left of these, two becoming one after so many cycles.
+/// Returns the time at which one value is left of these, where two become one after `latency` cycles.
 fn combined(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     // The earliest two stand last.

@@ -22,8 +22,8 @@
 //! over R, where Ψ has degree dₖ. If a point of a line has a k-th image modulo the prime, then the
 //! reduced Φᵏ is not zero there, nor is H, so the reduced Ψ gives this image. On the line these
 //! images are rational functions of degree at most dₖ. Thiele's continued fraction of a function of
-//! degree d ends after at most 2d coefficients. Hence each of [`degrees`](crate::orbits::degrees::degrees)
-//! is at most the true degree, whatever was sampled.
+//! degree d ends after at most 2d coefficients. Hence each of
+//! [`degrees`](crate::orbits::degrees::degrees) is at most the true degree, whatever was sampled.
 //!
 //! **Stability** (dₖ = 2ᵏ for all k) is proved in `stability`.
 //!
