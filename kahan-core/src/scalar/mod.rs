@@ -41,7 +41,7 @@ pub(crate) use operators::assignments;
 pub(crate) use operators::operators;
 #[cfg(feature = "std")]
 pub(crate) use wide::{Capacity, Long, level_row};
-pub(crate) use wide::{Size, Wide, significand};
+pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///

@@ -1,190 +1,223 @@
-//! Decimals: the digits of a number, and the number of digits.
+//! Decimals: the digits of a number and the number of digits.
 //!
-//! In: text, or a pair of floats. Out: each other, exactly; text of any length is read as if all
-//! its digits counted. `core` finds the float of some digits. Nothing here allocates.
+//! In: text, or a fixed-point number. Out: each other, exactly; text of any length is read as if
+//! all its digits counted. Nothing here allocates.
 
-use core::fmt::{self, Write};
 use core::num::ParseFloatError;
 use core::str::FromStr;
 
 use super::Dd;
-use crate::scalar::significand;
+use super::fixed::{Fixed, HALF};
 
-/// Places before the point; the largest numbers have 309 digits there, and one more may be carried.
-const BEFORE: usize = 310;
+/// Digits in a chunk.
+const CHUNK: usize = 19;
 
-/// Places in all. No float, and no tie between two of them, has a digit beyond 1075 places behind
-/// the point; a digit at the last place here stands for all digits that are farther behind.
-const PLACES: usize = BEFORE + 1077;
+/// 10¹⁹.
+const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// Decimal digits of a chunk of a number, and what one more chunk is worth.
-const CHUNK: usize = 18;
-const CHUNK_BASE: u128 = 1_000_000_000_000_000_000;
+/// More digits than a sum of two `f64`, or a tie between two of them, can have: 309 before the
+/// point and 1075 behind it.
+const CAPACITY: usize = 1444;
 
-/// Chunks of the significant digits of a float; none has more than 767.
-const CHUNKS: usize = 767_usize.div_ceil(CHUNK);
+/// The powers of ten of `f64` go down to −324.
+const LEADING_ZEROS: usize = 342;
 
-/// Σ digits\[k\]·10^(BEFORE − 1 − k), each digit from 0 to 9.
+/// 0.d₁d₂…·10^exponent, d₁ and the last digit not 0; no digits for 0.
 pub(super) struct Decimal {
-    digits: [i8; PLACES],
-    /// The place of the first digit other than 0, and the one behind the last; both are `BEFORE`
-    /// for 0. Before digits are carried there may be zeros.
-    start: usize,
-    end: usize,
+    digits: [u8; CAPACITY],
+    length: usize,
+    pub(super) exponent: i64,
+    /// Whether digits other than 0 did not fit.
+    is_cut: bool,
 }
 
 impl Decimal {
-    const ZERO: Self = Self { digits: [0; PLACES], start: BEFORE, end: BEFORE };
+    const ZERO: Self = Self { digits: [0; CAPACITY], length: 0, exponent: 0, is_cut: false };
 
-    /// Every digit of |x|, for a finite x.
-    pub(super) fn of(x: Dd) -> Self {
+    /// The digits.
+    pub(super) fn digits(&self) -> &[u8] {
+        &self.digits[..self.length]
+    }
+
+    /// Every digit of a number.
+    pub(super) fn of(number: &Fixed) -> Self {
         let mut decimal = Self::ZERO;
-        decimal.add_float(1, x.high);
-        let is_same_sign = x.high.is_sign_negative() == x.low.is_sign_negative();
-        decimal.add_float(if is_same_sign { 1 } else { -1 }, x.low);
-        decimal.settle();
+        let (fraction, integer) = number.limbs.split_at(HALF);
+        let mut chunks = [0; HALF + 1];
+        let count = integer_chunks(integer, &mut chunks);
+        for &chunk in chunks[..count].iter().rev() {
+            decimal.push_chunk(chunk);
+        }
+        // What was pushed stands before the point.
+        decimal.exponent += (CHUNK * count) as i64;
+        let mut limbs = [0; HALF];
+        limbs.copy_from_slice(fraction);
+        while limbs.iter().any(|&limb| limb != 0) {
+            decimal.push_chunk(next_chunk(&mut limbs));
+        }
+        decimal.trim();
         decimal
     }
 
-    /// The digits, from the first one other than 0 to the last.
-    pub(super) fn digits(&self) -> impl ExactSizeIterator<Item = char> {
-        self.digits[self.start..self.end].iter().map(|digit| char::from(b'0' + digit.unsigned_abs()))
-    }
-
-    /// The power of ten of the number 0.d₁d₂…·10^exponent.
-    pub(super) fn exponent(&self) -> i64 {
-        BEFORE as i64 - self.start as i64
-    }
-
-    /// Adds sign·|x|, for a finite x, without carrying.
-    fn add_float(&mut self, sign: i8, x: f64) {
-        let (odd, exponent) = significand(x.abs());
-        let zeros = if odd == 0 { 0 } else { odd.trailing_zeros() };
-        let exponent = exponent + i64::from(zeros);
-        // Powers below a chunk: n·2⁻ᵏ is n·5ᵏ·10⁻ᵏ.
-        let (base, most) = if exponent < 0 { (5_u64, 25) } else { (2, 59) };
-        let mut chunks = [0; CHUNKS];
-        chunks[0] = odd as u64 >> zeros;
-        let (mut used, mut left) = (1, exponent.unsigned_abs() as u32);
-        while left > 0 && odd != 0 {
-            let power = u128::from(base.pow(left.min(most)));
-            left -= left.min(most);
-            let mut carry = 0;
-            for chunk in &mut chunks[..used] {
-                let product = u128::from(*chunk) * power + carry;
-                *chunk = (product % CHUNK_BASE) as u64;
-                carry = product / CHUNK_BASE;
-            }
-            if carry > 0 {
-                chunks[used] = carry as u64;
-                used += 1;
-            }
-        }
-        let last = BEFORE - 1 + exponent.min(0).unsigned_abs() as usize;
-        for (i, &chunk) in chunks[..used].iter().enumerate() {
-            let (mut rest, mut place) = (chunk, last - CHUNK * i);
-            while rest > 0 {
-                self.digits[place] += sign * (rest % 10) as i8;
-                self.start = self.start.min(place);
-                self.end = self.end.max(place + 1);
-                (rest, place) = (rest / 10, place.saturating_sub(1));
-            }
+    /// Nineteen digits more; zeros that lead move the point instead.
+    fn push_chunk(&mut self, mut chunk: u64) {
+        let mut power = CHUNK_BASE / 10;
+        while power != 0 {
+            self.push((chunk / power) as u8);
+            chunk %= power;
+            power /= 10;
         }
     }
 
-    /// Adds sign times a number that `f64` accepts and is finite, its own sign aside, without
-    /// carrying.
-    fn add(&mut self, sign: i8, text: &str) {
-        let text = text.trim_start_matches(['+', '-']);
-        let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        let exponent: i64 =
-            exponent.parse().expect("beyond 64 bits of exponent every number is 0 or infinite");
-        let whole = significand.find('.').unwrap_or(significand.len());
-        let first = BEFORE as i64 - whole as i64 - exponent;
-        let digits = significand.bytes().filter(|character| *character != b'.');
-        for (place, digit) in (first..).zip(digits.map(|character| (character - b'0').cast_signed())) {
-            // Zeros may lead where there is no place.
-            if digit != 0 {
-                let place = (place as usize).min(PLACES - 1);
-                if place < PLACES - 1 {
-                    self.digits[place] += sign * digit;
-                } else {
-                    self.digits[place] = sign;
-                }
-                self.start = self.start.min(place);
-                self.end = self.end.max(place + 1);
-            }
+    fn push(&mut self, digit: u8) {
+        if self.length == 0 && digit == 0 {
+            self.exponent -= 1;
+        } else if self.length < CAPACITY {
+            self.digits[self.length] = digit;
+            self.length += 1;
+        } else {
+            self.is_cut |= digit != 0;
         }
     }
 
-    /// Carries, and changes the sign of a number below zero; returns whether it was one.
-    fn settle(&mut self) -> bool {
-        let from = self.start.saturating_sub(1);
-        let digits = &mut self.digits[from..self.end];
-        // All digits behind the first are less than a unit of it.
-        let is_negative = digits.iter().find(|digit| **digit != 0).is_some_and(|digit| *digit < 0);
-        let mut carry = 0;
-        for digit in digits.iter_mut().rev() {
-            let sum = carry + if is_negative { -*digit } else { *digit };
-            carry = sum.div_euclid(10);
-            *digit = sum.rem_euclid(10);
+    fn trim(&mut self) {
+        while self.length > 0 && self.digits[self.length - 1] == 0 {
+            self.length -= 1;
         }
-        let place = |found: Option<usize>| found.map(|place| from + place);
-        let last = place(digits.iter().rposition(|digit| *digit != 0));
-        self.start = place(digits.iter().position(|digit| *digit != 0)).unwrap_or(BEFORE);
-        self.end = last.map_or(BEFORE, |last| last + 1);
-        is_negative
+        if self.length == 0 {
+            self.exponent = 0;
+        }
     }
 
-    /// Rounds to `count` digits, ties to even. A negative count, which is no less than the negative
-    /// [`exponent`](Self::exponent), leaves nothing.
+    /// Rounds to `count` digits, ties to even; a negative count leaves nothing.
     pub(super) fn round(&mut self, count: i64) {
-        let end = self.start as i64 + count;
-        if end >= self.end as i64 {
+        let Ok(count) = usize::try_from(count) else {
+            *self = Self::ZERO;
+            return;
+        };
+        if count >= self.length {
             return;
         }
-        let end = end as usize;
-        let (next, last) = (self.digits[end], self.digits[end - 1]);
+        let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
         // The last digit is not 0, so more than one digit is more than a tie.
-        let goes_up = next > 5 || next == 5 && (self.end > end + 1 || last % 2 == 1);
-        self.digits[end - 1] += i8::from(goes_up);
-        self.digits[end..self.end].fill(0);
-        self.settle();
+        let has_rest = self.length > count + 1 || self.is_cut;
+        let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
+        self.length = count;
+        if goes_up {
+            while self.length > 0 && self.digits[self.length - 1] == 9 {
+                self.length -= 1;
+            }
+            if self.length == 0 {
+                self.digits[0] = 0;
+                self.length = 1;
+                self.exponent += 1;
+            }
+            self.digits[self.length - 1] += 1;
+        }
+        self.trim();
     }
 
-    /// The nearest float, ties to even.
-    fn to_float(&self) -> f64 {
-        let mut text = Text::EMPTY;
-        let power = self.exponent() - (self.end - self.start) as i64;
-        self.digits()
-            .try_for_each(|digit| text.write_char(digit))
-            .and_then(|()| write!(text, "0e{}", power - 1))
-            .expect("there is room for all places");
-        text.as_str().parse().expect("digits and an exponent are a number")
+    /// The digits of a number that `f64` accepts, sign aside.
+    fn read(text: &str) -> Self {
+        let text = text.trim_start_matches(['+', '-']);
+        let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let mut decimal = Self::ZERO;
+        let mut is_fraction = false;
+        for character in significand.bytes() {
+            match character {
+                b'.' => is_fraction = true,
+                digit => {
+                    decimal.push(digit - b'0');
+                    decimal.exponent += i64::from(!is_fraction);
+                }
+            }
+        }
+        let exponent = exponent.parse().expect("beyond 64 bits of exponent every number is 0 or infinite");
+        decimal.exponent = decimal.exponent.saturating_add(exponent);
+        decimal.trim();
+        decimal
+    }
+
+    /// The number, cut at the last place of a fixed-point number, and whether anything was cut off.
+    /// It is finite and not 0 as an `f64`.
+    fn to_fixed(&self) -> (Fixed, bool) {
+        let digit =
+            |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
+        let chunk = |first: i64| {
+            (first..first + CHUNK as i64)
+                .fold(0, |chunk, place| 10 * chunk + u64::from(digit(place).unwrap_or(0)))
+        };
+        let mut fixed = Fixed::ZERO;
+        let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
+        // Whole chunks before the point, the first of them filled with zeros on its left.
+        let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
+        while first < self.exponent {
+            append_chunk(integer, chunk(first));
+            first += CHUNK as i64;
+        }
+        const CHUNKS: usize = (CAPACITY + LEADING_ZEROS) / CHUNK + 1;
+        let mut chunks = [0; CHUNKS];
+        let behind = (self.length as i64 - self.exponent).max(0) as usize;
+        let used = behind.div_ceil(CHUNK).min(CHUNKS);
+        for (i, entry) in chunks[..used].iter_mut().enumerate() {
+            *entry = chunk(self.exponent + (CHUNK * i) as i64);
+        }
+        for limb in fraction.iter_mut().rev() {
+            *limb = next_limb(&mut chunks[..used]);
+        }
+        let has_more = self.is_cut || chunks.iter().any(|&chunk| chunk != 0);
+        (fixed, has_more)
     }
 }
 
-/// Digits, a point and an exponent as text.
-struct Text {
-    bytes: [u8; PLACES + 16],
-    length: usize,
+/// The chunks of an integer, least first, and how many there are.
+fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
+    let mut limbs = [0; HALF];
+    limbs.copy_from_slice(integer);
+    let mut count = 0;
+    while limbs.iter().any(|&limb| limb != 0) {
+        let mut remainder = 0;
+        for limb in limbs.iter_mut().rev() {
+            let dividend = u128::from(remainder) << 64 | u128::from(*limb);
+            *limb = (dividend / u128::from(CHUNK_BASE)) as u64;
+            remainder = (dividend % u128::from(CHUNK_BASE)) as u64;
+        }
+        chunks[count] = remainder;
+        count += 1;
+    }
+    count
 }
 
-impl Text {
-    const EMPTY: Self = Self { bytes: [0; PLACES + 16], length: 0 };
-
-    fn as_str(&self) -> &str {
-        str::from_utf8(&self.bytes[..self.length]).expect("whole strings were written")
+/// integer·10¹⁹ + chunk.
+fn append_chunk(integer: &mut [u64], chunk: u64) {
+    let mut carry = chunk;
+    for limb in integer {
+        let product = u128::from(*limb) * u128::from(CHUNK_BASE) + u128::from(carry);
+        *limb = product as u64;
+        carry = (product >> 64) as u64;
     }
 }
 
-impl Write for Text {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let free = self.bytes[self.length..].get_mut(..text.len()).ok_or(fmt::Error)?;
-        free.copy_from_slice(text.as_bytes());
-        self.length += text.len();
-        Ok(())
+/// The first nineteen decimal digits of a binary fraction, which keeps the rest.
+fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
+    let mut carry = 0;
+    for limb in fraction {
+        let product = u128::from(*limb) * u128::from(CHUNK_BASE) + u128::from(carry);
+        *limb = product as u64;
+        carry = (product >> 64) as u64;
     }
+    carry
+}
+
+/// The first 64 bits of a decimal fraction, which keeps the rest.
+fn next_limb(fraction: &mut [u64]) -> u64 {
+    let mut carry = 0;
+    for chunk in fraction.iter_mut().rev() {
+        let product = u128::from(*chunk) << 64 | u128::from(carry);
+        carry = (product / u128::from(CHUNK_BASE)) as u64;
+        *chunk = (product % u128::from(CHUNK_BASE)) as u64;
+    }
+    carry
 }
 
 /// A number as `f64` reads it, also `inf` and `NaN`: high is the float nearest to it, low the float
@@ -199,11 +232,16 @@ impl FromStr for Dd {
         if !high.is_finite() || high == 0.0 {
             return Ok(Self::leading(high));
         }
-        let mut rest = Decimal::ZERO;
-        rest.add(1, text);
-        rest.add_float(-1, high);
-        let is_below = rest.settle();
-        let low = rest.to_float();
-        Ok(Self { high, low: if is_below == high.is_sign_negative() { low } else { -low } })
+        let (number, has_more) = Decimal::read(text).to_fixed();
+        let leading = Fixed::magnitude(high);
+        let low = if number.is_less(&leading) {
+            let rest = leading.minus(&number);
+            // leading − (number + more) lies between two places.
+            let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
+            -rest.rounded(has_more)
+        } else {
+            number.minus(&leading).rounded(has_more)
+        };
+        Ok(Self { high, low: if high.is_sign_negative() { -low } else { low } })
     }
 }

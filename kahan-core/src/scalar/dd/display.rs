@@ -8,6 +8,7 @@ use core::fmt::{self, Alignment, Formatter, Write};
 
 use super::Dd;
 use super::decimal::Decimal;
+use super::fixed::Fixed;
 
 /// The significant digits that are written unless a precision is given.
 const DIGITS: i64 = 32;
@@ -21,12 +22,12 @@ impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
         self.write_padded(f, |mut decimal, out| {
-            decimal.round(precision.map_or(DIGITS, |places| decimal.exponent() + places));
+            decimal.round(precision.map_or(DIGITS, |places| decimal.exponent + places));
             if precision.is_some()
-                || decimal.digits().len() == 0
-                || POSITIONAL.contains(&(decimal.exponent() - 1))
+                || decimal.digits().is_empty()
+                || POSITIONAL.contains(&(decimal.exponent - 1))
             {
-                write_positional(&decimal, decimal.exponent(), precision, out)
+                write_positional(&decimal, precision, out)
             } else {
                 write_scientific(&decimal, precision, out)
             }
@@ -66,7 +67,7 @@ impl Dd {
         let body = |out: &mut dyn Write| match self.high {
             high if high.is_nan() => out.write_str("NaN"),
             high if high.is_infinite() => out.write_str("inf"),
-            _ => write(Decimal::of(self), out),
+            _ => write(Decimal::of(&Fixed::magnitude_of(self)), out),
         };
         let sign = match (self.is_nan(), self.high.is_sign_negative(), f.sign_plus()) {
             (true, ..) | (_, false, false) => "",
@@ -115,19 +116,15 @@ fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
 /// The digits at these places, zeros where there are none.
 fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
     for place in places {
-        let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().nth(place));
-        out.write_char(digit.unwrap_or('0'))?;
+        let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));
+        out.write_char(char::from(b'0' + digit.copied().unwrap_or(0)))?;
     }
     Ok(())
 }
 
-/// Digits with the point behind the first `point` of them: 12.5, 0.001
-fn write_positional(
-    decimal: &Decimal,
-    point: i64,
-    precision: Option<i64>,
-    out: &mut dyn Write,
-) -> fmt::Result {
+/// 12.5
+fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
+    let point = decimal.exponent;
     if point > 0 {
         write_digits(decimal, 0..point, out)?;
     } else {
@@ -143,7 +140,12 @@ fn write_positional(
 
 /// 1.25e1
 fn write_scientific(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
-    write_positional(decimal, 1, precision, out)?;
-    let exponent = if decimal.digits().len() == 0 { 0 } else { decimal.exponent() - 1 };
+    write_digits(decimal, 0..1, out)?;
+    let end = precision.map_or(decimal.digits().len() as i64, |places| 1 + places);
+    if end > 1 {
+        out.write_char('.')?;
+        write_digits(decimal, 1..end, out)?;
+    }
+    let exponent = if decimal.digits().is_empty() { 0 } else { decimal.exponent - 1 };
     write!(out, "e{exponent}")
 }

@@ -4,7 +4,8 @@
 //! with errors of a few u², u = 2⁻⁵³, each bound stated where the operation is; overflow is
 //! infinite, never a finite lie. `arithmetic` holds the operations, on top of `error_free`;
 //! `extremes` what they do beyond their range; `elementary` the functions; `decimal` and `display`
-//! are exact. The exponent range is that of `f64`: more digits, no larger numbers.
+//! are exact, through `fixed`. The exponent range is that
+//! of `f64`: more digits, no larger numbers.
 
 mod arithmetic;
 mod decimal;
@@ -12,6 +13,7 @@ mod display;
 mod elementary;
 mod error_free;
 mod extremes;
+mod fixed;
 mod moderate;
 mod operators;
 mod traits;

@@ -39,7 +39,6 @@ use num_traits::Zero;
 pub(crate) use long::{Capacity, Long, level_row};
 pub(crate) use size::Size;
 
-pub(crate) use rows::significand;
 use rows::{DigitRow, leading, size_of};
 
 /// What judges a step: numbers of 17 digits of 64 bits.

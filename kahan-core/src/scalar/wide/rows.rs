@@ -276,7 +276,7 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
 }
 
 /// A finite float as an integer times a power of two.
-pub(crate) fn significand(x: f64) -> (i64, i64) {
+pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
     // Subnormal numbers have no hidden bit, and the exponent of the least normal ones.
