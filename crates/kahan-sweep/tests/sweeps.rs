@@ -372,6 +372,11 @@ fn every_mistake_of_a_plan_is_told_with_its_line() {
         (("a2 = -3", "a2 = -3\na3 = 1"), "leave it out of one"),
         (("draws = 40\n", ""), "draws = 1000"),
         (("draws = 40", "draws = 4294967297"), "x: Sobol's sequence has 4294967296 points"),
+        (
+            ("steps = 50", "steps = 50\nscalar = \"f32\""),
+            "`scalar` goes through values: it stands in [question.over]",
+        ),
+        (("order = [2, 4]", "order = { from = 2, to = 4, step = 2 }"), "a range is a text"),
         (("order = [2, 4]", "order = [2, 3]"), "order: 3 is none of 2, 4, 6, 8"),
         (("\"drift\"", "\"drifts\""), "observe: unknown variant `drifts`"),
         (("rows_per_part = 97", "rows_per_part = 97000000"), "rows_per_part is at most"),

@@ -84,6 +84,10 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let has_observables = root.get("question").is_some_and(|question| question.get("observe").is_some());
     let file = root.remove("starts");
     let question = question(root, mistakes);
+    // A table under its name before is not missing besides.
+    if RENAMED.iter().any(|(before, _)| root.contains_key(*before)) {
+        mistakes.retain(|mistake| !mistake.path.is_empty());
+    }
     let written = written?;
     let study = subject?.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
     let study = study.map_err(|why| mistakes.push(of_subject(&why, &written))).ok()?;
@@ -128,6 +132,17 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
             return None;
         }
     };
+    let several = ["order", "scalar"].map(|name| (name, question.get(name)));
+    if let Some((name, _)) = several
+        .into_iter()
+        .find(|(name, value)| value.is_some_and(|value| value.is_array() || *name == "scalar"))
+    {
+        mistakes.push(mistake(
+            &["question", name],
+            format!("`{name}` goes through values: it stands in [question.over]"),
+        ));
+        return None;
+    }
     question.entry("over").or_insert_with(|| Map::new().into());
     for key in ["seed", "draws"] {
         question.extend(root.remove(key).map(|value| (key.to_owned(), value)));

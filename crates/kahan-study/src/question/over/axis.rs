@@ -100,7 +100,9 @@ impl Entry for Varied {
                 Through::Range(Range::of_table(&text).map_err(|why| why.to_string())?)
             }
             Value::Object(_) => {
-                let Drawn { draw, low, high } = serde_json::from_value(value).map_err(wrong)?;
+                let drawn = serde_json::from_value(value).map_err(wrong);
+                let Drawn { draw, low, high } =
+                    drawn.map_err(|why| format!("{why}; a range is a text, as \"0:1:11\""))?;
                 Through::Drawn { source: draw, low, high }
             }
             value => Through::List(Vec::of_json(&Value::Array(list(value)))?),
