@@ -18,7 +18,7 @@ from ._errors import FieldError, Mistake, SingularStep
 from ._files import read
 from ._formula import Formula
 from ._kahan import __version__
-from ._lattice import Lattice
+from ._lattice import Lattice, LatticeOrbit
 from ._lifted import Lifted
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
 from ._sindy import from_sindy
@@ -33,6 +33,7 @@ __all__ = [
     "FieldError",
     "Formula",
     "Lattice",
+    "LatticeOrbit",
     "Lifted",
     "Mistake",
     "Orbit",

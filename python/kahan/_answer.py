@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ._errors import unknown
+import numpy as np
 
-__all__ = ["Answer"]
+from ._errors import needed, unknown
+
+__all__ = ["Answer", "Settings"]
 
 
 class Answer(Mapping[str, Any]):
@@ -42,6 +44,29 @@ class Answer(Mapping[str, Any]):
     def __repr__(self) -> str:
         lines = [f"  {name} = {_short(repr(value))}" for name, value in self.items()]
         return "\n".join([f"{type(self).__name__}:", *lines])
+
+
+class Settings(list[dict[str, Any]]):
+    """Rows of one answer with the same names: a list of them, whose columns are entries, ``settings["eps"]``."""
+
+    def columns(self) -> dict[str, Any]:
+        """The columns by name, as arrays."""
+        return {name: np.array([row[name] for row in self]) for name in self.keys()}
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(self[0]) if self else []
+
+    def __getitem__(self, place: Any) -> Any:
+        if not isinstance(place, str):
+            return super().__getitem__(place)
+        if place not in self.keys():
+            raise KeyError(unknown("column", place, self.keys()))
+        return self.columns()[place]
+
+    def to_pandas(self) -> Any:
+        """A data frame of the rows. Needs pandas."""
+        return needed("pandas").DataFrame(list(self))
 
 
 def _short(text: str) -> str:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._arrays import named
-from ._errors import spelled
-from ._exact import Number, half_step
+from ._errors import Named, needed, spelled
+from ._exact import Number, half_step, nearest, whole
 from ._kahan import Chain
-from ._orbit import Array
+from ._orbit import Array, Frame, _end
+from ._progress import listener
 
-__all__ = ["Lattice"]
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["Lattice", "LatticeOrbit"]
 
 
 @spelled
@@ -22,7 +27,8 @@ class Lattice(Chain):
 
     ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's
     parameters: a number each, or one a site. A state has a row a site, with a column for each of
-    ``arrays``; of one array it may be a list of the sites.
+    ``arrays``; of one array it may be a list of the sites. Arrays of states, with more axes before those, are
+    advanced state by state.
 
     >>> import kahan, numpy as np
     >>> ring = kahan.Lattice("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }", 100, eps=0.01)
@@ -53,17 +59,131 @@ class Lattice(Chain):
     def __repr__(self) -> str:
         return f"<Lattice of {self.sites} sites: {', '.join(self.arrays)}>"
 
+    def _alone(self, state: Any) -> tuple[Array, int]:
+        """The state or states, with the number of axes that one state has."""
+        states = np.array(named(state, self, "state"), dtype=float)
+        pair = (self.sites, len(self.arrays))
+        return states, 1 if len(self.arrays) == 1 and states.shape[-2:] != pair and states.shape[-1:] == pair[:1] else 2
+
     def step(self, state: Any) -> Array:
         """The state one time step of 2 eps later."""
         return self.advance(state, 1)
 
-    def invariants(self, state: Any) -> dict[str, float]:
-        """What the family claims, at a state: integrals, the Hamiltonian, and the energy that the map keeps."""
-        return dict(self._sums(state))
+    def advance(self, state: Any, steps: int = 1, *, progress: bool = False) -> Array:  # type: ignore[override]
+        """The state so many steps later, of the shape that it has; NaN where it has no finite value."""
+        states, axes = self._alone(state)
+        if states.ndim <= axes:
+            return super().advance(states, whole(steps, "steps"), listener=listener(progress))
+        each = states.reshape(-1, *states.shape[-axes:])
+        return np.array([self.advance(one, steps, progress=progress) for one in each]).reshape(states.shape)
 
-    def orbit(self, state: Any, steps: int, *, every: int = 1) -> Array:
-        """The states after 0, every, 2 every, ... steps: an axis more than a state has."""
-        states = [np.array(named(state, self, "state"), dtype=float)]
-        for _ in range(steps // every):
-            states.append(self.advance(states[-1], every))
-        return np.array(states)
+    def invariants(self, state: Any) -> dict[str, Any]:
+        """What the family claims, at a state: integrals, the Hamiltonian, and the energy that the map keeps.
+
+        Of arrays of states each is an array.
+        """
+        states, axes = self._alone(state)
+        if states.ndim <= axes:
+            return dict(self._sums(states))
+        each = [dict(self._sums(one)) for one in states.reshape(-1, *states.shape[-axes:])]
+        return {name: np.array([one[name] for one in each]).reshape(states.shape[:-axes]) for name in each[0]} if each else {}
+
+    def orbit(self, state: Any, steps: int, *, every: int = 1, progress: bool = False) -> LatticeOrbit:
+        """The states after 0, ``every``, 2 ``every``, … steps.
+
+        An orbit of one state ends before the first that is not finite. Of arrays of states each row has all, and NaN
+        where one has ended.
+        """
+        steps, every = whole(steps, "steps"), whole(every, "every")
+        if not every:
+            raise ValueError("every: 1 or more is needed")
+        states, axes = self._alone(state)
+        rows, made = [states], 0
+        while made + every <= steps:
+            states = self.advance(states, every, progress=progress)
+            if rows[0].ndim <= axes and np.isnan(states).any():
+                break
+            rows.append(states)
+            made += every
+        ended = made + every <= steps
+        if ended:
+            # The orbit ends within these steps.
+            states = self.step(rows[-1])
+            while not np.isnan(states).any():
+                states, made = self.step(states), made + 1
+        return LatticeOrbit(self, np.array(rows), every, made, "range" if ended else "complete")
+
+
+@spelled
+class LatticeOrbit(Frame):
+    """The states of an orbit of a lattice: ``x[k]`` is the state after ``n[k]`` steps, and ``x[k][..., i, :]`` its site i."""
+
+    system: Lattice
+    """The lattice."""
+    x: Array
+    """The states, of shape (rows, sites) or (rows, sites, arrays); of arrays of states with their axes after the first."""
+    every: int
+    """Steps from row to row."""
+    steps: int
+    """The steps to the last state that is finite."""
+    ended: str
+    """``"complete"`` where all steps were made, and ``"range"`` where the next state is not finite."""
+
+    def __init__(self, system: Lattice, x: Array, every: int, steps: int, ended: str) -> None:
+        self.system, self.x, self.every, self.steps, self.ended = system, x, every, steps, ended
+
+    @property
+    def states(self) -> Array:
+        """The states, ``x``, which an array may be called, too."""
+        return self.x
+
+    @property
+    def n(self) -> Array:
+        """The number of steps that leads to each row."""
+        return self.every * np.arange(len(self.x))
+
+    @property
+    def t(self) -> Array:
+        """The time of each row, 2 eps n."""
+        times: Array = 2 * nearest(self.system._call[2], "eps") * self.n
+        return times
+
+    @property
+    def ended_step(self) -> int:
+        """The steps to the last state, ``steps``."""
+        return self.steps
+
+    @cached_property
+    def invariants(self) -> dict[str, Array]:
+        """What the family claims on each row, by name."""
+        return Named(self.system.invariants(self.x), "claimed invariant", "")
+
+    def __repr__(self) -> str:
+        return f"<LatticeOrbit of {self.system.sites} sites: {len(self.x)} states, {self.steps} steps{_end(self.ended, self.steps)}>"
+
+    def columns(self) -> dict[str, Array]:
+        """n, t and the invariants, by name; those of arrays of states are numbered, as ``S_1``."""
+        columns = {"n": self.n, "t": self.t}
+        for name, values in self.invariants.items():
+            each = values.reshape(len(self.x), -1).T
+            columns |= {name: values} if values.ndim == 1 else {f"{name}_{k}": one for k, one in enumerate(each, 1)}
+        return columns
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the arrays over the coordinates ``t`` and ``site``, and of the invariants. Needs xarray."""
+        x, arrays = self.x, self.system.arrays
+        axes = x.ndim - 1 - self.system._alone(x[0])[1]
+        sites = x if x.shape[axes + 2:] else x[..., np.newaxis]
+        dims = ["t", *(f"state_{k}" for k in range(1, axes + 1))]
+        columns = {name: ([*dims, "site"], sites[..., k]) for k, name in enumerate(arrays)}
+        columns |= {name: (dims, values) for name, values in self.invariants.items()}
+        return needed("xarray").Dataset(columns, {"t": self.t, "n": ("t", self.n), "site": np.arange(self.system.sites)})
+
+    def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the first array in colours over sites and time, or two of the columns, as ``"t", "H"``.
+
+        Needs matplotlib. ``style`` goes to ``Axes.pcolormesh`` or ``Axes.plot``; returns the axes.
+        """
+        from ._plot import lattice
+
+        return lattice(self, axes, ax, style)

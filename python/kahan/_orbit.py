@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import ItemsView, Iterator, KeysView, Mapping, Sequence, ValuesView
+from copyreg import __newobj__ as newobject  # type: ignore[attr-defined]
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -34,10 +35,11 @@ def _end(ended: str, steps: int) -> str:
 
 
 class Table(ABC):
-    """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others.
+    """Columns of one length by name, as a data frame has them: ``keys()``, ``items()``, ``dict(table)``.
 
     A column is an entry, ``table["y"]``, and an attribute where there is no other one: ``x`` are always the
-    points. Iteration goes over the names; ``numpy.asarray`` of a table is its points, or a chart's values.
+    points. Iteration goes over the names, and ``len`` counts the rows. ``numpy.asarray`` of a table is its points,
+    or a chart's values. ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` read it by Arrow's capsule.
     """
 
     @abstractmethod
@@ -70,6 +72,27 @@ class Table(ABC):
     def __len__(self) -> int:
         return len(self._whole())
 
+    def keys(self) -> KeysView[str]:
+        """The names of the columns."""
+        return self.columns().keys()
+
+    def items(self) -> ItemsView[str, Array]:
+        """The names of the columns, each with its column."""
+        return self.columns().items()
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.columns()
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """The column of this name, or else the default."""
+        return self[name] if name in self else default
+
+    # Arrays have no single answer to whether they are equal.
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    __hash__ = object.__hash__
+
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
         return np.array(self._whole(), dtype=dtype) if copy or dtype is not None else self._whole()
 
@@ -80,6 +103,39 @@ class Table(ABC):
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
         """The columns as Arrow's stream: ``pyarrow.table(this)``, ``polars.DataFrame(this)``. Fractions are text."""
         return arrow(list(self.columns().items()))
+
+
+class Frame(Table, dict[str, Array]):  # type: ignore[misc]
+    """A table that ``pandas.DataFrame(table)`` takes with its names: pandas asks for a ``dict``.
+
+    The columns are those of :meth:`columns`, and the ``dict`` itself stays empty, so all that would read or
+    change it is defined here.
+    """
+
+    def values(self) -> ValuesView[Array]:  # type: ignore[override]
+        """The columns."""
+        return self.columns().values()
+
+    def copy(self) -> dict[str, Array]:
+        """The columns as a ``dict``."""
+        return self.columns()
+
+    def __or__(self, other: Mapping[str, Any]) -> dict[str, Any]:  # type: ignore[override]
+        return self.columns() | dict(other)
+
+    def __ror__(self, other: Mapping[str, Any]) -> dict[str, Any]:  # type: ignore[override]
+        return dict(other) | self.columns()
+
+    def __reversed__(self) -> Iterator[str]:
+        return reversed(self.columns())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return newobject, (type(self),), self.__dict__
+
+    def _fixed(self, *given: Any, **named: Any) -> Any:
+        raise TypeError("the columns of a table are fixed; change those of dict(table)")
+
+    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _fixed
 
 
 @spelled
@@ -121,6 +177,11 @@ class Orbit(Table):
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended, self.derivatives = steps, ended, in_order((), (), x)
         self._integrals, self._in_all = integrals, in_all
+
+    @property
+    def states(self) -> Array:
+        """The points, ``x``, which a variable may be called, too."""
+        return self.x
 
     @property
     def n(self) -> Array:
@@ -200,19 +261,31 @@ class Orbit(Table):
                 columns[f"{name}_low"] = self.x_low[:, k]
         return columns | self.integrals
 
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the columns over the coordinate ``t``, with ``n`` beside it. Needs xarray."""
+        columns = self.columns()
+        del columns["t"]
+        beside = {"n": ("t", columns.pop("n"))} if "n" not in self.system.variables else {}
+        return needed("xarray").Dataset({name: ("t", column) for name, column in columns.items()},
+                                        {"t": self.t, **beside}, {"field": self.system.text, "eps": float(self.eps)})
+
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the orbit over two or three columns, as ``"t", "H"``; by default the first three variables.
 
         Points are dots over two axes, and joined where one is the time or there are three. Needs
-        matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
+        matplotlib. ``style`` goes to ``Axes.plot`` and may have its short names, as ``lw`` and ``ms``; returns the axes.
         """
         from ._plot import orbit
 
         return orbit(self, axes, ax, style)
 
 
+class FloatOrbit(Frame, Orbit):  # type: ignore[misc]
+    """An orbit in floats or double-doubles; Arrow takes fractions as text, but not out of a ``dict``."""
+
+
 @spelled
-class Ensemble(Table):
+class Ensemble(Frame):
     """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory.
 
     ``ended`` says of each how it ended, as ``Orbit.ended`` says of one: ``"complete"``, ``"range"``, or
@@ -246,6 +319,11 @@ class Ensemble(Table):
         self._words, self._places, self.steps = ends[0], shaped(ends[1]), shaped(ends[2])
         self.observed = {name: shaped(values) for name, values in observed.items()}
         self.derivatives = in_order((), (), x)
+
+    @property
+    def states(self) -> Array:
+        """The last points, ``x``."""
+        return self.x
 
     @cached_property
     def ended(self) -> Array:
@@ -343,6 +421,17 @@ class Chart(Table):
         places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
         return {**places, self.color: self.values.ravel(), "ended": self.ended.ravel(), "ended_step": self.ended_step.ravel()}
 
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the numbers and of how and when the orbits ended, over the axes as coordinates.
+
+        Needs xarray. ``chart.to_xarray()[chart.color].plot()`` draws one or two axes.
+        """
+        columns = {self.color: self.values, "ended": self.ended, "ended_step": self.ended_step}
+        found = needed("xarray").Dataset({name: (list(self.axes), values) for name, values in columns.items()}, self.axes,
+                                         {"field": self.system.text, "orbits": self.of})
+        found[self.color].attrs["long_name"] = self.meaning
+        return found
+
     def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws one axis as a curve, two in colours, the first across; SALI and drifts as logarithms, and
         nothing where an orbit ended early, unless the color is escape; the title counts these cells.
@@ -355,7 +444,7 @@ class Chart(Table):
 
 
 @spelled
-class Section(Table):
+class Section(Frame):
     """Where an orbit crosses a section: a row a crossing.
 
     ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
@@ -387,6 +476,11 @@ class Section(Table):
                  eps: float) -> None:
         self.system, self.plane, self.x, self.t, self.steps, self.ended = system, plane, x, t, steps, ended
         self.jumps, self.eps = jumps, eps
+
+    @property
+    def states(self) -> Array:
+        """The crossings, ``x``."""
+        return self.x
 
     @property
     def ended_step(self) -> int:

@@ -12,9 +12,10 @@ from ._kahan import picture_scale
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ._lattice import LatticeOrbit
     from ._orbit import Chart, Ensemble, Orbit, Section, Table
 
-__all__ = ["chart", "ensemble", "orbit", "section"]
+__all__ = ["chart", "ensemble", "lattice", "orbit", "section"]
 
 _DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
 _LINE: dict[str, Any] = {"linewidth": 0.7}
@@ -42,6 +43,23 @@ def _over(found: Table, names: tuple[str, ...], usual: list[str], ax: Axes | Non
     return drawn, [np.asarray(columns[name], dtype=float) for name in names]
 
 
+def _flat(ax: Axes | None) -> Any:
+    """These axes, or those of a new figure."""
+    if ax is not None:
+        return ax
+    needed("matplotlib", "plot")
+    import matplotlib.pyplot as plt
+
+    return plt.figure().add_subplot()
+
+
+def _styled(usual: dict[str, Any], style: dict[str, Any]) -> dict[str, Any]:
+    """The usual style with what is asked of it; short names of matplotlib, as ``lw``, stand for the long ones."""
+    from matplotlib import cbook, lines
+
+    return usual | cbook.normalize_kwargs(style, lines.Line2D)
+
+
 def _scaled(column: str, meaning: str, values: Any) -> tuple[str, Any]:
     """What is written beside numbers, and the numbers, as logarithms where pictures of the command have them."""
     values = np.asarray(values, dtype=float)
@@ -54,7 +72,7 @@ def orbit(found: Orbit, names: tuple[str, ...], ax: Axes | None, style: dict[str
     """The points of an orbit, joined by a line where the axes have the time, or are three."""
     variables = list(found.system.variables)
     axes, columns = _over(found, names, variables if len(variables) > 1 else ["t", *variables], ax)
-    axes.plot(*columns, **((_LINE if "t" in names or len(columns) == 3 else _DOTS) | style))
+    axes.plot(*columns, **_styled(_LINE if "t" in names or len(columns) == 3 else _DOTS, style))
     axes.set_title(f"{found.system.name}, eps = {found.eps}, {found.steps} steps")
     return axes  # type: ignore[no-any-return]
 
@@ -74,7 +92,7 @@ def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict
     """The crossings as dots."""
     others = [name for name in found.system.variables if name not in found.plane]
     axes, columns = _over(found, names, (others if len(others) > 1 else list(found.system.variables))[:2], ax)
-    axes.plot(*columns, **(_DOTS | style))
+    axes.plot(*columns, **_styled(_DOTS, style))
     axes.set_title(f"{found.plane} = 0, eps = {found.eps}, {found.steps} steps")
     return axes  # type: ignore[no-any-return]
 
@@ -85,14 +103,9 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
     if len(names) > 2:
         raise ValueError("a picture has two axes; take a part of `values`")
     label, shown = _scaled(found.color, found.meaning, found.values)
-    axes: Any = ax
-    if ax is None:
-        needed("matplotlib", "plot")
-        import matplotlib.pyplot as plt
-
-        axes = plt.figure().add_subplot()
+    axes = _flat(ax)
     if len(names) == 1:
-        axes.plot(found.axes[names[0]], shown, **(_LINE | style))
+        axes.plot(found.axes[names[0]], shown, **_styled(_LINE, style))
         axes.set_ylabel(label)
     else:
         mesh = axes.pcolormesh(*found.axes.values(), shown.T, **({"shading": "nearest"} | style))
@@ -102,4 +115,21 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
     early = int(np.sum(found.ended != "complete"))
     empty = f", {early} of {found.values.size} orbits end early" if early else ""
     axes.set_title(f"{found.system.name}, {found.of}{empty}")
+    return axes  # type: ignore[no-any-return]
+
+
+def lattice(found: LatticeOrbit, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The first array in colours over sites and time; or columns, joined by a line."""
+    if names:
+        axes, columns = _over(found, names, [], ax)
+        axes.plot(*columns, **_styled(_LINE, style))
+        return axes  # type: ignore[no-any-return]
+    chain = found.system
+    if found.x.ndim - 1 != chain._alone(found.x[0])[1]:
+        raise ValueError("a picture has one orbit; take `x[:, k]` of arrays of states, or give two columns")
+    axes, first = _flat(ax), found.x.reshape(len(found), chain.sites, -1)[:, :, 0]
+    mesh = axes.pcolormesh(np.arange(chain.sites), found.t, first, **({"shading": "nearest"} | style))
+    axes.figure.colorbar(mesh, ax=axes, label=chain.arrays[0])
+    axes.set_xlabel("site")
+    axes.set_ylabel("t")
     return axes  # type: ignore[no-any-return]

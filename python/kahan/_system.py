@@ -12,7 +12,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from ._answer import Answer
+from ._answer import Answer, Settings
 from ._arrays import by_name, constants, flat, named, one_order, read
 from ._basis import Basis
 from ._charts import Range, axes_of, colors, observable, size
@@ -25,7 +25,7 @@ from ._formulas import Formulas
 from ._kahan import Field, is_family
 from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
-from ._orbit import Array, Chart, Ensemble, Orbit, Section
+from ._orbit import Array, Chart, Ensemble, FloatOrbit, Orbit, Section
 from ._progress import listener
 from ._rhs import RightSide
 
@@ -349,7 +349,7 @@ class System(Formulas):
                 self._judge(begun, half)
             in_all = rows[:, : len(self._all_variables)]
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
-            orbit = Orbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
+            orbit: Orbit = FloatOrbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
             orbit.why = why
             orbit._order = None if reembed else order
             if by:
@@ -369,8 +369,8 @@ class System(Formulas):
         integrals = {name: value[:, 0] if scalar == "dd" else value
                      for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
         given = Fraction(exact(eps, "eps")) if scalar == "exact" else nearest(eps, "eps")
-        orbit = Orbit(self, given, states if low is None else states[:, :, 0], every,
-                      last, ended, integrals)
+        kind = Orbit if scalar == "exact" else FloatOrbit
+        orbit = kind(self, given, states if low is None else states[:, :, 0], every, last, ended, integrals)
         orbit.x_low = low
         return orbit
 
@@ -677,9 +677,13 @@ class System(Formulas):
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
               progress: bool = False) -> Answer:
-        """The cheapest setting (scalar, order, eps) that follows the flow, or keeps the integrals, to a tolerance."""
-        return Answer(self._ask("trade", progress, at=self._point(x), horizon=_exact(horizon, "horizon"), need=need,
-                                tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
+        """The cheapest setting (scalar, order, eps) that follows the flow, or keeps the integrals, to a tolerance.
+
+        ``settings`` is a table of all that were measured: ``settings["eps"]`` is a column, ``settings[0]`` a row.
+        """
+        found = self._ask("trade", progress, at=self._point(x), horizon=_exact(horizon, "horizon"), need=need,
+                          tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds))
+        return Answer(found | {"settings": Settings(found["settings"])})
 
     def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
         """How far floats can be trusted near poles, of mixed magnitudes, with subnormal and infinite numbers.

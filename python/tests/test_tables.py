@@ -124,8 +124,58 @@ def test_tables_are_handed_on_by_arrow():
     del capsule
     polars = pytest.importorskip("polars")
     assert polars.DataFrame(orbit)["z"].to_list() == orbit.x[:, 2].tolist()
+    assert polars.DataFrame(tables["exact"])["x"].to_list()[1:2] == [str(tables["exact"].x[1, 0])]
     pandas = pytest.importorskip("pandas")
     assert orbit.to_pandas().equals(pandas.DataFrame(orbit.columns()))
+    for name in ("orbit", "single", "ensemble", "plain", "section"):
+        assert pandas.DataFrame(tables[name]).equals(tables[name].to_pandas()), name
+
+
+def test_tables_are_mappings_of_their_columns():
+    orbit = E6.orbit([1, 2, 3], 0.05, 50, every=5)
+    chart = E6.chart({"x": (-1, 1, 3), "y": (0, 1, 2)}, [0, 1, 1], 0.1)
+    for table in (orbit, chart, E6.ensemble(np.ones((4, 3)), 0.05, 20), E6.section([1, 2, 3], 0.05, 1000, "x - y"),
+                  E6.orbit([1, "2/3", 3], "1/7", 3, scalar="exact")):
+        columns = table.columns()
+        assert list(table.keys()) == list(table) == list(dict(table)) == list({**table}) == list(columns)
+        assert all(np.array_equal(one, columns[name]) for name, one in table.items()), table
+        assert "x" in table and "w" not in table and table.get("w") is None and table == table and table != dict(table)
+    assert list(orbit | {"w": 1}) == [*orbit, "w"] and list({"w": 1} | orbit) == ["w", *orbit] and list(reversed(orbit)) == list(orbit)[::-1]
+    assert orbit.states is orbit.x and list(pickle.loads(pickle.dumps(orbit))) == list(orbit)
+    for change in (lambda: orbit.update(w=1), lambda: orbit.__setitem__("w", 1), lambda: orbit.pop("x"), orbit.clear):
+        with pytest.raises(TypeError, match=r"change those of dict\(table\)"):
+            change()
+
+
+def test_xarray_has_dimensions_and_coordinates():
+    pytest.importorskip("xarray")
+    orbit = E6.orbit([1, 2, 3], 0.05, 50, every=5).to_xarray()
+    assert orbit.y.dims == ("t",) and float(orbit.y.sel(t=5.0)) == float(orbit.y[10]) and orbit.n.values[-1] == 50
+    chart = E6.chart({"x": (-1, 1, 3), "y": (0, 1, 2)}, [0, 1, 1], 0.1)
+    found = chart.to_xarray()
+    assert found.sali.dims == ("x", "y") and found.sali.sel(x=1.0, y=0.0) == chart.values[2, 0] and "index" in found.sali.attrs["long_name"]
+
+
+RING = "for i in periodic { q[i]dot = p[i]; p[i]dot = q[i+1] - 2*q[i] + q[i-1]; } integral P = sum(p[i]);"
+
+
+def test_orbits_of_lattices_are_tables():
+    ring, random = kahan.Lattice(RING, 6, eps=0.1), np.random.default_rng(5)
+    states = random.uniform(-1, 1, (3, 6, 2))
+    orbit = ring.orbit(states[0], 20, every=4)
+    assert orbit.x.shape == (6, 6, 2) and orbit.t[-1] == pytest.approx(4.0) and orbit.n[-1] == orbit.steps == 20
+    assert np.array_equal(orbit.x[-1], ring.advance(states[0], 20)) and orbit["P"][2] == ring.invariants(orbit.x[2])["P"]
+    many = ring.orbit(states, 20, every=4)
+    assert np.array_equal(many.x[:, 0], orbit.x) and np.array_equal(ring.advance(states, 8), many.x[2])
+    assert list(many) == ["n", "t", "P_1", "P_2", "P_3"] and np.array_equal(many["P_1"], orbit["P"])
+    burst = kahan.Lattice("for i in periodic { x[i]dot = x[i]^2; }", 3, eps=0.25)
+    one = burst.orbit([1, 1.5, 1], 100, every=7)
+    assert (one.ended, one.ended_step, len(one)) == ("range", 1, 1) and np.isfinite(burst.step([1, 1.5, 1])).all()
+    assert np.isnan(burst.orbit([[1, 1.5, 1]], 3).x[2]).all()
+    with pytest.raises(ValueError, match="every"):
+        ring.orbit(states, 3, every=0)
+    if pytest.importorskip("xarray"):
+        assert many.to_xarray().q.dims == ("t", "state_1", "site") and orbit.to_xarray().P.dims == ("t",)
 
 
 def test_plots():
@@ -155,7 +205,20 @@ def test_plots():
     assert axes.get_title() == "e6, eps = 0.1, 1000 steps"
     curve = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="lyapunov").plot()
     assert curve.get_ylabel() == "largest Lyapunov exponent, per unit of time"
+    # Short names of matplotlib take the place of the usual style.
+    (line,) = orbit.plot("x", "y", ms=5, c="red", lw=3, ls=":").lines
+    assert (line.get_markersize(), line.get_color(), line.get_linewidth(), line.get_linestyle()) == (5, "red", 3, ":")
+    lattice = kahan.Lattice(RING, 6, eps=0.1).orbit(np.ones((6, 2)), 8)
+    assert lattice.plot(cmap="gray").get_xlabel() == "site" and lattice.plot("t", "P", lw=2).get_ylabel() == "P"
     plt.close("all")
+
+
+def test_settings_of_a_trade_are_a_table():
+    settings = kahan.System("xdot = y; ydot = -x;").trade([1, 0], 1, seconds=0.2).settings
+    assert settings["eps"].tolist() == [row["eps"] for row in settings] and len(settings.keys()) == len(settings[0])
+    assert settings.to_pandas().shape == (len(settings), len(settings[0])) if pytest.importorskip("pandas") else True
+    with pytest.raises(KeyError, match="did you mean `eps`"):
+        settings["epss"]
 
 
 def test_cells_that_escape_show_no_chaos():
