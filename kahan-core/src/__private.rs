@@ -94,12 +94,6 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// The increments numeratorᵢ · reciprocal, of a step that has a value.
-#[inline(always)]
-pub fn over<T: Scalar, const N: usize>(numerators: [T; N], reciprocal: T) -> Option<Quotients<T, N>> {
-    Some(Quotients::over(numerators, reciprocal))
-}
-
 /// Whether a step at this ε may be divided by it.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)

@@ -63,17 +63,21 @@ fn scope() {
                                         ),
                                 ),
                         )?;
-                    let __numerators = [
-                        __e_eps.get().multiply_add(__s_x.clone(), __s_y.clone())
-                            * (__e_mu.get() * __s_x.clone()),
-                        __s_y
-                            .clone()
-                            .multiply_add(
-                                __e_mu_eps.get() * __s_y.clone(),
-                                __s_x - __s_y,
-                            ),
-                    ];
-                    __kahan::over(__numerators, __reciprocal_1)
+                    __kahan::Some(
+                        __kahan::Quotients::over(
+                            [
+                                __e_eps.get().multiply_add(__s_x.clone(), __s_y.clone())
+                                    * (__e_mu.get() * __s_x.clone()),
+                                __s_y
+                                    .clone()
+                                    .multiply_add(
+                                        __e_mu_eps.get() * __s_y.clone(),
+                                        __s_x - __s_y,
+                                    ),
+                            ],
+                            __reciprocal_1,
+                        ),
+                    )
                 }
             }
             pub struct __General;
@@ -100,12 +104,16 @@ fn scope() {
                                     __e_eps.get() * __t_eps_mu_x.clone(),
                                 ),
                         )?;
-                    let __numerators = [
-                        __t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone()),
-                        __t_y_eps_mu_minus_one
-                            .multiply_add(__s_y * __e_eps.get(), __t_eps_x),
-                    ];
-                    __kahan::over(__numerators, __reciprocal_1)
+                    __kahan::Some(
+                        __kahan::Quotients::over(
+                            [
+                                __t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone()),
+                                __t_y_eps_mu_minus_one
+                                    .multiply_add(__s_y * __e_eps.get(), __t_eps_x),
+                            ],
+                            __reciprocal_1,
+                        ),
+                    )
                 }
             }
             impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {

@@ -216,12 +216,16 @@ const _: () = {
                         __t_x_squared_plus_y_squared.clone(),
                     ),
             );
-            let __numerators = [
-                __s_x * __sum_1.clone(),
-                __s_y * __sum_1,
-                __t_x_squared_plus_y_squared * (__s_z - __e_one_over_eps.get()),
-            ];
-            __kahan::over(__numerators, __reciprocal_1)
+            __kahan::Some(
+                __kahan::Quotients::over(
+                    [
+                        __s_x * __sum_1.clone(),
+                        __s_y * __sum_1,
+                        __t_x_squared_plus_y_squared * (__s_z - __e_one_over_eps.get()),
+                    ],
+                    __reciprocal_1,
+                ),
+            )
         }
     }
     pub struct __General;
@@ -254,12 +258,16 @@ const _: () = {
             let __sum_1 = __kahan::fenced(
                 __t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone()),
             );
-            let __numerators = [
-                __t_eps_x * __sum_1.clone(),
-                __t_eps_y * __sum_1,
-                (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
-            ];
-            __kahan::over(__numerators, __reciprocal_1)
+            __kahan::Some(
+                __kahan::Quotients::over(
+                    [
+                        __t_eps_x * __sum_1.clone(),
+                        __t_eps_y * __sum_1,
+                        (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
+                    ],
+                    __reciprocal_1,
+                ),
+            )
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {

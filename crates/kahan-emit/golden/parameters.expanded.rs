@@ -171,12 +171,16 @@ const _: () = {
                 .quotient(
                     __e_eps.get().multiply_add(__product_1.clone(), __product_2.clone()),
                 )?;
-            let __numerators = [
-                (__t_eps_y.clone() * __product_2)
-                    .subtract_product(__e_eps.get(), __product_3.clone()),
-                -__t_eps_y.multiply_add(__product_1, __product_3),
-            ];
-            __kahan::over(__numerators, __reciprocal_1)
+            __kahan::Some(
+                __kahan::Quotients::over(
+                    [
+                        (__t_eps_y.clone() * __product_2)
+                            .subtract_product(__e_eps.get(), __product_3.clone()),
+                        -__t_eps_y.multiply_add(__product_1, __product_3),
+                    ],
+                    __reciprocal_1,
+                ),
+            )
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {

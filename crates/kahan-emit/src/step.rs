@@ -115,7 +115,7 @@ impl<'a> NamedStep<'a> {
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let quotients = if is_shared {
-            quote!(let __numerators = [#(#numerators),*]; __kahan::over(__numerators, #(#results)*))
+            quote!(__kahan::Some(__kahan::Quotients::over([#(#numerators),*], #(#results)*)))
         } else if reciprocals.is_empty() {
             quote!(__kahan::Some(__kahan::Quotients::whole([#(#numerators),*])))
         } else {

@@ -12,8 +12,9 @@
 //! what the assembler has bytes for.
 //!
 //! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
-//! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:
-//! these four hold all of the `unsafe` code, beside pages that tests forbid.
+//! `call`. All `unsafe` code is in four files: `call.rs` enters machine code, and `function.rs`,
+//! `orbit.rs` and `sweep.rs` of `routine` each state why the code that they write is sound. Tests
+//! add one more, which puts inaccessible pages around slices.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,5 +1,5 @@
 //! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens
-//! (`kahan-derive`).
+//! (`tokens.rs` of `kahan-emit`).
 //!
 //! A token knows its text and whether the next one touches it, not where it stands: places are
 //! indices into the token list ([`Span`]), and whoever made the list keeps the map from index to

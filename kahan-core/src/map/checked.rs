@@ -12,7 +12,7 @@ use crate::field::linear::{determinant, increment_by_elimination};
 use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep};
 
 /// x̃ from the fast step, `prepared` from `map` at `eps`, or by elimination.
-pub(crate) fn try_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
+pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     prepared: &M::Prepared,
     x: &SVector<T, N>,

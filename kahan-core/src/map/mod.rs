@@ -25,7 +25,7 @@ use crate::field::linear::{determinant, determinant_and_adjugate_product, solve}
 use crate::step::error::pole;
 use crate::{Constant, PreparedStep, QuadraticField, Scalar, SingularStep};
 
-use checked::try_step;
+use checked::checked_step;
 
 pub use at::KahanAt;
 pub use coupled::{CoupledField, CoupledStep, Postfix, slopes_matrix};
@@ -218,8 +218,9 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// [`try_step`](Self::try_step) with the step prepared: what the macro writes, and [`KahanAt`]
-    /// calls.
+    /// [`try_step`](Self::try_step) with the step prepared. [`KahanAt`] calls it. The macro writes
+    /// another body for it: `stable_step`, whose result has a bound. This one is for maps written
+    /// by hand.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -230,7 +231,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     where
         T: Pivot,
     {
-        try_step(self, prepared, x, eps)
+        checked_step(self, prepared, x, eps)
     }
 
     /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.

@@ -1,11 +1,11 @@
-//! Ensembles in the vector registers of x86-64.
+//! Work in the vector registers of x86-64: ensembles, and what implements `OverLanes` (parts of
+//! chains, dense and sparse elimination).
 //!
-//! In: the stages of a step, columns, and the instructions asked for. Out: the columns some steps
-//! later. This module is the only door to the lane types, and it is where `unsafe` is answered for:
-//! lanes come into being only inside [`avx2`] and [`avx512`], which are compiled for their
-//! instructions and entered after the processor was asked for them, or are those of SSE2, which
-//! every x86-64 processor has. The types are private to this module; a step meets them as type
-//! arguments only, from inside those two functions.
+//! The lane types are private to this module, so that it alone justifies their `unsafe`. Their
+//! values exist only inside [`avx2`], [`avx512`], [`work_on_avx2`] and [`work_on_avx512`], or are
+//! those of SSE2, which every x86-64 processor has. These four functions are compiled for their
+//! instructions and called after the processor was asked for them. Steps and other work meet the
+//! types as type arguments, inside these functions.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -123,7 +123,7 @@ where
     if W::IS_SMALL { work.run::<Twice<L>>() } else { work.run::<L>() }
 }
 
-/// Its registers are as many as hold a group.
+/// [`Twice`] is not needed: one register of AVX-512 has as many lanes as two of AVX2.
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

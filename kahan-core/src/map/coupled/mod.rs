@@ -19,7 +19,7 @@ use crate::step::NoLanes;
 use crate::step::error::pole;
 use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost};
 
-use super::checked::try_step;
+use super::checked::checked_step;
 use super::stable::Promised;
 
 use backward::promised;
@@ -180,7 +180,7 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         } else if is::<T, Dd>() {
             self.promised_in::<Dd>(x)
         } else {
-            try_step(map, self, x, &self.eps)
+            checked_step(map, self, x, &self.eps)
         }
     }
 

@@ -94,7 +94,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
 
     /// As N/D, both expanded and without common factors: no increment that could cancel against the
     /// state.
-    pub(super) fn by_quotients<M: KahanMap<Bounded<V>, N>>(
+    pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
         eps: Bounded<V>,

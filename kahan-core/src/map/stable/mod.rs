@@ -31,7 +31,7 @@ use crate::scalar::bounded::Bounded;
 use crate::scalar::tuning::{divides_by_eps, is, may_divide_by, same};
 use crate::{Dd, ExtendScalars, Pivot, SingularStep};
 
-use super::checked::try_step;
+use super::checked::checked_step;
 
 use rungs::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
 pub(crate) use scalars::Promised;
@@ -39,11 +39,10 @@ pub(crate) use scalars::Promised;
 pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
 /// The step with the promise that T can give: of a float of this crate the one above; of another
-/// scalar, that a finite result is what the fast step, which is `prepared`, or elimination
-/// computes.
+/// scalar, that a finite result is what the fast step or elimination computes.
 ///
-/// A rung prepares the step anew, over values with bounds: prepared floats are rounded, and carry
-/// no bound. In a loop compilers do that once, before its first round.
+/// Floats ignore `prepared`, whose numbers are rounded and carry no bound: each rung prepares the
+/// step anew over values with bounds. In a loop compilers do that once, before its first round.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -59,7 +58,7 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     } else if is::<T, Dd>() {
         climb::<Dd, M, T, N>(map, x, eps)
     } else {
-        try_step(map, prepared, x, eps)
+        checked_step(map, prepared, x, eps)
     }
 }
 

@@ -115,7 +115,7 @@ pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
         return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
     }
     let (mut bound, mut is_known) = (f64::INFINITY, false);
-    for attempt in last.increments().into_iter().chain(once_with(|| last.quotients()).flatten()) {
+    for attempt in last.increments().into_iter().chain(once_with(|| last.reduced_map()).flatten()) {
         bound = attempt.bound().min(bound);
         is_known |= attempt.is_within(PROMISE * T::UNIT);
         if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
@@ -217,8 +217,8 @@ impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
 
     /// The form N/D.
     #[inline(never)]
-    fn quotients(&self) -> Option<Attempt<Wide, N>> {
-        Attempt::by_quotients(&self.map, &self.state, self.eps)
+    fn reduced_map(&self) -> Option<Attempt<Wide, N>> {
+        Attempt::by_reduced_map(&self.map, &self.state, self.eps)
     }
 
     /// D of the reduced map, and det A(x,ε).
