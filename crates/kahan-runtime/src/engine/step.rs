@@ -258,7 +258,7 @@ impl Step {
             tables.solve(factors, outcome, 1, 0);
             false
         } else if tables.are_sparse() {
-            tables.solve_by_pivoting(entries, eps, outcome)
+            tables.solve_by_pivoting(entries, eps, outcome, false)
         } else {
             tables.spread(entries, matrix);
             into_matrix(matrix, eps, state.len());
