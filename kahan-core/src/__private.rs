@@ -31,6 +31,9 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
+/// Elimination, where a field that is read at run time has no closed forms: `kahan-runtime` calls
+/// it.
+pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains that are read at run time: `kahan-runtime` calls it.
@@ -43,6 +46,7 @@ pub use crate::lattice::{Boundary, LatticeMap, LatticeScalar, Sizes, Stencil};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;
+pub use crate::step::error::pole;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
@@ -53,7 +57,6 @@ pub use crate::{
 use core::cmp::Ordering;
 
 use crate::scalar::Dual;
-use crate::step::error::pole;
 
 /// The integer `n` as a scalar.
 #[inline(always)]

@@ -149,24 +149,19 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// [`DimensionError`] if `x` has not an entry a variable.
     pub fn advance(&self, x: &mut [T], steps: u64) -> Result<(), DimensionError> {
         self.check_state(x)?;
-        self.advance_checked(x, steps);
+        self.advance_checked([x, &mut []], steps);
         Ok(())
     }
 
-    fn advance_checked(&self, x: &mut [T], steps: u64) {
-        self.advance_numbers([x, &mut []], steps);
-    }
-
-    fn advance_numbers(&self, numbers: [&mut [T]; 2], steps: u64) {
+    /// Advances a state that fits, and its `carry` unless that is empty: by code, and by the
+    /// interpreter where there is none, or its guard refuses the steps.
+    fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);
         };
         let carries = !numbers[1].is_empty();
-        match self
-            .coded
-            .as_ref()
-            .and_then(|stages| Some((stages, stages.code(self.engine(), carries, steps)?)))
-        {
+        let coded = |stages| Some((stages, CodedStages::code(stages, self.engine(), carries, steps)?));
+        match self.coded.as_ref().and_then(coded) {
             Some((stages, code)) => stages.advance(code, numbers, steps, interpret),
             None => interpret(numbers, steps),
         }
@@ -182,7 +177,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     pub fn advance_with_carry(&self, x: &mut [T], carry: &mut [T], steps: u64) -> Result<(), DimensionError> {
         self.check_state(x)?;
         DimensionError::check(Argument::Carry, carry.len(), self.dimension())?;
-        self.advance_numbers([x, carry], steps);
+        self.advance_checked([x, carry], steps);
         Ok(())
     }
 
@@ -236,7 +231,7 @@ impl<T: MachineFloat> MapAt<T> {
         self.check_state(x)?;
         if !self.coded.as_ref().is_some_and(|stages| stages.has_stepped(x, next)) {
             next.copy_from_slice(x);
-            self.advance_checked(next, 1);
+            self.advance_checked([next, &mut []], 1);
         }
         Ok(())
     }

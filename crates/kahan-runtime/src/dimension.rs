@@ -44,11 +44,6 @@ impl DimensionError {
         if found == expected { Ok(()) } else { Err(Self::new(argument, found, expected)) }
     }
 
-    /// Refuses a type of fewer variables than there are.
-    pub(crate) fn check_type(found: usize, expected: usize) -> Result<(), Self> {
-        Self::check(Argument::Type, found.min(expected), expected)
-    }
-
     /// How many there are.
     #[must_use]
     pub fn found(&self) -> usize {

@@ -75,7 +75,8 @@ impl Map {
     /// # Errors
     /// [`DimensionError`] if N is smaller than the number of variables.
     pub fn as_kahan_map<T: Scalar, const N: usize>(&self) -> Result<Interpreted<T, N>, DimensionError> {
-        DimensionError::check_type(N, self.field.variables().len())?;
+        let n = self.field.variables().len();
+        DimensionError::check(Argument::Type, N.min(n), n)?;
         Ok(Interpreted::of(&self.field.engine, self.parameters.iter().map(round).collect()))
     }
 

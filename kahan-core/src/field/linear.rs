@@ -15,7 +15,7 @@ use crate::Scalar;
 /// The solution X of A·X = B, or `None` if A is singular and the scalar has no reciprocal of zero.
 ///
 /// Floats always get an answer; for a singular matrix it is not finite.
-pub(crate) fn solve<T: Scalar, const N: usize, const M: usize>(
+pub fn solve<T: Scalar, const N: usize, const M: usize>(
     mut a: SMatrix<T, N, N>,
     mut b: SMatrix<T, N, M>,
 ) -> Option<SMatrix<T, N, M>> {
@@ -55,7 +55,7 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
 }
 
 /// det A; 0 for a singular matrix in every scalar.
-pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
+pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     eliminated_determinant(&mut a)
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
 /// the second by the theorem of Cayley and Hamilton. For Kahan's A = I − εf′ the terms have the
 /// size of εᵏ, so starting from C rather than A avoids the cancellation of binomials. O(N⁴)
 /// operations.
-pub(crate) fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
+pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
 ) -> (SVector<T, N>, T) {

@@ -154,6 +154,6 @@ impl core::error::Error for SingularStep {}
 
 /// The end of a call that has no way to report a pole.
 #[cold]
-pub(crate) fn pole<T: Scalar>(eps: &T) -> ! {
+pub fn pole<T: Scalar>(eps: &T) -> ! {
     panic!("{}", SingularStep::pole(eps.approximate()))
 }

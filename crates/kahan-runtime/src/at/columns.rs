@@ -74,7 +74,8 @@ impl<T: MachineFloat> MapAt<T> {
         if !self.engine().has_advanced_columns(&mut columns, self.composition, steps, kind, self.set) {
             match self.coded.as_ref().filter(|stages| stages.has_loops()) {
                 Some(stages) if are_own && columns.eps == [own_eps] => {
-                    stages.advance_columns(columns.columns, steps, |x, steps| self.advance_checked(x, steps));
+                    let alone = |x: &mut [T], steps| self.advance_checked([x, &mut []], steps);
+                    stages.advance_columns(columns.columns, steps, alone);
                 }
                 Some(_) => self.advance_one_by_one(&mut columns, steps),
                 None => self.engine().interpret_columns(&mut columns, self.composition, steps, kind),
@@ -96,7 +97,8 @@ impl<T: MachineFloat> MapAt<T> {
             x.extend(columns.iter().map(|column| column[k]));
             let alone = k..k + 1;
             let values = parameters.iter().map(|values| given(values, &alone)[0]);
-            self.at_constants(self.map.clone(), values, given(eps, &alone)[0]).advance_checked(&mut x, steps);
+            let map = self.at_constants(self.map.clone(), values, given(eps, &alone)[0]);
+            map.advance_checked([&mut x, &mut []], steps);
             columns.iter_mut().zip(&x).for_each(|(column, x)| column[k] = *x);
         }
         with_scratch(T::single(), |scratch| scratch.given = x);

@@ -124,10 +124,10 @@ impl<T: MachineFloat> MapAt<T> {
         observer.observe(0, &x);
         for step in 1..=steps {
             if observer.is_done() {
-                self.advance_checked(&mut x, steps + 1 - step);
+                self.advance_checked([&mut x, &mut []], steps + 1 - step);
                 break;
             }
-            self.advance_checked(&mut x, 1);
+            self.advance_checked([&mut x, &mut []], 1);
             observer.observe(step, &x);
             if tell(1).is_break() {
                 break;

@@ -112,7 +112,7 @@ impl<T: MachineFloat> MapAt<T> {
                 return true;
             }
             if k < last {
-                map.advance_checked(x, 1);
+                map.advance_checked([x, &mut []], 1);
             }
         }
         false

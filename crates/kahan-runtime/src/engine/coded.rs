@@ -66,7 +66,11 @@ impl<T: RuntimeFloat> CodedStages<T> {
             return None;
         }
         let kind = StepKind { compensated: carries, ..self.kind };
-        once.get_or_init(|| engine.orbit_code::<T>(kind, self.constants.len() > 1)).as_deref()
+        let compile = || match engine.has_loops(kind) {
+            true => Some(Arc::new(OrbitCode::loops(kind))),
+            false => engine.codes.orbit(engine, kind, self.constants.len() > 1),
+        };
+        once.get_or_init(compile).as_deref()
     }
 
     /// Advances a state by `steps` steps of `code`. A `carry` that is not empty holds the rounding
@@ -140,18 +144,6 @@ impl Engine {
         let constants = own.iter().map(packed).collect::<Option<_>>()?;
         let loops = OnceLock::from(Some(Arc::new(OrbitCode::loops(kind))));
         Some(CodedStages::new(loops, kind, constants))
-    }
-
-    /// The code of an orbit, or the loops of a dense field.
-    fn orbit_code<T: RuntimeFloat>(
-        &self,
-        kind: StepKind,
-        is_composed: bool,
-    ) -> Option<Arc<OrbitCode<T::Word>>> {
-        if self.has_loops(kind) {
-            return Some(Arc::new(OrbitCode::loops(kind)));
-        }
-        self.codes.orbit(self, kind, is_composed)
     }
 
     /// The stages of a composition as code, where there is some and they are all of one form; `own`

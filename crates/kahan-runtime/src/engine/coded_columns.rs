@@ -5,17 +5,14 @@
 //! filled up with copies of the last trajectory. However the columns are divided, each trajectory
 //! goes through the same operations.
 
-use std::ops::Range;
-
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
-use smallvec::SmallVec;
 
 use crate::follow::is_finite;
 use crate::machine::{ColumnsCode, InstructionSet, StepKind};
 
 use super::coded::GUARDED;
-use super::columns::{Columns, advance, given};
+use super::columns::{Columns, Tile, advance};
 use super::floats::MachineFloat;
 use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
@@ -60,63 +57,40 @@ impl Engine {
     fn advance_guarded<T: MachineFloat>(
         &self,
         code: &ColumnsCode<T>,
-        Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
+        columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
         kind: StepKind,
     ) {
         let step = (self.steps().form(kind.is_general), kind);
-        let trajectories = columns.first().map_or(0, |column| column.len());
+        let trajectories = columns.columns.first().map_or(0, |column| column.len());
         let mut kept = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.guarded));
         for first in (0..trajectories).step_by(TILE) {
             let piece = first..trajectories.min(first + TILE);
             for made in (0..steps).step_by(GUARDED as usize) {
                 let now = GUARDED.min(steps - made);
                 kept.clear();
-                columns.iter().for_each(|column| kept.extend_from_slice(&column[piece.clone()]));
+                columns.columns.iter().for_each(|column| kept.extend_from_slice(&column[piece.clone()]));
                 let length = kept.len();
                 kept.resize(length + piece.len(), T::zero());
                 let (before, guard) = kept.split_at_mut(length);
-                {
-                    let mut own = part(columns, &piece);
-                    own.push(guard);
-                    let own_eps = given(eps, &piece);
-                    let own_parameters: Parameters<'_, T> =
-                        parameters.iter().map(|values| given(values, &piece)).collect();
-                    let columns =
-                        &mut Columns { columns: &mut own, eps: own_eps, parameters: &own_parameters };
-                    run(code, columns, composition, now, kind);
-                }
+                columns.with_part(&piece, Some(guard), |own| run(code, own, composition, now, kind));
                 for k in piece.clone() {
                     let is_kept = guard[k - first].approximate() <= LARGEST_FACTOR as f64;
-                    if is_kept && columns.iter().all(|column| is_finite(&column[k..=k])) {
+                    if is_kept && columns.columns.iter().all(|column| is_finite(&column[k..=k])) {
                         continue;
                     }
-                    for (column, before) in columns.iter_mut().zip(before.chunks_exact(piece.len())) {
+                    for (column, before) in columns.columns.iter_mut().zip(before.chunks_exact(piece.len())) {
                         column[k] = before[k - first];
                     }
-                    let alone = k..k + 1;
-                    let own_parameters: Parameters<'_, T> =
-                        parameters.iter().map(|values| given(values, &alone)).collect();
-                    let columns = &mut Columns {
-                        columns: &mut part(columns, &alone),
-                        eps: given(eps, &alone),
-                        parameters: &own_parameters,
-                    };
-                    advance(step, T::single(), columns, composition, now);
+                    columns.with_part(&(k..k + 1), None, |own| {
+                        advance(step, T::single(), own, composition, now);
+                    });
                 }
             }
         }
         with_scratch(T::single(), |scratch| scratch.guarded = kept);
     }
-}
-
-/// Values of all parameters.
-type Parameters<'a, T> = SmallVec<[&'a [T]; 8]>;
-
-/// Some trajectories of all columns.
-fn part<'a, T>(columns: &'a mut [&mut [T]], trajectories: &Range<usize>) -> Tile<'a, T> {
-    columns.iter_mut().map(|column| &mut column[trajectories.clone()]).collect()
 }
 
 /// Advances every trajectory by code; a guard of the code is one of the columns.
@@ -201,9 +175,6 @@ fn run_in_lines<T: MachineFloat>(
         .collect::<Tile<'_, T>>());
     tile.iter_mut().zip(columns()).for_each(|(column, place)| column.copy_from_slice(&moved[place]));
 }
-
-/// A stretch of every column; few columns take no allocation.
-type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
 
 /// The constants of the stages that differ, one stage after the other.
 struct Prepared<'a, T> {

@@ -8,6 +8,7 @@ use core::ops::Range;
 
 use kahan_core::__private::Lanes;
 use kahan_core::Composition;
+use smallvec::SmallVec;
 
 use crate::machine::StepKind;
 
@@ -26,6 +27,27 @@ pub(crate) struct Columns<'a, 'b, T> {
     pub(crate) eps: &'a [T],
     /// For each parameter one value, or one a trajectory.
     pub(crate) parameters: &'a [&'a [T]],
+}
+
+/// A stretch of every column; few columns take no allocation.
+pub(super) type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
+
+impl<T> Columns<'_, '_, T> {
+    /// Hands over some trajectories of all columns, and `guard` as one column more.
+    pub(super) fn with_part(
+        &mut self,
+        trajectories: &Range<usize>,
+        guard: Option<&mut [T]>,
+        run: impl FnOnce(&mut Columns<'_, '_, T>),
+    ) {
+        let mut columns: Tile<'_, T> =
+            self.columns.iter_mut().map(|column| &mut column[trajectories.clone()]).collect();
+        columns.extend(guard);
+        let parameters = self.parameters.iter().map(|values| given(values, trajectories));
+        let parameters: SmallVec<[&[T]; 8]> = parameters.collect();
+        let eps = given(self.eps, trajectories);
+        run(&mut Columns { columns: &mut columns, eps, parameters: &parameters });
+    }
 }
 
 /// Of what is given once for all trajectories, or once each, or not at all, what these have.

@@ -153,26 +153,31 @@ impl Tables {
         width: usize,
         column: usize,
     ) {
-        let Factors { values, row, .. } = factors;
-        let place = |turn: u32| turn as usize * width + column;
-        for (own, turn) in row.iter_mut().zip(&self.order) {
-            own.clone_from(&b[place(*turn)]);
-        }
-        self.couplings().solve(values, row);
-        for (own, turn) in row.iter().zip(&self.order) {
-            b[place(*turn)].clone_from(own);
-        }
+        self.in_order(factors, b, [width, column], |couplings, values, row| couplings.solve(values, row));
     }
 
     /// Replaces b by A⁻ᵀb.
     pub(super) fn solve_transposed<V: Scalar>(&self, factors: &mut Factors<V>, b: &mut [V]) {
-        let Factors { values, row, .. } = factors;
+        self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
+    }
+
+    /// Brings a column of a matrix into the order of elimination, lets `solve` replace it, and takes
+    /// it back.
+    #[inline(always)]
+    fn in_order<V: Scalar>(
+        &self,
+        Factors { values, row, .. }: &mut Factors<V>,
+        b: &mut [V],
+        [width, column]: [usize; 2],
+        solve: impl FnOnce(Couplings<'_>, &[V], &mut [V]),
+    ) {
+        let place = |turn: u32| turn as usize * width + column;
         for (own, turn) in row.iter_mut().zip(&self.order) {
-            own.clone_from(&b[*turn as usize]);
+            own.clone_from(&b[place(*turn)]);
         }
-        self.couplings().solve_transposed(values, row);
+        solve(self.couplings(), values, row);
         for (own, turn) in row.iter().zip(&self.order) {
-            b[*turn as usize].clone_from(own);
+            b[place(*turn)].clone_from(own);
         }
     }
 
@@ -181,35 +186,22 @@ impl Tables {
         self.couplings().pairs().collect()
     }
 
-    /// Replaces b by A⁻¹b, with pivots that are chosen in each column, in the order of elimination;
-    /// whether A is singular.
-    pub(super) fn solve_by_pivoting<V: Scalar + Copy>(&self, slopes: &[V], eps: V, b: &mut [V]) -> bool {
-        self.solve_entries_by_pivoting(self.entries(), slopes, eps, b)
-    }
-
-    /// Like [`solve_by_pivoting`](Self::solve_by_pivoting), but replaces b by A⁻ᵀb.
-    pub(super) fn solve_transposed_by_pivoting<V: Scalar + Copy>(
+    /// Replaces b by A⁻¹b, or by A⁻ᵀb where that `is_transposed`, with pivots that are chosen in
+    /// each column, in the order of elimination; whether A is singular.
+    pub(super) fn solve_by_pivoting<V: Scalar + Copy>(
         &self,
         slopes: &[V],
         eps: V,
         b: &mut [V],
-    ) -> bool {
-        self.solve_entries_by_pivoting(self.entries().into_iter().map(|(i, j)| (j, i)), slopes, eps, b)
-    }
-
-    fn solve_entries_by_pivoting<V: Scalar + Copy>(
-        &self,
-        entries: impl IntoIterator<Item = (usize, usize)>,
-        slopes: &[V],
-        eps: V,
-        b: &mut [V],
+        is_transposed: bool,
     ) -> bool {
         let mut turns = vec![0; self.order.len()];
         for (turn, variable) in self.order.iter().enumerate() {
             turns[*variable as usize] = turn;
         }
         let mut rows: Vec<Vec<(usize, V)>> = (0..turns.len()).map(|turn| vec![(turn, V::one())]).collect();
-        for ((i, j), slope) in entries.into_iter().zip(slopes) {
+        for ((i, j), slope) in self.couplings().pairs().zip(slopes) {
+            let (i, j) = if is_transposed { (j, i) } else { (i, j) };
             let scaled = -(eps * *slope);
             if i == j {
                 rows[turns[i]][0].1 += scaled;

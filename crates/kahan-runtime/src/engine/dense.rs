@@ -18,7 +18,7 @@ use crate::machine::StepKind;
 use super::elimination::solve;
 use super::floats::MachineFloat;
 use super::scratch::{Scratch, with_scratch};
-use super::step::add_increment;
+use super::step::add_quotient;
 use super::{Engine, in_turn};
 
 /// Steps of many trajectories between two looks at their pivots: those of a trajectory are repeated
@@ -117,7 +117,8 @@ fn has_stepped<T: MachineFloat>(
     }
     let time_step = eps + eps;
     for (i, velocity) in outcome.iter().enumerate() {
-        add_increment(kind, time_step * *velocity, &mut state[i], carry.get_mut(i));
+        let (x, carry) = (&mut state[i], carry.get_mut(i));
+        add_quotient(kind, (time_step * *velocity, None), x, carry, |x| kind.stored(x));
     }
     is_finite(state)
 }
@@ -165,7 +166,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
                     velocities(packed, velocity, eps, growth, dense);
                     let time_step = eps + eps;
                     for (x, velocity) in state.iter_mut().zip(velocity) {
-                        add_increment(kind, time_step * *velocity, x, None);
+                        add_quotient(kind, (time_step * *velocity, None), x, None, |x| kind.stored(x));
                     }
                     for (largest, growth) in largest.iter_mut().zip(&*growth) {
                         *largest = if growth.is_better_pivot(largest) { *growth } else { *largest };

@@ -250,7 +250,7 @@ impl Engine {
         let mut divides = false;
         with_scratch(T::single(), |scratch| {
             self.run(stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, [state, &mut []], registers, workspace);
+                step.advance(rounds, state, registers, workspace);
                 divides |= step.has_divided_by_zero(registers, workspace);
             });
         });
@@ -350,7 +350,7 @@ impl Engine {
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&extended, scratch)];
             self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, [&mut point, &mut []], registers, workspace);
+                step.advance(rounds, &mut point, registers, workspace);
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()

@@ -142,41 +142,27 @@ impl Step {
     }
 
     /// Replaces a state by the next one, in the registers of the step. Where generated code takes
-    /// the general form for one state, it rounds increments before it adds them.
-    ///
-    /// What the state lacks is carried along in `carry`, by the operations of
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry), unless that is
-    /// empty.
+    /// the general form for one state, it `rounds` increments before it adds them.
     #[inline]
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         rounds: bool,
-        [state, carry]: [&mut [V]; 2],
+        state: &mut [V],
         registers: &mut [V],
         workspace: &mut Workspace<V>,
     ) {
-        self.compute(state, registers, workspace);
-        self.add(rounds, [state, carry], workspace);
-    }
-
-    /// Adds what was computed to the state.
-    #[inline]
-    fn add<V: Scalar + Copy>(&self, rounds: bool, [state, carry]: [&mut [V]; 2], workspace: &Workspace<V>) {
-        if carry.is_empty() {
-            for (i, x) in state.iter_mut().enumerate() {
-                *x = added(self.quotient(i, rounds, workspace), *x);
-            }
-            return;
-        }
-        for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
-            add_with_carry(self.quotient(i, rounds, workspace), x, carry);
+        self.compute(state, registers, workspace, Tables::factor);
+        for (i, x) in state.iter_mut().enumerate() {
+            *x = added(self.quotient(i, rounds, workspace), *x);
         }
     }
 
-    /// Advances a state by a step of a kind. `single` rounds each number once where a wider
-    /// precision serves a state of single precision. A step that eliminates factors A(x,ε) by
-    /// `factor`, which is [`Tables::factor`] in all but programs that are written for machine code;
-    /// where it returns `false`, partial pivoting takes over.
+    /// Advances a state by a step of a kind. A `carry` that is not empty holds what the state lacks,
+    /// and is advanced by the operations of
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
+    /// each number once where a wider precision serves a state of single precision. A step that
+    /// eliminates factors A(x,ε) by `factor`, which is [`Tables::factor`] in all but programs that
+    /// are written for machine code; where it returns `false`, partial pivoting takes over.
     pub(crate) fn advance_as<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -186,13 +172,10 @@ impl Step {
         single: impl Fn(V) -> V,
         factor: impl FnOnce(&Tables, &[V], &V, &mut Factors<V>) -> bool,
     ) {
-        self.compute_by(state, registers, workspace, factor);
-        if kind.precision != Precision::SingleThroughDouble {
-            return self.add(kind.rounds_increments, [state, carry], workspace);
-        }
+        self.compute(state, registers, workspace, factor);
         for (i, x) in state.iter_mut().enumerate() {
             let quotient = self.quotient(i, kind.rounds_increments, workspace);
-            add_through_double(quotient, x, carry.get_mut(i), &single);
+            add_quotient(kind, quotient, x, carry.get_mut(i), &single);
         }
     }
 
@@ -241,19 +224,13 @@ impl Step {
         registers: &mut [V],
         workspace: &'a mut Workspace<V>,
     ) -> impl Iterator<Item = V> + use<'a, V> {
-        self.compute(state, registers, workspace);
+        self.compute(state, registers, workspace, Tables::factor);
         (0..self.quotients.len()).map(|i| self.quotient(i, true, workspace).0)
-    }
-
-    /// Computes numerators and reciprocals.
-    #[inline(always)]
-    fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], workspace: &mut Workspace<V>) {
-        self.compute_by(state, registers, workspace, Tables::factor);
     }
 
     /// Computes numerators and reciprocals. A step that eliminates factors A(x,ε) by `factor`.
     #[inline(always)]
-    fn compute_by<V: Scalar + Copy>(
+    fn compute<V: Scalar + Copy>(
         &self,
         state: &[V],
         registers: &mut [V],
@@ -281,7 +258,7 @@ impl Step {
             tables.solve(factors, outcome, 1, 0);
             false
         } else if tables.are_sparse() {
-            tables.solve_by_pivoting(entries, eps, outcome)
+            tables.solve_by_pivoting(entries, eps, outcome, false)
         } else {
             tables.spread(entries, matrix);
             into_matrix(matrix, eps, state.len());
@@ -350,15 +327,22 @@ fn add_through_double<V: Scalar + Copy>(
     }
 }
 
-/// Adds an increment to a component as a step of a kind does.
+/// Adds an increment, given by its factors, to a component as a step of a kind does, and keeps
+/// what the component lacks in `carry`, if there is one.
 #[inline(always)]
-pub(super) fn add_increment<T: RuntimeFloat>(kind: StepKind, increment: T, x: &mut T, carry: Option<&mut T>) {
-    match (kind.precision, carry) {
-        (Precision::SingleThroughDouble, carry) => {
-            add_through_double((increment, None), x, carry, |x| kind.stored(x));
+pub(super) fn add_quotient<V: Scalar + Copy>(
+    kind: StepKind,
+    quotient: (V, Option<V>),
+    x: &mut V,
+    carry: Option<&mut V>,
+    single: impl Fn(V) -> V,
+) {
+    match carry {
+        carry if kind.precision == Precision::SingleThroughDouble => {
+            add_through_double(quotient, x, carry, single);
         }
-        (_, Some(carry)) => add_with_carry((increment, None), x, carry),
-        (_, None) => *x = added((increment, None), *x),
+        Some(carry) => add_with_carry(quotient, x, carry),
+        None => *x = added(quotient, *x),
     }
 }
 

@@ -51,7 +51,7 @@ impl<T: RuntimeFloat> Transposed<'_, T> {
                 return tables.solve_transposed(&mut self.factors, b);
             }
             if tables.are_sparse() {
-                tables.solve_transposed_by_pivoting(slopes, eps, b);
+                tables.solve_by_pivoting(slopes, eps, b, true);
                 return;
             }
         }

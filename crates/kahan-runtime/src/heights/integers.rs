@@ -3,12 +3,14 @@
 use dashu_int::ops::{Abs, BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig, Word};
 use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::plan::Plan;
+use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
 /// ℤ. A constant that is no integer has no value here, and nothing is divided.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Integers;
+struct Integers;
 
 impl Arithmetic for Integers {
     type Value = IBig;
@@ -42,6 +44,13 @@ impl Arithmetic for Integers {
     fn is_zero(&self, a: &IBig) -> bool {
         a.is_zero()
     }
+}
+
+/// The values of polynomials at a point.
+pub(crate) fn values(plan: &Plan, point: &[IBig]) -> Vec<IBig> {
+    let values =
+        plan.evaluate(&Integers, |input| input.variable().map(|Variable(k)| point[usize::from(k)].clone()));
+    values.into_iter().map(|value| value.expect("a polynomial divides by nothing")).collect()
 }
 
 /// The numerator of a rational in lowest terms, with its sign.

@@ -16,7 +16,7 @@ use kahan_algebra::system::System;
 
 use super::elimination::solve_projectively;
 use super::integers::{
-    Integers, common_denominator, denominator, greatest_common_divisor, numerator, rational,
+    common_denominator, denominator, greatest_common_divisor, numerator, rational, values,
 };
 use super::split::Splits;
 
@@ -126,21 +126,12 @@ impl ProjectiveMap {
     /// One step; the content is not divided out, or only in part. `factors` are the gcd(Xᵢ, W).
     /// Cost: a few products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
-        let run = |plan: &Plan| {
-            let values = plan.evaluate(&Integers, |input| {
-                input.variable().map(|Variable(k)| point[usize::from(k)].clone())
-            });
-            values
-                .into_iter()
-                .map(|value| value.expect("a polynomial divides by nothing"))
-                .collect::<Vec<IBig>>()
-        };
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
                 if let Some(point) = split.apply(point, factors) {
                     return Image { point, weight_parts: Vec::new(), weight_behind: None };
                 }
-                let mut image = run(plan);
+                let mut image = values(plan, point);
                 let weight_behind = image.pop();
                 let mut weight_parts: Vec<IBig> = image.pop().into_iter().collect();
                 for &(variable, exponent) in monomial.powers() {
@@ -151,7 +142,7 @@ impl ProjectiveMap {
                 Image { point: image, weight_parts, weight_behind }
             }
             Formula::Elimination(plan) => {
-                let mut entries = run(plan);
+                let mut entries = values(plan, point);
                 let rhs = entries.split_off(self.dimension * self.dimension);
                 let rows = entries.chunks(self.dimension).zip(rhs);
                 let rows = rows.map(|(row, b)| row.iter().cloned().chain([b]).collect()).collect();

@@ -14,9 +14,9 @@
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use kahan_algebra::plan::{Plan, plan_of};
-use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::poly::Polynomial;
 
-use super::integers::{Integers, bits, short_gcd};
+use super::integers::{bits, short_gcd, values};
 
 /// Below this many bits of W a split gains nothing.
 const LONG: usize = 1 << 12;
@@ -90,18 +90,14 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        let values = self
-            .plan
-            .evaluate(&Integers, |input| input.variable().map(|Variable(k)| scaled[usize::from(k)].clone()));
         // The quotients by g of the parts of degree 0, and the remainders; all else remains of the
         // others.
         let divisor = IBig::from(g.clone());
-        let divided = |(part, &j): (Option<IBig>, &usize)| {
-            let part = part.expect("a polynomial divides by nothing");
-            if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) }
-        };
+        let divided =
+            |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };
         let degrees = || self.degrees.iter().flatten();
-        let parts: Vec<(IBig, IBig)> = values.into_iter().zip(degrees()).map(divided).collect();
+        let parts = values(&self.plan, &scaled).into_iter().zip(degrees());
+        let parts: Vec<(IBig, IBig)> = parts.map(divided).collect();
         let lowest = parts.iter().zip(degrees()).filter(|(_, j)| **j == 0).map(|((_, rest), _)| rest);
         let content = lowest.fold(g.clone(), |content, rest| short_gcd(&content, &rest.unsigned_abs()));
         // gʲ/content for j > 0.

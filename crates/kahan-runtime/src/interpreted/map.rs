@@ -4,7 +4,9 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use kahan_core::__private::{jacobian_by_duals, stable_step};
+use kahan_core::__private::{
+    determinant, determinant_and_adjugate_product, jacobian_by_duals, pole, solve, stable_step,
+};
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{ExtendScalars, KahanMap, Pivot, QuadraticField, Scalar, SingularStep};
 
@@ -13,7 +15,6 @@ use smallvec::SmallVec;
 use crate::engine::Object;
 use crate::line::Line;
 
-use super::unplanned::Unplanned;
 use super::{Interpreted, InterpretedStep};
 
 /// The values, and 0 for each variable that stands still.
@@ -28,19 +29,6 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
             let numerators = results.iter().len() - 1;
             (vector(results.iter().take(numerators)), results.get(numerators))
         })
-    }
-
-    /// A(x,ε)⁻¹·A(x̃,−ε) along the couplings; `None` where there are none, and where a pivot is
-    /// too small.
-    fn jacobian_along_couplings(&self, x: &SVector<T, N>, eps: &T) -> Option<SMatrix<T, N, N>> {
-        let (tables, mut factors) = self.factors(x.as_slice(), eps)?;
-        let next = self.step(x, eps.clone());
-        let mut jacobian = self.matrix(&next, -eps.clone());
-        let own = self.variables().len();
-        for column in jacobian.data.0.iter_mut().take(own) {
-            tables.solve(&mut factors, &mut column[..own], 1, 0);
-        }
-        Some(jacobian)
     }
 
     /// Evaluates an object whose value is a vector.
@@ -119,25 +107,32 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
-        match self.engine.derived.step() {
-            Some(_) => jacobian_by_duals(self, x, &eps),
-            None => self
-                .jacobian_along_couplings(x, &eps)
-                .unwrap_or_else(|| Unplanned(self.clone()).jacobian(x, eps)),
+        if self.engine.derived.step().is_some() {
+            return jacobian_by_duals(self, x, &eps);
         }
+        let next = self.step(x, eps.clone());
+        let mut jacobian = self.matrix(&next, -eps.clone());
+        let Some((tables, mut factors)) = self.factors(x.as_slice(), &eps) else {
+            return solve(self.matrix(x, eps.clone()), jacobian).unwrap_or_else(|| pole(&eps));
+        };
+        let own = self.variables().len();
+        for column in jacobian.data.0.iter_mut().take(own) {
+            tables.solve(&mut factors, &mut column[..own], 1, 0);
+        }
+        jacobian
     }
 
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         match self.engine.line(Object::DetMatrix) {
             Some(line) => self.run(line, x.as_slice(), &eps, |results| results.get(0)),
-            None => Unplanned(self.clone()).det_matrix(x, eps),
+            None => determinant(self.matrix(x, eps)),
         }
     }
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         match self.engine.line(Object::RationalMap) {
             Some(line) => self.fraction(line, x, &eps),
-            None => Unplanned(self.clone()).rational_map(x, eps),
+            None => determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps)),
         }
     }
 

@@ -9,7 +9,6 @@
 mod dimension;
 mod map;
 mod step;
-mod unplanned;
 
 use std::marker::PhantomData;
 use std::sync::Arc;

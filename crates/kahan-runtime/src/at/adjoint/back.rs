@@ -64,7 +64,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         for k in 0..self.stages() {
             let first = points.len() - n;
             points.extend_from_within(first..);
-            self.distinct[self.stage(k)].0.advance_checked(&mut points[first + n..], 1);
+            self.distinct[self.stage(k)].0.advance_checked([&mut points[first + n..], &mut []], 1);
         }
     }
 
