@@ -155,11 +155,12 @@ fn an_attempt_is_within_what_it_says() {
     let part = largest_part(&chain, |x, e| by_step(&chain.extend_scalars(convert), &given(x), eps(e)));
     assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
     let part = largest_part(&riccati, |x, e| {
-        Attempt::by_quotients(&riccati.extend_scalars(convert), &given(x), eps(e))
+        Attempt::by_reduced_map(&riccati.extend_scalars(convert), &given(x), eps(e))
     });
     assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
-    let part =
-        largest_part(&chain, |x, e| Attempt::by_quotients(&chain.extend_scalars(convert), &given(x), eps(e)));
+    let part = largest_part(&chain, |x, e| {
+        Attempt::by_reduced_map(&chain.extend_scalars(convert), &given(x), eps(e))
+    });
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
