@@ -6,18 +6,20 @@ use kahan_algebra::render::{Formulas, Notation, Text};
 use kahan_algebra::syntax::{ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_discover::claims::proved::Formula;
+use kahan_discover::integrals::composition::Survivors;
 use kahan_discover::modular::monomials::Monomials;
 use kahan_discover::orbits::basis::Basis;
 use kahan_discover::orbits::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
 use kahan_discover::report::{HamiltonianReport, MOST_READABLE, ModifiedPlace};
 use kahan_discover::{Options, Report, Unwatched, Watch, discover};
 use kahan_runtime::FieldText;
-use serde::ser::Error;
+use serde::ser::{Error, SerializeMap};
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
-use crate::named::{Names, by_name};
-use crate::numbers::exact;
+use crate::named::Names;
+use crate::numbers::exact::{self, Exactly};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
@@ -238,43 +240,6 @@ impl Discovered {
     }
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    variables: &'a [String],
-    /// Null is generic.
-    #[serde(serialize_with = "by_name")]
-    parameters: Names<Option<String>>,
-    eps: Option<String>,
-    hilbert: &'a [usize],
-    monomials: &'a [usize],
-    independent_integrals: usize,
-    most_integrals: Option<usize>,
-    bounded_by: &'static str,
-    degrees: &'a [usize],
-    growth: &'static str,
-    growth_proved: bool,
-    entropy: f64,
-    linear_integrals: &'a [String],
-    quadratic_integrals_of_the_flow: &'a [String],
-    integrals: Vec<&'a str>,
-    densities: Vec<&'a str>,
-    brackets: &'a [String],
-    bracket_ranks: &'a [usize],
-    drifts: Vec<&'a str>,
-    found: Vec<Part>,
-    bases: Vec<Relation>,
-    divergence: &'a str,
-    is_even: bool,
-    /// The first of `hamiltonians`.
-    hamiltonian: Option<Hamiltonian<'a>>,
-    hamiltonians: Vec<Hamiltonian<'a>>,
-    survivors: Option<Survivors<'a>>,
-    sentences: &'a [String],
-    out_of_time: bool,
-    seconds: Option<f64>,
-}
-
 /// Something that the map keeps, in its parts.
 #[derive(Serialize)]
 struct Part {
@@ -283,87 +248,46 @@ struct Part {
     expression: String,
 }
 
-#[derive(Clone, Serialize)]
-struct Hamiltonian<'a> {
-    #[serde(rename = "K")]
-    tensor: &'a [Vec<String>],
-    #[serde(rename = "H")]
-    hamiltonian: &'a str,
-    modified_is_proved: bool,
-    /// Whether (I - eps^2 f'^2) K is an invariant bracket, proved.
-    bracket_is_proved: bool,
-    /// Whether `modified` says more than the integrals, or says it in a much shorter formula.
-    is_compact: bool,
-    /// At any point x and its image x~.
-    modified: String,
+/// The relation of a basis as an object of JSON. The integrals are quotients of coefficients `c[m]`
+/// of the relation Σ `c[m]` m = 0 along an orbit, and each term is a sum of monomials whose
+/// coefficients are equal.
+fn relation(basis: &Basis, variables: &[String]) -> Value {
+    let monomials = basis.monomial_texts(variables);
+    let unit = &monomials[basis.unit];
+    let quotient = |&place: &usize| format!("c[{}]/c[{unit}]", monomials[place]);
+    json!({
+        "monomials": monomials,
+        "integrals": basis.integrals.iter().map(quotient).collect::<Vec<_>>(),
+        "terms": basis.term_texts(variables, &Text),
+        "points": basis.points(),
+        "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
+    })
 }
 
-/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an
-/// orbit.
-#[derive(Serialize)]
-struct Relation {
-    monomials: Vec<String>,
-    integrals: Vec<String>,
-    /// Sums of monomials whose coefficients are equal.
-    terms: Vec<String>,
-    points: usize,
-    outcome: &'static str,
+/// K, H and the modified Hamiltonian at a point x and its image x~ as an object of JSON.
+/// `is_compact` says whether that is news beside the integrals, or a much shorter formula.
+fn hamiltonian(found: &HamiltonianReport) -> Value {
+    json!({
+        "K": found.tensor,
+        "H": found.hamiltonian,
+        "modified_is_proved": found.modified_is_proved,
+        "bracket_is_proved": found.bracket_is_proved,
+        "is_compact": found.place != ModifiedPlace::Implied,
+        "modified": found.modified(&Text),
+    })
 }
 
-/// What composition leaves: how many independent integrals, which of the formulas, and which
-/// quotients of two.
-#[derive(Serialize)]
-struct Survivors<'a> {
-    independent_integrals: usize,
-    hilbert: &'a [usize],
-    formulas: Vec<&'a str>,
-    quotients: Vec<String>,
-}
-
-impl Relation {
-    fn of(basis: &Basis, variables: &[String]) -> Self {
-        let monomials = basis.monomial_texts(variables);
-        let unit = &monomials[basis.unit];
-        Relation {
-            integrals: basis
-                .integrals
-                .iter()
-                .map(|&place| format!("c[{}]/c[{unit}]", monomials[place]))
-                .collect(),
-            terms: basis.term_texts(variables, &Text),
-            points: basis.points(),
-            outcome: if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
-            monomials,
-        }
-    }
-}
-
-impl<'a> Hamiltonian<'a> {
-    fn of(found: &'a HamiltonianReport) -> Self {
-        Hamiltonian {
-            tensor: &found.tensor,
-            hamiltonian: &found.hamiltonian,
-            modified_is_proved: found.modified_is_proved,
-            bracket_is_proved: found.bracket_is_proved,
-            is_compact: found.place != ModifiedPlace::Implied,
-            modified: found.modified(&Text),
-        }
-    }
-}
-
-impl<'a> Survivors<'a> {
-    fn of(report: &'a Report) -> Option<Self> {
-        let survivors = report.survivors.as_ref()?;
-        let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
-        let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]);
-        let quotients = survivors.quotients.iter();
-        Some(Survivors {
-            independent_integrals: survivors.hilbert.integrals,
-            hilbert: &survivors.hilbert.values,
-            formulas: kept.map(name).collect(),
-            quotients: quotients.map(|&(above, below)| format!("{}/{}", name(above), name(below))).collect(),
-        })
-    }
+/// The integrals that composition leaves, and the quotients of two, as an object of JSON.
+fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
+    let name = |index: usize| integrals[index].name().expect("a claim has a name");
+    let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);
+    let quotient = |&(above, below): &(usize, usize)| format!("{}/{}", name(above), name(below));
+    json!({
+        "independent_integrals": found.hilbert.integrals,
+        "hilbert": found.hilbert.values,
+        "formulas": kept.map(name).collect::<Vec<_>>(),
+        "quotients": found.quotients.iter().map(quotient).collect::<Vec<_>>(),
+    })
 }
 
 impl Serialize for Discovered {
@@ -373,42 +297,45 @@ impl Serialize for Discovered {
         }
         let report = &self.report;
         let structure = &report.structure;
-        let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), Some(value.to_string())));
-        let generic = report.parameters.iter().map(|name| (name.clone(), None));
         let hilbert = report.hilbert.as_ref();
-        let hamiltonians: Vec<_> = structure.hamiltonians.iter().map(Hamiltonian::of).collect();
-        let object = Object {
-            system: &self.system,
-            variables: &report.variables,
-            parameters: fixed.chain(generic).collect(),
-            eps: self.eps.as_ref().map(ToString::to_string),
-            hilbert: hilbert.map_or(&[], |hilbert| &hilbert.values),
-            monomials: hilbert.map_or(&[], |hilbert| &hilbert.full),
-            independent_integrals: report.independent_integrals(),
-            most_integrals: report.ceiling.as_ref().map(|ceiling| ceiling.integrals),
-            bounded_by: report.bound.word(),
-            degrees: &report.degrees,
-            growth: report.growth.growth.word(),
-            growth_proved: report.growth.proof.is_some(),
-            entropy: report.growth.growth.entropy(),
-            linear_integrals: &structure.linear_integrals,
-            quadratic_integrals_of_the_flow: &structure.quadratic_integrals,
-            integrals: texts(&report.integrals),
-            densities: texts(&report.densities),
-            brackets: &report.brackets,
-            bracket_ranks: &report.bracket_ranks,
-            drifts: report.drifts.iter().map(|drift| drift.text.as_str()).collect(),
-            found: self.parts().map_err(S::Error::custom)?,
-            bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
-            divergence: &structure.divergence,
-            is_even: structure.is_even,
-            hamiltonian: hamiltonians.first().cloned(),
-            hamiltonians,
-            survivors: Survivors::of(report),
-            sentences: &report.sentences,
-            out_of_time: report.out_of_time,
-            seconds: self.seconds,
-        };
-        object.serialize(serializer)
+        let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), value.to_json()));
+        let generic = report.parameters.iter().map(|name| (name.clone(), Value::Null));
+        let drifts: Vec<&str> = report.drifts.iter().map(|drift| drift.text.as_str()).collect();
+        let bases: Vec<Value> = report.bases.iter().map(|basis| relation(basis, &report.variables)).collect();
+        let hamiltonians: Vec<Value> = structure.hamiltonians.iter().map(hamiltonian).collect();
+        let survivors = report.survivors.as_ref().map(|found| survivors(found, &report.integrals));
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("system", &self.system)?;
+        object.serialize_entry("variables", &report.variables)?;
+        object.serialize_entry("parameters", &fixed.chain(generic).collect::<Map<_, _>>())?;
+        object.serialize_entry("eps", &self.eps.to_json())?;
+        object.serialize_entry("hilbert", hilbert.map_or(&[][..], |hilbert| &hilbert.values))?;
+        object.serialize_entry("monomials", hilbert.map_or(&[][..], |hilbert| &hilbert.full))?;
+        object.serialize_entry("independent_integrals", &report.independent_integrals())?;
+        object
+            .serialize_entry("most_integrals", &report.ceiling.as_ref().map(|ceiling| ceiling.integrals))?;
+        object.serialize_entry("bounded_by", report.bound.word())?;
+        object.serialize_entry("degrees", &report.degrees)?;
+        object.serialize_entry("growth", report.growth.growth.word())?;
+        object.serialize_entry("growth_proved", &report.growth.proof.is_some())?;
+        object.serialize_entry("entropy", &report.growth.growth.entropy())?;
+        object.serialize_entry("linear_integrals", &structure.linear_integrals)?;
+        object.serialize_entry("quadratic_integrals_of_the_flow", &structure.quadratic_integrals)?;
+        object.serialize_entry("integrals", &texts(&report.integrals))?;
+        object.serialize_entry("densities", &texts(&report.densities))?;
+        object.serialize_entry("brackets", &report.brackets)?;
+        object.serialize_entry("bracket_ranks", &report.bracket_ranks)?;
+        object.serialize_entry("drifts", &drifts)?;
+        object.serialize_entry("found", &self.parts().map_err(S::Error::custom)?)?;
+        object.serialize_entry("bases", &bases)?;
+        object.serialize_entry("divergence", &structure.divergence)?;
+        object.serialize_entry("is_even", &structure.is_even)?;
+        object.serialize_entry("hamiltonian", &hamiltonians.first())?;
+        object.serialize_entry("hamiltonians", &hamiltonians)?;
+        object.serialize_entry("survivors", &survivors)?;
+        object.serialize_entry("sentences", &report.sentences)?;
+        object.serialize_entry("out_of_time", &report.out_of_time)?;
+        object.serialize_entry("seconds", &self.seconds)?;
+        object.end()
     }
 }

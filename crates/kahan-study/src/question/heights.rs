@@ -3,10 +3,11 @@
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Progress, Unwatched, Watch};
 use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value};
 
 use crate::error::StudyError;
-use crate::named::{Names, by_name};
 use crate::numbers::exact;
 use crate::rows::{Column, Kept};
 use crate::study::{NoStep, Study};
@@ -142,39 +143,25 @@ pub fn fifteen_digits(height: f64) -> f64 {
     format!("{height:.14e}").parse().expect("a printed float is one")
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    steps: usize,
-    #[serde(serialize_with = "by_name")]
-    log_heights: Names<Vec<f64>>,
-    growth: String,
-    entropy: f64,
-    seconds: Option<f64>,
-    stopped: Option<&'static str>,
-}
-
 impl Serialize for HeightsFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let series = |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits).collect();
-        let object = Object {
-            system: &self.system,
-            steps: self.steps(),
-            log_heights: self
-                .variables
-                .iter()
-                .enumerate()
-                .map(|(i, name)| (name.clone(), series(i)))
-                .collect(),
-            growth: self.survey.growth.to_string(),
-            entropy: self.survey.entropy,
-            seconds: self.seconds,
-            stopped: self.survey.stopped.map(|stop| match stop {
-                Stop::Pole => "pole",
-                Stop::Digits => "digits",
-                Stop::Seconds => "seconds",
-            }),
+        let series = |i| -> Value {
+            self.survey.component(i).into_iter().skip(1).map(fifteen_digits).map(Value::from).collect()
         };
-        object.serialize(serializer)
+        let series: Map<_, _> = self.variables.iter().cloned().zip((0..).map(series)).collect();
+        let stopped = self.survey.stopped.map(|stop| match stop {
+            Stop::Pole => "pole",
+            Stop::Digits => "digits",
+            Stop::Seconds => "seconds",
+        });
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("system", &self.system)?;
+        object.serialize_entry("steps", &self.steps())?;
+        object.serialize_entry("log_heights", &series)?;
+        object.serialize_entry("growth", &self.survey.growth.to_string())?;
+        object.serialize_entry("entropy", &self.survey.entropy)?;
+        object.serialize_entry("seconds", &self.seconds)?;
+        object.serialize_entry("stopped", &stopped)?;
+        object.end()
     }
 }

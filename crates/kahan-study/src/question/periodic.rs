@@ -4,14 +4,15 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_discover::Watch;
-use kahan_dynamics::periodic::{Branch, PeriodicPoint, branch, periodic_point};
+use kahan_dynamics::periodic::{Branch, BranchPoint, PeriodicPoint, Turn, branch, periodic_point};
 use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Value, json};
 
 use crate::axes;
 use crate::count::Count;
 use crate::error::StudyError;
-use crate::numbers::exact;
+use crate::numbers::exact::{self, Exactly};
 use crate::range::Axis;
 use crate::study::Study;
 
@@ -158,105 +159,45 @@ pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
     Text.polynomial(&symbols, &exact.polynomial)
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    #[serde(flatten)]
-    cycle: Cycle<'a>,
-    system: &'a str,
-    variables: &'a [String],
-    exact: Option<Exact>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    branch: Option<Along<'a>>,
-}
-
-#[derive(Serialize)]
-struct Cycle<'a> {
-    period: usize,
-    points: &'a [Vec<f64>],
-    residual: f64,
-    multipliers: Vec<[f64; 2]>,
-    stability: String,
-    family: usize,
-}
-
-#[derive(Serialize)]
-struct Exact {
-    points: Vec<Vec<String>>,
-    polynomial: String,
-    stability: String,
-}
-
-#[derive(Serialize)]
-struct Along<'a> {
-    over: &'a str,
-    points: Vec<Place<'a>>,
-    turns: Vec<Turn>,
-    cut: bool,
-}
-
-#[derive(Serialize)]
-struct Place<'a> {
-    #[serde(flatten)]
-    cycle: Cycle<'a>,
-    parameter: f64,
-}
-
-#[derive(Serialize)]
-struct Turn {
-    change: String,
-    parameter: f64,
-}
-
-impl<'a> Cycle<'a> {
-    fn of(cycle: &'a PeriodicPoint) -> Self {
-        Cycle {
-            period: cycle.points.len(),
-            points: &cycle.points,
-            residual: cycle.residual,
-            multipliers: cycle.multipliers.iter().map(|one| [one.re, one.im]).collect(),
-            stability: cycle.stability().to_string(),
-            family: cycle.family,
-        }
-    }
-}
-
-impl Exact {
-    fn of(cycle: &RationalCycle) -> Self {
-        let texts = |point: &Vec<Rational>| point.iter().map(ToString::to_string).collect();
-        Exact {
-            points: cycle.points.iter().map(texts).collect(),
-            polynomial: characteristic_polynomial(cycle),
-            stability: cycle.stability.to_string(),
-        }
-    }
-}
-
-impl<'a> Along<'a> {
-    fn of(over: &'a str, branch: &'a Branch) -> Self {
-        let points = branch.points.iter();
-        let turns = branch.turns.iter();
-        Along {
-            over,
-            points: points
-                .map(|point| Place { cycle: Cycle::of(&point.cycle), parameter: point.parameter })
-                .collect(),
-            turns: turns
-                .map(|turn| Turn { change: turn.change.to_string(), parameter: turn.parameter })
-                .collect(),
-            cut: branch.is_cut,
-        }
-    }
+/// A cycle as an object of JSON.
+fn object_of(cycle: &PeriodicPoint) -> Value {
+    json!({
+        "period": cycle.points.len(),
+        "points": cycle.points,
+        "residual": cycle.residual,
+        "multipliers": cycle.multipliers.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>(),
+        "stability": cycle.stability().to_string(),
+        "family": cycle.family,
+    })
 }
 
 impl Serialize for CycleFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let object = Object {
-            cycle: Cycle::of(&self.cycle),
-            system: &self.system,
-            variables: &self.variables,
-            exact: self.exact.as_ref().map(Exact::of),
-            branch: self.branch.as_ref().map(|(over, branch)| Along::of(over, branch)),
+        let exact = |exact: &RationalCycle| {
+            json!({
+                "points": exact.points.to_json(),
+                "polynomial": characteristic_polynomial(exact),
+                "stability": exact.stability.to_string(),
+            })
         };
+        let place = |point: &BranchPoint| {
+            let mut place = object_of(&point.cycle);
+            place["parameter"] = json!(point.parameter);
+            place
+        };
+        let turn = |turn: &Turn| json!({"change": turn.change.to_string(), "parameter": turn.parameter});
+        let mut object = object_of(&self.cycle);
+        object["system"] = json!(self.system);
+        object["variables"] = json!(self.variables);
+        object["exact"] = self.exact.as_ref().map_or(Value::Null, exact);
+        if let Some((over, branch)) = &self.branch {
+            object["branch"] = json!({
+                "over": over,
+                "points": branch.points.iter().map(place).collect::<Vec<_>>(),
+                "turns": branch.turns.iter().map(turn).collect::<Vec<_>>(),
+                "cut": branch.is_cut,
+            });
+        }
         object.serialize(serializer)
     }
 }

@@ -2,9 +2,11 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::GrowthVerdict;
-use kahan_discover::poles::Pattern;
+use kahan_discover::poles::{Image, Pattern};
 use kahan_discover::{Watch, poles};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::json;
 
 use crate::error::StudyError;
 use crate::numbers::exact;
@@ -34,13 +36,15 @@ impl Default for Poles {
 }
 
 /// The patterns of the curves.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct PolesFound {
     /// The name of the system.
     pub system: String,
     /// The patterns, and the degrees of iterates.
+    #[serde(flatten, serialize_with = "patterns")]
     pub found: kahan_discover::Poles,
     /// How the degrees grow.
+    #[serde(flatten, serialize_with = "class")]
     pub growth: GrowthVerdict,
     /// The seconds that it took; `None` without a clock.
     pub seconds: Option<f64>,
@@ -66,59 +70,31 @@ impl Poles {
     }
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    patterns: Vec<Curve>,
-    bound: usize,
-    complete: bool,
-    degrees: &'a [usize],
-    implied_degrees: Option<&'a [usize]>,
-    growth: &'static str,
-    entropy: f64,
-    seconds: Option<f64>,
+/// Writes the patterns of curves, and the degrees of iterates.
+fn patterns<S: Serializer>(found: &kahan_discover::Poles, serializer: S) -> Result<S::Ok, S::Error> {
+    let image = |image: &Image| json!({"dimension": image.dimension, "infinite": image.is_infinite});
+    let curve = |pattern: &Pattern| {
+        json!({
+            "curve": pattern.name(&found.symbols),
+            "steps": pattern.steps,
+            "confined": pattern.confined,
+            "blown_down": pattern.is_blown_down(),
+            "images": pattern.images.iter().take(pattern.steps).map(image).collect::<Vec<_>>(),
+        })
+    };
+    let mut object = serializer.serialize_map(None)?;
+    object.serialize_entry("patterns", &found.patterns.iter().map(curve).collect::<Vec<_>>())?;
+    object.serialize_entry("bound", &found.bound)?;
+    object.serialize_entry("complete", &found.is_complete)?;
+    object.serialize_entry("degrees", &found.degrees)?;
+    object.serialize_entry("implied_degrees", &found.implied_degrees)?;
+    object.end()
 }
 
-#[derive(Serialize)]
-struct Curve {
-    curve: String,
-    steps: usize,
-    confined: Option<bool>,
-    blown_down: bool,
-    images: Vec<Image>,
-}
-
-#[derive(Serialize)]
-struct Image {
-    dimension: usize,
-    infinite: bool,
-}
-
-impl Serialize for PolesFound {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let found = &self.found;
-        let image = |image: &kahan_discover::poles::Image| Image {
-            dimension: image.dimension,
-            infinite: image.is_infinite,
-        };
-        let curve = |pattern: &Pattern| Curve {
-            curve: pattern.name(&found.symbols),
-            steps: pattern.steps,
-            confined: pattern.confined,
-            blown_down: pattern.is_blown_down(),
-            images: pattern.images.iter().take(pattern.steps).map(image).collect(),
-        };
-        let object = Object {
-            system: &self.system,
-            patterns: found.patterns.iter().map(curve).collect(),
-            bound: found.bound,
-            complete: found.is_complete,
-            degrees: &found.degrees,
-            implied_degrees: found.implied_degrees.as_deref(),
-            growth: self.growth.growth.word(),
-            entropy: self.growth.growth.entropy(),
-            seconds: self.seconds,
-        };
-        object.serialize(serializer)
-    }
+/// Writes the class of growth, and the entropy.
+fn class<S: Serializer>(verdict: &GrowthVerdict, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut object = serializer.serialize_map(None)?;
+    object.serialize_entry("growth", verdict.growth.word())?;
+    object.serialize_entry("entropy", &verdict.growth.entropy())?;
+    object.end()
 }

@@ -3,12 +3,13 @@
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{GridPoint, Proposal, Sight};
 use kahan_discover::{Scan as Grid, Scanned, Watch, scan};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use crate::axes;
 use crate::error::StudyError;
-use crate::named::{Names, by_name};
-use crate::numbers::exact;
+use crate::numbers::exact::{self, Exactly};
 use crate::range::Axis;
 use crate::study::Study;
 
@@ -38,13 +39,15 @@ pub struct Scan {
 }
 
 /// What was seen on the grid.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct ScanFound {
     /// The name of the system.
     pub system: String,
     /// The grid as far as there was time, and the relations.
+    #[serde(flatten, serialize_with = "grid")]
     pub found: Grid,
     /// The points of the whole grid.
+    #[serde(skip)]
     pub total: usize,
     /// The seconds that it took; `None` without a clock.
     pub seconds: Option<f64>,
@@ -103,83 +106,32 @@ impl Scan {
     }
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    names: &'a [String],
-    generic: Seen<'a>,
-    points: Vec<Point<'a>>,
-    special: Vec<Values>,
-    relations: Vec<Relation<'a>>,
-    out_of_time: bool,
-    seconds: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct Seen<'a> {
-    independent_integrals: usize,
-    hilbert: &'a [usize],
-    degrees: &'a [usize],
-}
-
-#[derive(Serialize)]
-struct Point<'a> {
-    values: Values,
-    sight: Option<Seen<'a>>,
-}
-
-#[derive(Serialize)]
-struct Relation<'a> {
-    relation: &'a str,
-    points: usize,
-    sight: Seen<'a>,
-    claims: &'a [String],
-    proved: bool,
-}
-
-/// The values of a point by name.
-struct Values(Names<String>);
-
-impl Serialize for Values {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        by_name(&self.0, serializer)
-    }
-}
-
-impl<'a> Seen<'a> {
-    fn of(sight: &'a Sight) -> Self {
-        Seen { independent_integrals: sight.integrals, hilbert: &sight.hilbert, degrees: &sight.degrees }
-    }
-}
-
-impl Serialize for ScanFound {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let found = &self.found;
-        let values = |point: &GridPoint| {
-            Values(found.names.iter().cloned().zip(point.values.iter().map(ToString::to_string)).collect())
-        };
-        fn relation(proposal: &Proposal) -> Relation<'_> {
-            Relation {
-                relation: &proposal.relation,
-                points: proposal.points,
-                sight: Seen::of(&proposal.sight),
-                claims: &proposal.claims,
-                proved: !proposal.claims.is_empty(),
-            }
-        }
-        let points = found.points.iter();
-        let object = Object {
-            system: &self.system,
-            names: &found.names,
-            generic: Seen::of(&found.generic),
-            points: points
-                .map(|point| Point { values: values(point), sight: point.sight.as_ref().map(Seen::of) })
-                .collect(),
-            special: found.special().map(values).collect(),
-            relations: found.relations.iter().map(relation).collect(),
-            out_of_time: found.out_of_time,
-            seconds: self.seconds,
-        };
-        object.serialize(serializer)
-    }
+/// Writes a grid, its special points and the relations between them.
+fn grid<S: Serializer>(found: &Grid, serializer: S) -> Result<S::Ok, S::Error> {
+    let seen = |sight: &Sight| {
+        let Sight { integrals, hilbert, degrees } = sight;
+        json!({"independent_integrals": integrals, "hilbert": hilbert, "degrees": degrees})
+    };
+    let values = |point: &GridPoint| -> Map<String, Value> {
+        found.names.iter().cloned().zip(point.values.iter().map(Exactly::to_json)).collect()
+    };
+    let point = |point: &GridPoint| json!({"values": values(point), "sight": point.sight.as_ref().map(seen)});
+    let relation = |proposal: &Proposal| {
+        let Proposal { relation, points, sight, claims } = proposal;
+        json!({
+            "relation": relation,
+            "points": points,
+            "sight": seen(sight),
+            "claims": claims,
+            "proved": !claims.is_empty(),
+        })
+    };
+    let mut object = serializer.serialize_map(None)?;
+    object.serialize_entry("names", &found.names)?;
+    object.serialize_entry("generic", &seen(&found.generic))?;
+    object.serialize_entry("points", &found.points.iter().map(point).collect::<Vec<_>>())?;
+    object.serialize_entry("special", &found.special().map(values).collect::<Vec<_>>())?;
+    object.serialize_entry("relations", &found.relations.iter().map(relation).collect::<Vec<_>>())?;
+    object.serialize_entry("out_of_time", &found.out_of_time)?;
+    object.end()
 }

@@ -10,6 +10,7 @@ use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Secti
 use kahan_discover::Watch;
 use kahan_runtime::{End, Follow, Followed, MapAt, RuntimePoint};
 use serde::de::Error;
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::count::Count;
@@ -255,30 +256,19 @@ impl SectionFound {
     }
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    variables: &'a [String],
-    steps: u64,
-    ended: &'static str,
-    ended_step: u64,
-    times: Vec<f64>,
-    points: Vec<&'a [f64]>,
-    jumps: u64,
-}
-
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let object = Object {
-            system: &self.system,
-            variables: &self.variables,
-            steps: self.steps,
-            ended: self.end.name(),
-            ended_step: self.steps,
-            times: self.crossings.iter().map(|crossing| crossing.time).collect(),
-            points: self.crossings.iter().map(|crossing| &crossing.point[..]).collect(),
-            jumps: self.jumps,
-        };
-        object.serialize(serializer)
+        let times: Vec<f64> = self.crossings.iter().map(|crossing| crossing.time).collect();
+        let points: Vec<&[f64]> = self.crossings.iter().map(|crossing| &crossing.point[..]).collect();
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("system", &self.system)?;
+        object.serialize_entry("variables", &self.variables)?;
+        object.serialize_entry("steps", &self.steps)?;
+        object.serialize_entry("ended", self.end.name())?;
+        object.serialize_entry("ended_step", &self.steps)?;
+        object.serialize_entry("times", &times)?;
+        object.serialize_entry("points", &points)?;
+        object.serialize_entry("jumps", &self.jumps)?;
+        object.end()
     }
 }

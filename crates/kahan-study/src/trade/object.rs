@@ -1,12 +1,13 @@
 //! What was measured as an object of JSON.
 
-use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scheme};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use super::{Measured, Traded};
-use crate::named::{Names, by_name};
-use crate::reference::Method;
+use crate::numbers::exact::Exactly;
+use crate::reference::{Certificate, Method};
 
 /// A need by its name.
 #[derive(Serialize, Deserialize)]
@@ -25,116 +26,59 @@ pub fn need_name(need: Need) -> &'static str {
     }
 }
 
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    #[serde(serialize_with = "by_name")]
-    parameters: Names<String>,
-    x: Vec<String>,
-    horizon: f64,
-    need: &'static str,
-    tolerance: f64,
-    scale: Option<f64>,
-    reference: Option<Agreement>,
-    timing: &'static str,
-    settings: &'a [Measured],
-    choice: Option<Choice<'a>>,
-    skipped: Vec<Skipped>,
-}
-
-#[derive(Serialize)]
-struct Agreement {
-    second_method: &'static str,
-    difference: f64,
-}
-
-#[derive(Serialize)]
-struct Choice<'a> {
-    #[serde(flatten)]
-    setting: &'a Measured,
-    rust: &'a str,
-}
-
-#[derive(Serialize)]
-struct Skipped {
-    #[serde(flatten)]
-    scheme: Named,
-    eps: f64,
-}
-
-#[derive(Serialize)]
-struct Named {
-    scalar: &'static str,
-    order: u32,
-    compensated: bool,
-}
-
-#[derive(Serialize)]
-struct Setting {
-    #[serde(flatten)]
-    scheme: Named,
-    eps: f64,
-    steps: u64,
-    nanoseconds_per_unit_time: f64,
-    trajectory_error: Option<f64>,
-    integral_drift: Option<f64>,
-    flow_integral_drift: Option<f64>,
-    return_error: Option<f64>,
-    on_front: bool,
-}
-
-impl Named {
-    fn of(scheme: Scheme) -> Self {
-        Named { scalar: scheme.precision.name(), order: scheme.order(), compensated: scheme.compensated }
-    }
+/// A scheme at an ε as an object of JSON.
+fn object_of(scheme: Scheme, eps: f64) -> Value {
+    json!({
+        "scalar": scheme.precision.name(),
+        "order": scheme.order(),
+        "compensated": scheme.compensated,
+        "eps": eps,
+    })
 }
 
 impl Serialize for Measured {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let setting = Setting {
-            scheme: Named::of(self.setting.scheme()),
-            eps: self.setting.eps(),
-            steps: self.setting.steps(),
-            nanoseconds_per_unit_time: self.nanoseconds_per_unit_time,
-            trajectory_error: self.trajectory_error,
-            integral_drift: self.integral_drift,
-            flow_integral_drift: self.flow_integral_drift,
-            return_error: self.return_error,
-            on_front: self.on_front,
-        };
-        setting.serialize(serializer)
+        let mut object = object_of(self.setting.scheme(), self.setting.eps());
+        object["steps"] = json!(self.setting.steps());
+        object["nanoseconds_per_unit_time"] = json!(self.nanoseconds_per_unit_time);
+        object["trajectory_error"] = json!(self.trajectory_error);
+        object["integral_drift"] = json!(self.integral_drift);
+        object["flow_integral_drift"] = json!(self.flow_integral_drift);
+        object["return_error"] = json!(self.return_error);
+        object["on_front"] = json!(self.on_front);
+        object.serialize(serializer)
     }
 }
 
 impl Serialize for Traded {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let texts = |values: &[Rational]| values.iter().map(ToString::to_string).collect();
-        let parameters = self.parameters.iter().map(|(name, value)| (name.clone(), value.to_string()));
-        let choice = self.choice().zip(self.rust.as_deref());
-        let object = Object {
-            system: &self.system,
-            parameters: parameters.collect(),
-            x: texts(&self.start),
-            horizon: self.scene.horizon(),
-            need: need_name(self.scene.need()),
-            tolerance: self.scene.tolerance(),
-            scale: self.scale,
-            reference: self.certificate.map(|certificate| Agreement {
-                second_method: match certificate.method {
-                    Method::ClosedSolution => "closed solution",
-                    Method::Composition { .. } => "composition",
-                },
-                difference: certificate.difference,
-            }),
-            timing: if self.is_code { "measured" } else { "predicted" },
-            settings: &self.settings,
-            choice: choice.map(|(setting, rust)| Choice { setting, rust }),
-            skipped: self
-                .skipped
-                .iter()
-                .map(|&(scheme, eps)| Skipped { scheme: Named::of(scheme), eps })
-                .collect(),
+        let parameters = self.parameters.iter().map(|(name, value)| (name.clone(), value.to_json()));
+        let reference = |certificate: Certificate| {
+            let second_method = match certificate.method {
+                Method::ClosedSolution => "closed solution",
+                Method::Composition { .. } => "composition",
+            };
+            json!({"second_method": second_method, "difference": certificate.difference})
         };
-        object.serialize(serializer)
+        let choice = |(setting, rust)| {
+            let mut choice = json!(setting);
+            choice["rust"] = json!(rust);
+            choice
+        };
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("system", &self.system)?;
+        object.serialize_entry("parameters", &parameters.collect::<Map<_, _>>())?;
+        object.serialize_entry("x", &self.start.to_json())?;
+        object.serialize_entry("horizon", &self.scene.horizon())?;
+        object.serialize_entry("need", need_name(self.scene.need()))?;
+        object.serialize_entry("tolerance", &self.scene.tolerance())?;
+        object.serialize_entry("scale", &self.scale)?;
+        object.serialize_entry("reference", &self.certificate.map(reference))?;
+        object.serialize_entry("timing", if self.is_code { "measured" } else { "predicted" })?;
+        object.serialize_entry("settings", &self.settings)?;
+        object.serialize_entry("choice", &self.choice().zip(self.rust.as_ref()).map(choice))?;
+        let skipped = self.skipped.iter().map(|&(scheme, eps)| object_of(scheme, eps));
+        object.serialize_entry("skipped", &skipped.collect::<Vec<_>>())?;
+        object.end()
     }
 }
