@@ -1,8 +1,8 @@
-"""Axes of charts, scans and cycles, and the colors of charts."""
+"""Axes of charts, scans and cycles."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,33 +10,10 @@ import numpy as np
 from ._exact import Number, exact, whole
 from ._orbit import Array
 
-__all__ = ["Range", "axes_of", "colors", "observable", "size"]
+__all__ = ["Range", "axes_of", "size"]
 
 Range = str | tuple[Number, Number, int]
 """Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
-
-_SINGLE = ("sali", "fli", "megno", "lyapunov", "lyapunov_error", "mean_log_det", "escape", "passed_poles")
-"""The colors of charts that have no name of a field."""
-
-_COLUMNS = {"escape": "escaped", "log_det": "mean_log_det"}
-
-
-def colors(variables: Iterable[str], integrals: Iterable[str]) -> list[str]:
-    """The columns that a chart can show."""
-    variables = list(variables)
-    of: dict[str, Iterable[Any]] = {name: variables for name in ("final", "least", "greatest", "rotation")}
-    of |= {"drift": integrals, "spectrum": range(1, 1 + len(variables))}
-    return [*_SINGLE, *(f"{start}_{name}" for start, names in of.items() for name in names)]
-
-
-def observable(color: str) -> tuple[str, str]:
-    """The observable of a color, and its column."""
-    for start, name in (("drift", "drift"), ("spectrum_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
-                              ("rotation_", "rotation"), ("final_", "final"), ("mean_log_det", "log_det")):
-        if color.startswith(start):
-            return name, color
-    return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
-
 
 def size(values: Range | Array) -> int | None:
     """The number of values of an axis; ``None`` for text, whose values the library counts."""

@@ -15,14 +15,14 @@ import numpy as np
 from ._answer import Answer, Settings
 from ._arrays import by_name, constants, flat, named, one_order, read
 from ._basis import Basis
-from ._charts import Range, axes_of, colors, observable, size
+from ._charts import Range, axes_of, size
 from ._coefficients import Entries, coefficients, dense, named_wrongly
 from ._derivatives import differentiable, in_order
 from ._discovery import Discovery
-from ._errors import CHOICES, FieldError, choice, spelled, unknown
+from ._errors import FieldError, choice, spelled, unknown
 from ._exact import Number, answer, exact, half_step, nearest, point, whole
 from ._formulas import Formulas
-from ._kahan import Field, is_family
+from ._kahan import Field, is_family, observable
 from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, FloatOrbit, Orbit, Section
@@ -452,7 +452,6 @@ class System(Formulas):
             observe = (observe,)
         if out is not None and observe:
             raise ValueError("out is for ensembles without observers")
-        self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
                                             every=whole(every, "every"), escape=escape, reembed=reembed,
@@ -469,11 +468,6 @@ class System(Formulas):
             elif not name.startswith("spectrum_"):
                 columns[name] = values[:, k]
         return Ensemble(self, start, inputs, x, ends, columns)
-
-    def _has_drift(self, name: str, of: Sequence[str]) -> None:
-        if "drift" in of and not self.integrals:
-            raise ValueError(f"{name}: this field claims no integral that could drift; "
-                             "`s.discover().claimed` has those found")
 
     def rhs(self, *parameters: str) -> RightSide:
         """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
@@ -501,6 +495,15 @@ class System(Formulas):
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
         return answer(self._answer(_question(ask, **fields), listener=listener(progress)))
+
+    def ask(self, question: str, *, progress: bool = False, **parts: Any) -> Answer:
+        """The answer to any question by its name, with its parts as in JSON: numbers, text, lists and dicts.
+
+        >>> import kahan
+        >>> kahan.System("xdot = x^2;").ask("heights", eps="1/2", at=["1/3"], steps=2).variables
+        ['x']
+        """
+        return Answer(self._ask(question, progress, **parts))
 
     def evaluate(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
@@ -599,19 +602,19 @@ class System(Formulas):
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
-        seen, column = observable(color)
-        if seen not in CHOICES["observable"]:
-            raise ValueError(f"color: {unknown('column', color, colors(self.variables, self.integrals))}")
-        self._has_drift("color", [seen])
+        seen, column = observable(color) or (None, color)
+        if seen is None:
+            raise ValueError(f"color: {unknown('column', color, self._columns())}")
         question = {"ask": "observe", "at": self._point(x), "steps": whole(steps, "steps"), "order": whole(order, "order"),
                     "escape": escape, "reembed": reembed, "observe": [seen], "over": axes}
         if eps is not None:
             question["eps"] = exact(eps, "eps")
-        columns, _, _ = self._table(json.dumps(question), threads=_whole(threads, "threads"), listener=listener(progress))
+        columns, _, _ = self._table(json.dumps(question), observed_as="color", threads=_whole(threads, "threads"),
+                                      listener=listener(progress))
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
-            raise ValueError(f"color: {unknown('column', color, colors(self.variables, self.integrals))}")
+            raise ValueError(f"color: {unknown('column', color, self._columns())}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
         along = {}

@@ -47,6 +47,13 @@ impl Field {
         }
     }
 
+    /// The names of all columns of observables.
+    #[pyo3(name = "_columns")]
+    fn observed_columns(&self) -> Vec<String> {
+        let all = Observe::of(Observable::ALL.to_vec(), 0).columns(self.study());
+        all.into_iter().map(|column| column.name).collect()
+    }
+
     /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
     /// each orbit, how each ended, and after how many steps. `of` names observables.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, reembed = false, threads = None, listener = None))]
@@ -67,8 +74,8 @@ impl Field {
     ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>, Ends<'py>)> {
         let py = points.py();
         let of = of.iter().map(|name| {
-            let known = Observable::ALL.iter().find(|one| one.name() == name);
-            known.copied().ok_or_else(|| PyValueError::new_err(format!("observe: there is no `{name}`")))
+            let unknown = || PyValueError::new_err(format!("observe: there is no `{name}`"));
+            Observable::named(name).ok_or_else(unknown)
         });
         let of = of.collect::<PyResult<Vec<_>>>()?;
         if every == 0 {
@@ -77,14 +84,9 @@ impl Field {
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
-        let observe = Observe {
-            every,
-            escape,
-            reembed,
-            observe: of,
-            ..Observe::new(Rational::zero(), Vec::new(), steps)
-        };
-        observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
+        let observe = Observe { every, escape, reembed, ..Observe::of(of, steps) };
+        let fits = observe.composition(self.study()).and_then(|_| observe.has_integrals(self.study()));
+        fits.map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
         let (count, from) = (points.shape()[0], points.as_slice()?);
@@ -297,8 +299,6 @@ impl Many<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
-        // Turns are counted by a second run.
-        let runs = if asked.observe.contains(&Observable::Rotation) { 2 } else { 1 };
         // Few enough that all threads have some.
         let together = (AT_ONCE / self.steps.max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
@@ -314,7 +314,7 @@ impl Many<f64> {
             let parameters: Vec<&[f64]> = self.constants.iter().map(|values| &values[own(values)]).collect();
             let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
             let maps: Vec<&MapAt<f64>> = (0..count).map(|orbit| &maps[orbit.min(maps.len() - 1)]).collect();
-            let of = (self.steps.saturating_mul(runs)).saturating_mul(self.trajectories as u64);
+            let of = asked.steps_in_all().saturating_mul(self.trajectories as u64);
             Ok(asked.of_orbits(study, &maps, &starts, &|steps| caller.made(steps, of)))
         });
         Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())

@@ -1,26 +1,28 @@
 //! Tables as arrays: the rows of a question, a column each.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Exact, Kept, Question, Table};
+use kahan_study::{Exact, Kept, Question, StudyError, Table};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
 
 use crate::beside::{Listener, apart};
-use crate::errors::of_study;
+use crate::errors::{no_integral, of_study};
 use crate::field::Field;
 
 #[pymethods]
 impl Field {
     /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
-    /// how it ended, and after how many steps of an orbit.
-    #[pyo3(name = "_table", signature = (question, *, threads = None, listener = None))]
+    /// how it ended, and after how many steps of an orbit. `observed_as` is the argument that says
+    /// which observable.
+    #[pyo3(name = "_table", signature = (question, *, observed_as = "observe", threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
         &self,
         py: Python<'py>,
         question: &str,
+        observed_as: &str,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, u64)> {
@@ -31,7 +33,10 @@ impl Field {
             let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
             end.map(|end| (table, end))
         })?
-        .map_err(|error| of_study(py, &error))?;
+        .map_err(|error| match error {
+            StudyError::NoIntegral { .. } => no_integral(observed_as),
+            other => of_study(py, &other),
+        })?;
         let columns = table.columns.into_iter().zip(table.values);
         let columns = columns.map(|(column, kept)| Ok((column.name, column.meaning, array(py, kept)?)));
         Ok((columns.collect::<PyResult<_>>()?, end.name(), end.steps(asked)))

@@ -195,6 +195,11 @@ pub enum StudyError {
     },
     /// There is no composition of this order.
     Order(u32),
+    /// A drift is asked for, and no integral is claimed.
+    NoIntegral {
+        /// The field.
+        system: String,
+    },
     /// An orbit cannot be all that it is asked to be.
     Orbit(NoOrbit),
     /// A question whose answer is no table, by its name, is asked for rows.
@@ -325,6 +330,7 @@ impl fmt::Display for StudyError {
                 write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
             }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
+            Self::NoIntegral { .. } => f.write_str("drift is that of integrals, and the field claims none"),
             Self::Orbit(why) => why.fmt(f),
             Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
             Self::TooLong { cells } => write!(

@@ -58,7 +58,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
         assert_eq!(json!(section)["ended"], end.name());
 
         let plain = Observe::new(eps.clone(), at.clone(), steps);
-        for of in [&Observe::USUAL[..], &[Observable::Last]] {
+        for of in [&Observable::usual()[..], &[Observable::Last]] {
             let asked = Observe { observe: of.to_vec(), ..plain.clone() };
             let observed = asked.ask(&study, &Unwatched).expect("observations");
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");

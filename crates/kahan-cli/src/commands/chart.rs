@@ -7,7 +7,6 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use kahan_algebra::syntax::ClaimKind;
 use kahan_draw::picture::{Chart as Shown, Look, chart};
 use kahan_study::{Axis, Observable, Observe, Over, Question, Study, StudyError};
 use serde_json::{Value, json};
@@ -78,7 +77,7 @@ pub(crate) struct Chart {
     steps: u64,
 
     /// The color: chaos has small sali, large fli, megno, lyapunov.
-    #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
+    #[arg(long, default_value = "sali", value_parser = observable(colours()))]
     color: Observable,
 
     /// End the orbit, as escaped, where a variable is larger than R in size.
@@ -100,20 +99,14 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// What a cell can show.
-const COLOURS: [Observable; 7] = [
-    Observable::Sali,
-    Observable::Fli,
-    Observable::Megno,
-    Observable::Lyapunov,
-    Observable::Drift,
-    Observable::Escape,
-    Observable::PassedPoles,
-];
-
 /// What orbits need, and rows have in themselves.
 const OF_ORBITS: [&str; 11] =
     ["system", "field", "file", "sites", "parameters", "eps", "dt", "at", "steps", "escape", "reembed"];
+
+/// Returns the observables that a cell can show.
+fn colours() -> impl Iterator<Item = &'static Observable> {
+    Observable::ALL.iter().filter(|one| one.label().is_some())
+}
 
 /// The most steps of each orbit.
 const MOST_STEPS: u64 = 1 << 40;
@@ -187,20 +180,12 @@ impl Asking for Chart {
 impl Chart {
     fn of_orbits(&self) -> Result<Shown, Refusal> {
         let (study, asked) = self.asked()?;
-        if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {
-            return Err(Refusal::new(format!(
-                "--color drift: {} claims no integral that could drift; claim one in the field (`integral H = …;`), as `kahan \
-                 discover` prints them",
-                study.name()
-            )));
-        }
         let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
         Ok(Shown::of(&asked, &found))
     }
 
     fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
-        let escaped = if self.color == Observable::Escape { "escaped" } else { self.color.name() };
-        let column = self.column.clone().unwrap_or_else(|| escaped.to_owned());
+        let column = self.column.clone().unwrap_or_else(|| self.color.key().to_owned());
         let rows = Rows { from, over: &self.over, column: column.clone(), chosen: &self.chosen };
         let (axes, values) = rows.cells(Shown::scale(&column))?;
         Ok(Shown::of_column(from.display().to_string(), axes, column, values))

@@ -71,7 +71,7 @@ pub(crate) struct Dynamics {
     stepping: Stepping,
 
     /// What is observed, in this order; nothing else is computed.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observable::usual().iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
     observe: Vec<Observable>,
 
     /// Print one JSON object; what has no value is null.

@@ -1,29 +1,8 @@
 //! The commands, one file each: arguments in, an [`Answer`] or a [`Refusal`] out. The list below
 //! makes of them what is common to all.
 
-mod atlas;
-mod chart;
-mod completions;
-mod discover;
-mod dynamics;
-mod eval;
-mod extremes;
-mod heights;
-mod lift;
 mod line;
-mod list;
 mod look;
-mod orbit;
-mod page;
-mod periodic;
-mod picture;
-mod poles;
-mod scan;
-mod section;
-mod show;
-mod sweep;
-mod trade;
-pub(crate) mod verify;
 
 use clap::Subcommand;
 use kahan_study::Question;
@@ -31,7 +10,7 @@ use kahan_study::Question;
 use crate::printing::{Answer, Refusal};
 use line::{Asking, Line};
 
-/// Makes of the commands, each in a module of its name, what is common to all: `GROUPS`, the
+/// Makes of the commands, each in a module of its name, what is common to all: the modules; `GROUPS`, the
 /// commands by what they are for, as `kahan --help` lists them; what clap reads; what runs, where
 /// `$whole` makes the command line; and the call that asks a question.
 macro_rules! commands {
@@ -39,6 +18,8 @@ macro_rules! commands {
         $(#[$attribute:meta])* $module:ident::$command:ident
             $(asking $question:ident $(by $($shown:ident)::+)?)? $(with $argument:expr)?
     ),*;)*) => {
+        $($(pub(crate) mod $module;)*)*
+
         pub(crate) const GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
 
         #[derive(Debug, Subcommand)]

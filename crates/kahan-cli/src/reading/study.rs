@@ -130,6 +130,10 @@ impl From<StudyError> for Refusal {
                 format!("--{error}")
             }
             StudyError::BeyondRange { .. } => format!("--{error}").replace("use scalar", "use --scalar"),
+            StudyError::NoIntegral { system } => format!(
+                "--color drift: {system} claims no integral that could drift; claim one in the field (`integral H = …;`), as `kahan \
+                 discover` prints them"
+            ),
             StudyError::Orbit(_) => {
                 let options = ["scalar", "order", "method"].into_iter();
                 let words = options.flat_map(|name| ["; use", ", or", "; leave"].map(|word| (word, name)));

@@ -39,19 +39,23 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Reads the name of one of these; `value` says it, and what it means.
-pub(crate) fn one_of<T: Copy + Send + Sync>(
-    known: &'static [T],
+pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
+    known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,
 ) -> impl TypedValueParser<Value = T> {
+    let known: Vec<T> = known.into_iter().copied().collect();
+    let values: Vec<PossibleValue> = known.iter().map(|one| value(*one)).collect();
     let named = move |name: String| {
         let is_it = |one: &&T| value(**one).get_name() == name;
         *known.iter().find(is_it).expect("clap takes no other names")
     };
-    PossibleValuesParser::new(known.iter().map(move |one| value(*one))).map(named)
+    PossibleValuesParser::new(values).map(named)
 }
 
 /// Reads what is observed.
-pub(crate) fn observable(known: &'static [Observable]) -> impl TypedValueParser<Value = Observable> {
+pub(crate) fn observable(
+    known: impl IntoIterator<Item = &'static Observable>,
+) -> impl TypedValueParser<Value = Observable> {
     one_of(known, |of| PossibleValue::new(of.name()).help(of.meaning().trim_end_matches('.')))
 }
 

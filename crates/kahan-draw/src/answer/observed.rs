@@ -18,11 +18,15 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
         let cells = [row(headings)].into_iter().chain(cells);
         variables.iter_mut().zip(cells).for_each(|(row, cells)| row.extend(cells));
     };
-    let found = Observable::ALL.iter().filter_map(|one| Some((*one, observed.of(*one)?)));
+    let mut found: Vec<_> =
+        Observable::ALL.iter().filter_map(|one| Some((*one, observed.of(*one)?))).collect();
+    // Turns are the last columns.
+    found.sort_by_key(|(_, seen)| matches!(seen, Seen::Turns(_)));
     for (observable, seen) in found {
         match seen {
             Seen::Point(point) => {
-                of_variables(&["last"], point.iter().map(|value| vec![number(*value)]).collect());
+                let heading = if observable == Observable::Last { "last" } else { observable.name() };
+                of_variables(&[heading], point.iter().map(|value| vec![number(*value)]).collect());
             }
             Seen::Drift(found) => {
                 let rows = observed.integrals.iter().zip(found);

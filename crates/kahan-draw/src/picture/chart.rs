@@ -62,7 +62,7 @@ impl Chart {
     /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
     #[must_use]
     pub fn is_logarithmic(column: &str) -> bool {
-        column == "sali" || column.starts_with("drift")
+        Observable::of_column(column).is_some_and(Observable::is_logarithmic)
     }
 
     /// How the numbers of a column are shown: as logarithms to base 10, or as they are.
@@ -152,16 +152,8 @@ impl Chart {
 
 /// What a column is, in words.
 fn quantity(column: &str) -> String {
-    match column {
-        "sali" => "SALI".to_owned(),
-        "fli" => "FLI".to_owned(),
-        "megno" => "mean MEGNO".to_owned(),
-        "lyapunov" => "largest exponent per unit of t".to_owned(),
-        "drift" => "greatest relative drift".to_owned(),
-        "escape" | "escaped" => "step of the escape".to_owned(),
-        "passed_poles" => "steps over a pole".to_owned(),
-        other => symbol(other),
-    }
+    let observable = Observable::of_column(column).filter(|one| [one.name(), one.key()].contains(&column));
+    observable.and_then(Observable::label).map_or_else(|| symbol(column), str::to_owned)
 }
 
 /// What each cell shows, row by row from below, not a number where it is empty; and how its orbit

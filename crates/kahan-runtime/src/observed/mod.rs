@@ -14,7 +14,8 @@ use kahan_core::{EmbedScalar, Step};
 
 use crate::{DimensionError, Followed, MachineFloat, MapAt};
 
-pub use observable::{Observable, Seen};
+pub use observable::Seen;
+pub use running::Observable;
 pub use tangent::Relations;
 
 /// What is asked of orbits.

@@ -1,87 +1,82 @@
-//! What can be observed of an orbit, by name, with the columns of a table that hold it.
+//! What is said of an observable: its name, the columns of a table that hold it, and its place in
+//! answers and charts; and what was seen as numbers of these columns.
 //!
-//! In: names. Out: names, columns, and what was seen as numbers of these columns. Which observer
-//! finds what, its neighbour `running` knows.
+//! The list of observables is in its neighbour `running`, with the observers.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
 
+use super::running::Observable;
 use crate::Passed;
 
-macro_rules! observables {
-    ($($name:ident, called $text:literal, $meaning:literal, $of:ident: $($column:literal = $what:literal),*;)*) => {
-        /// What can be observed of an orbit.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Observable {
-            $(#[doc = $meaning] $name,)*
-        }
-
-        impl Observable {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$name),*];
-
-            /// Their names, in the same order.
-            pub const NAMES: &'static [&'static str] = &[$($text),*];
-
-            /// Its name in questions.
-            #[must_use]
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$name => $text,)*
-                }
-            }
-
-            /// What it is, as a sentence.
-            #[must_use]
-            pub fn meaning(self) -> &'static str {
-                match self {
-                    $(Self::$name => $meaning,)*
-                }
-            }
-
-            /// Of what it has columns, and these, with their meanings.
-            fn written(self) -> (Of, &'static [(&'static str, &'static str)]) {
-                match self {
-                    $(Self::$name => (Of::$of, &[$(($column, $what)),*]),)*
-                }
-            }
-        }
-    };
+/// What an observable says of itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct About {
+    pub(super) name: &'static str,
+    of: Of,
+    /// Names with `{}` for the part of the orbit that they are of, and meanings.
+    columns: &'static [(&'static str, &'static str)],
+    follows: Follows,
+    is_usual: bool,
+    label: Option<&'static str>,
+    is_logarithmic: bool,
 }
 
-/// Of what an observable has columns.
-enum Of {
+/// The parts of an orbit that have columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Of {
+    /// The orbit as a whole.
     Orbit,
+    /// Each variable.
     Variables,
+    /// Each integral.
     Integrals,
-    /// The numbers from 1 up to that of the variables.
+    /// Each number from 1 up to that of the variables.
     Numbers,
 }
 
-observables! {
-    Last, called "final", "The last point.", Variables: "final_{}" = "value after the last step";
-    Drift, called "drift", "The drift of the claimed integrals, relative to their first values.", Integrals:
-        "drift_{}" = "largest change of the integral, relative to its first value",
-        "drift_{}_final" = "change of the integral after the last step, relative to its first value";
-    Extrema, called "extrema", "The least and the greatest value of each variable.", Variables:
-        "least_{}" = "least value", "greatest_{}" = "greatest value";
-    Lyapunov, called "lyapunov", "The largest Lyapunov exponent, per unit of time.", Orbit:
-        "lyapunov" = "largest Lyapunov exponent, per unit of time",
-        "lyapunov_error" = "how far the exponent has converged, per unit of time";
-    Spectrum, called "spectrum", "All Lyapunov exponents in descending order, per unit of time.", Numbers:
-        "spectrum_{}" = "Lyapunov exponent, the largest first, per unit of time";
-    LogDet, called "log_det", "The mean of log |det ∂x̃/∂x|, the sum of all exponents.", Orbit:
-        "mean_log_det" = "sum of all Lyapunov exponents, per unit of time";
-    Fli, called "fli", "The fast Lyapunov indicator.", Orbit: "fli" = "fast Lyapunov indicator";
-    Megno, called "megno", "The mean of MEGNO.", Orbit:
-        "megno" = "mean exponential growth factor of nearby orbits";
-    Sali, called "sali", "The smaller alignment index.", Orbit: "sali" = "smaller alignment index";
-    Rotation, called "rotation", "Turns a step of each variable about the middle of its extremes.", Variables:
-        "rotation_{}" = "turns a step, modulo 1", "rotation_{}_error" = "turns a step that may be wrong";
-    Escape, called "escape", "The step after which a variable is beyond a size.", Orbit:
-        "escaped" = "step after which a variable is beyond `escape`; not a number where none is";
-    PassedPoles, called "passed_poles", "The number of steps over a pole of the map.", Orbit:
-        "passed_poles" = "steps over a pole: the reduced denominator has a root in (0, ε]",
-        "passed_poles_lower_bound" = "1 where that is a lower bound, by the sign of det A, else 0";
+/// What an observer needs beside the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Follows {
+    Points,
+    TangentVectors,
+    Map,
+}
+
+impl About {
+    /// An observable of points, by its name in questions and its columns.
+    pub(super) const fn new(
+        name: &'static str,
+        of: Of,
+        columns: &'static [(&'static str, &'static str)],
+    ) -> Self {
+        let (follows, is_usual, label, is_logarithmic) = (Follows::Points, false, None, false);
+        About { name, of, columns, follows, is_usual, label, is_logarithmic }
+    }
+
+    /// Follows tangent vectors.
+    pub(super) const fn of_tangent_vectors(self) -> Self {
+        About { follows: Follows::TangentVectors, ..self }
+    }
+
+    /// Asks the map at each point.
+    pub(super) const fn of_the_map(self) -> Self {
+        About { follows: Follows::Map, ..self }
+    }
+
+    /// Is observed unless others are named.
+    pub(super) const fn usual(self) -> Self {
+        About { is_usual: true, ..self }
+    }
+
+    /// Colours charts, whose legend has this label.
+    pub(super) const fn colour(self, label: &'static str) -> Self {
+        About { label: Some(label), ..self }
+    }
+
+    /// Is charted as its logarithm.
+    pub(super) const fn logarithmic(self) -> Self {
+        About { is_logarithmic: true, ..self }
+    }
 }
 
 /// What was seen.
@@ -108,19 +103,78 @@ pub enum Seen {
 }
 
 impl Observable {
+    /// Returns the observable of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|one| one.name() == name)
+    }
+
+    /// Returns the observable with a column of this name, or of this name itself.
+    #[must_use]
+    pub fn of_column(name: &str) -> Option<Self> {
+        let is_its = |(column, _): &(&str, &str)| match column.split_once("{}") {
+            Some((start, _)) => name.starts_with(start),
+            None => name == *column,
+        };
+        Self::named(name)
+            .or_else(|| Self::ALL.iter().copied().find(|one| one.about().columns.iter().any(is_its)))
+    }
+
+    /// Returns the observables where none are named.
+    #[must_use]
+    pub fn usual() -> Vec<Self> {
+        Self::ALL.iter().copied().filter(|one| one.about().is_usual).collect()
+    }
+
+    /// Its name in questions.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.about().name
+    }
+
+    /// Its name in answers: that of its first column, where the orbit as a whole has one.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        let About { name, of, columns, .. } = self.about();
+        if of == Of::Orbit { columns[0].0 } else { name }
+    }
+
     /// Whether it follows tangent vectors, which are those of the original variables where a field was
     /// lifted.
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
-        use Observable::{Fli, LogDet, Lyapunov, Megno, Sali, Spectrum};
-        matches!(self, Lyapunov | Spectrum | LogDet | Fli | Megno | Sali)
+        self.about().follows == Follows::TangentVectors
+    }
+
+    /// Whether it needs the points of an orbit alone, by whatever steps they are made.
+    #[must_use]
+    pub fn is_of_points(self) -> bool {
+        self.about().follows == Follows::Points
+    }
+
+    /// How often the orbit is followed.
+    #[must_use]
+    pub fn runs(self) -> u64 {
+        if self == Self::Rotation { 2 } else { 1 }
+    }
+
+    /// Its label in charts, where they show it.
+    #[must_use]
+    pub fn label(self) -> Option<&'static str> {
+        self.about().label
+    }
+
+    /// Whether charts show its logarithm.
+    #[must_use]
+    pub fn is_logarithmic(self) -> bool {
+        self.about().is_logarithmic
     }
 
     /// The columns of a table that hold it, of a field with these variables and integrals: names
     /// and meanings.
     #[must_use]
     pub fn columns(self, variables: &[String], integrals: &[String]) -> Vec<(String, &'static str)> {
-        let (of, columns) = self.written();
+        let About { of, columns, .. } = self.about();
         let names = match of {
             Of::Orbit => vec![String::new()],
             Of::Variables => variables.to_vec(),

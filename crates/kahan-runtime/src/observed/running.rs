@@ -1,7 +1,11 @@
-//! The observers of what is asked, and the orbits that they see.
+//! The list of observables with their observers, and the orbits that they see.
 //!
 //! In: a map, or one an orbit, first points, and what is asked of each orbit. Out: what was seen,
 //! in that order. An orbit has the same numbers alone and beside others.
+//!
+//! An observable is a file in `running/`, as `last.rs` is one: `ABOUT` tells its name and columns,
+//! `Own` is its observer, `observer` makes one, and `seen` says what it saw. Where its observer is
+//! one of `kahan_core`, the list has all that. The order of the list is that of answers.
 
 use std::ops::ControlFlow;
 
@@ -12,7 +16,7 @@ use kahan_core::observe::{
 use kahan_core::{EmbedScalar, Step};
 
 use super::Observing;
-use super::observable::{Observable, Seen};
+use super::observable::{About, Of, Seen};
 use super::tangent::Carrier;
 use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
@@ -23,12 +27,45 @@ type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 /// A number of a point.
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
-macro_rules! observers {
-    ($at:ident, $carrier:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
+macro_rules! observables {
+    ($at:ident, $carrier:ident, $asked:ident, $middles:ident: $(
+        $name:ident, $meaning:literal,
+        $(in $module:ident)? $($type:ty = $new:expr, $one:ident => $seen:expr, $about:expr)?;
+    )*) => {
+        $($(mod $module;)?)*
+
+        /// What can be observed of an orbit.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Observable {
+            $(#[doc = $meaning] $name,)*
+        }
+
+        impl Observable {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+
+            /// Their names, in the same order.
+            pub const NAMES: &'static [&'static str] = &[$(($($module::ABOUT)? $($about)?).name),*];
+
+            /// What it is, as a sentence.
+            #[must_use]
+            pub fn meaning(self) -> &'static str {
+                match self {
+                    $(Self::$name => $meaning,)*
+                }
+            }
+
+            pub(super) fn about(self) -> About {
+                match self {
+                    $(Self::$name => $($module::ABOUT)? $($about)?,)*
+                }
+            }
+        }
+
         /// An observer of one thing; `M` sees what the rotation turns about, and `B` tells what is
         /// beyond the size of an escape.
         enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
-            $($name($type),)*
+            $($name($($module::Own<'a, T>)? $($type)?),)*
         }
 
         fn running<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
@@ -38,7 +75,7 @@ macro_rules! observers {
             $asked: &Observing<'_>,
         ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
-                $(Observable::$name => Running::$name($new),)*
+                $(Observable::$name => Running::$name($($module::observer($at, $asked))? $($new)?),)*
             }
         }
 
@@ -70,66 +107,92 @@ macro_rules! observers {
 
             fn report(self, $middles: &mut Option<Middles<T>>) -> Seen {
                 match self {
-                    $(Running::$name($one) => $seen,)*
+                    $(Running::$name(own) => {
+                        $($module::seen(own))?
+                        $({
+                            let $one = own;
+                            $seen
+                        })?
+                    })*
                 }
             }
         }
     };
 }
 
-observers! {
+observables! {
     at, carrier, asked, middles:
-    Last(Last<T>) = Last(Vec::new()), one => Seen::Point(one.report().iter().map(T::approximate).collect());
-    Drift(IntegralDrift<'a, T>) = IntegralDrift::of(at), one => Seen::Drift(one.report());
-    Extrema(Vec<Extrema<Quantity<T>, T>>) =
-        (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
-        one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect());
-    Lyapunov(Lyapunov<Carrier<'a, T>>) = Lyapunov::new(carrier.clone()), one => Seen::Exponent(one.report());
-    Spectrum(Spectrum<Carrier<'a, T>>) = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.every),
-        one => Seen::Spectrum(one.report());
-    LogDet(MeanLogDet<Carrier<'a, T>>) = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report());
-    Fli(Fli<Carrier<'a, T>>) = Fli::new(carrier.clone()), one => Seen::Number(one.report());
-    Megno(Megno<Carrier<'a, T>>) = Megno::new(carrier.clone()), one => Seen::Number(one.report().mean);
-    Sali(Sali<Carrier<'a, T>>) = Sali::new(carrier.clone()), one => Seen::Number(one.report());
-    Rotation(M) = at.extremes(), one => {
-        *middles = Some(one.report());
-        // The second run finds them.
-        Seen::Turns(Vec::new())
-    };
-    Escape(Escape<B>) = {
-        let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
-        Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
-    }, one => Seen::Step(Observer::<T>::report(one));
-    PassedPoles(PassedPoles<'a, T>) = PassedPoles::of(at), one => Seen::Passed(one.report());
+    Last, "The last point.", in last;
+    Lyapunov, "The largest Lyapunov exponent, per unit of time.",
+        Lyapunov<Carrier<'a, T>> = Lyapunov::new(carrier.clone()), one => Seen::Exponent(one.report()),
+        About::new("lyapunov", Of::Orbit, &[
+            ("lyapunov", "largest Lyapunov exponent, per unit of time"),
+            ("lyapunov_error", "how far the exponent has converged, per unit of time"),
+        ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
+    Spectrum, "All Lyapunov exponents in descending order, per unit of time.",
+        Spectrum<Carrier<'a, T>> = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.every),
+        one => Seen::Spectrum(one.report()),
+        About::new("spectrum", Of::Numbers, &[
+            ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),
+        ]).of_tangent_vectors().usual();
+    LogDet, "The mean of log |det ∂x̃/∂x|, the sum of all exponents.",
+        MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report()),
+        About::new("log_det", Of::Orbit, &[
+            ("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
+        ]).of_tangent_vectors().usual();
+    Fli, "The fast Lyapunov indicator.",
+        Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => Seen::Number(one.report()),
+        About::new("fli", Of::Orbit, &[("fli", "fast Lyapunov indicator")])
+            .of_tangent_vectors().usual().colour("FLI");
+    Megno, "The mean of MEGNO.",
+        Megno<Carrier<'a, T>> = Megno::new(carrier.clone()), one => Seen::Number(one.report().mean),
+        About::new("megno", Of::Orbit, &[("megno", "mean exponential growth factor of nearby orbits")])
+            .of_tangent_vectors().usual().colour("mean MEGNO");
+    Sali, "The smaller alignment index.",
+        Sali<Carrier<'a, T>> = Sali::new(carrier.clone()), one => Seen::Number(one.report()),
+        About::new("sali", Of::Orbit, &[("sali", "smaller alignment index")])
+            .of_tangent_vectors().usual().colour("SALI").logarithmic();
+    Rotation, "Turns a step of each variable about the middle of its extremes.",
+        M = at.extremes(), one => {
+            *middles = Some(one.report());
+            // The second run finds them.
+            Seen::Turns(Vec::new())
+        },
+        About::new("rotation", Of::Variables, &[
+            ("rotation_{}", "turns a step, modulo 1"),
+            ("rotation_{}_error", "turns a step that may be wrong"),
+        ]).usual();
+    Drift, "The drift of the claimed integrals, relative to their first values.",
+        IntegralDrift<'a, T> = IntegralDrift::of(at), one => Seen::Drift(one.report()),
+        About::new("drift", Of::Integrals, &[
+            ("drift_{}", "largest change of the integral, relative to its first value"),
+            ("drift_{}_final", "change of the integral after the last step, relative to its first value"),
+        ]).usual().colour("greatest relative drift").logarithmic();
+    Extrema, "The least and the greatest value of each variable.",
+        Vec<Extrema<Quantity<T>, T>> =
+            (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
+        one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect()),
+        About::new("extrema", Of::Variables, &[
+            ("least_{}", "least value"), ("greatest_{}", "greatest value"),
+        ]).usual();
+    Escape, "The step after which a variable is beyond a size.",
+        Escape<B> = {
+            let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
+            Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
+        }, one => Seen::Step(Observer::<T>::report(one)),
+        About::new("escape", Of::Orbit, &[
+            ("escaped", "step after which a variable is beyond `escape`; not a number where none is"),
+        ]).usual().colour("step of the escape");
+    PassedPoles, "The number of steps over a pole of the map.",
+        PassedPoles<'a, T> = PassedPoles::of(at), one => Seen::Passed(one.report()),
+        About::new("passed_poles", Of::Orbit, &[
+            ("passed_poles", "steps over a pole: the reduced denominator has a root in (0, ε]"),
+            ("passed_poles_lower_bound", "1 where that is a lower bound, by the sign of det A, else 0"),
+        ]).of_the_map().colour("steps over a pole");
 }
 
 fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
     Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
-}
-
-/// The last point.
-struct Last<T>(Vec<T>);
-
-impl<T: MachineFloat> Observer<T> for Last<T> {
-    type Report = Vec<T>;
-
-    const MAY_END: bool = false;
-
-    fn observe(&mut self, _: u64, x: &[T]) {
-        self.0.clear();
-        self.0.extend_from_slice(x);
-    }
-
-    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
-        let Some((step, points)) = burst.steps().last() else { return };
-        for (lane, last) in group.iter_mut().flatten().enumerate() {
-            last.observe(step, points.of(lane).as_ref());
-        }
-    }
-
-    fn report(self) -> Vec<T> {
-        self.0
-    }
 }
 
 /// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.

@@ -5,22 +5,10 @@
 //! 3]}`; a name that it does not have is a mistake.
 //!
 //! Each question has a file, with what is asked, what is answered, and `ask`, and where it can be
-//! asked over axes, what its row has there. The list below makes of them what is common to all.
+//! asked over axes, what its row has there. Its line in the list below makes of it what is common to
+//! all, its module and public names among that.
 
-mod diagram;
-mod discover;
-mod evaluate;
-mod heights;
-mod observe;
-mod orbit;
 mod over;
-mod periodic;
-mod poles;
-mod scan;
-mod section;
-mod show;
-#[cfg(feature = "paper")]
-mod verify;
 
 use std::ops::Range;
 use std::time::Duration;
@@ -40,27 +28,21 @@ use crate::trade::{Trade, Traded};
 
 use over::AtCell;
 
-pub use diagram::{Diagram, DiagramFound};
-pub use discover::{Discover, Discovered};
-pub use evaluate::{Evaluate, Evaluated};
-pub use heights::{Heights, HeightsFound, fifteen_digits};
-pub use observe::{Observable, Observe, Observed, Seen};
-pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use over::{Over, OverFound, Source, Through, Varied};
-pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
-pub use poles::{Poles, PolesFound};
-pub use scan::{Scan, ScanFound};
-pub use section::{Plane, Section, SectionFound};
-pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
-#[cfg(feature = "paper")]
-pub use verify::{Mutated, Mutations, Verified, Verify};
 
 macro_rules! questions {
     ($(
         $(#[$about:meta])*
         $question:ident, asked as $name:literal, answered by $answer:ident
-            $(, with $feature:literal)? $(, also $at_cell:ident)?;
+            $(, in $module:ident)? $(, with $feature:literal)? $(, also $at_cell:ident)?;
     )*) => {
+        $(
+            $(#[cfg(feature = $feature)])?
+            $(mod $module;)?
+            $(#[cfg(feature = $feature)])?
+            $(pub use $module::*;)?
+        )*
+
         /// What is asked.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Question {
@@ -81,10 +63,10 @@ macro_rules! questions {
         /// The values of `ask`.
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
-        /// The values of `ask` of questions that have rows over axes.
-        const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
-
         impl Question {
+            /// The values of `ask` of questions that have rows over axes.
+            pub const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
+
             /// Its name, the value of `ask`.
             #[must_use]
             pub fn name(&self) -> &'static str {
@@ -136,31 +118,31 @@ macro_rules! questions {
 
 questions! {
     /// Formulas.
-    Show, asked as "show", answered by Shown;
+    Show, asked as "show", answered by Shown, in show;
     /// Every object at a point.
-    Evaluate, asked as "evaluate", answered by Evaluated, also AtCell;
+    Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
     /// The points of an orbit.
-    Orbit, asked as "orbit", answered by Orbited;
+    Orbit, asked as "orbit", answered by Orbited, in orbit;
     /// What an orbit does.
-    Observe, asked as "observe", answered by Observed;
+    Observe, asked as "observe", answered by Observed, in observe;
     /// Where an orbit crosses a plane.
-    Section, asked as "section", answered by SectionFound;
+    Section, asked as "section", answered by SectionFound, in section;
     /// What orbits tend to over the values of a parameter.
-    Diagram, asked as "diagram", answered by DiagramFound;
+    Diagram, asked as "diagram", answered by DiagramFound, in diagram;
     /// A cycle and its branch.
-    Periodic, asked as "periodic", answered by CycleFound;
+    Periodic, asked as "periodic", answered by CycleFound, in periodic;
     /// The heights of an exact orbit.
-    Heights, asked as "heights", answered by HeightsFound, also AtCell;
+    Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;
     /// What becomes of singularities.
-    Poles, asked as "poles", answered by PolesFound;
+    Poles, asked as "poles", answered by PolesFound, in poles;
     /// What the map preserves.
-    Discover, asked as "discover", answered by Discovered, also AtCell;
+    Discover, asked as "discover", answered by Discovered, in discover, also AtCell;
     /// Special values of parameters and of ε.
-    Scan, asked as "scan", answered by ScanFound;
+    Scan, asked as "scan", answered by ScanFound, in scan;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
     /// Whether claims hold.
-    Verify, asked as "verify", answered by Verified, with "paper";
+    Verify, asked as "verify", answered by Verified, in verify, with "paper";
 }
 
 impl Study {
@@ -204,7 +186,7 @@ impl Question {
         };
         let name = name.as_str().unwrap_or_default();
         // Other questions have an `over` of their own, or none.
-        if OVER_AXES.contains(&name) && object.contains_key("over") {
+        if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {
             Self::alone(name, object)

@@ -55,17 +55,13 @@ pub struct Observe {
     /// its variables.
     #[serde(default)]
     pub reembed: bool,
-    /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
-    #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
+    /// What is observed, and nothing else is computed, by default what is [usual](Observable::usual).
+    #[serde(default = "Observable::usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub observe: Vec<Observable>,
 }
 
 fn usual_every() -> u64 {
     10
-}
-
-fn usual() -> Vec<Observable> {
-    Observe::USUAL.to_vec()
 }
 
 fn names_of<S: Serializer>(of: &[Observable], serializer: S) -> Result<S::Ok, S::Error> {
@@ -74,8 +70,7 @@ fn names_of<S: Serializer>(of: &[Observable], serializer: S) -> Result<S::Ok, S:
 
 fn of_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Observable>, D::Error> {
     let of_name = |name: &String| {
-        let known = Observable::ALL.iter().find(|one| one.name() == name);
-        known.copied().ok_or_else(|| D::Error::unknown_variant(name, Observable::NAMES))
+        Observable::named(name).ok_or_else(|| D::Error::unknown_variant(name, Observable::NAMES))
     };
     Vec::<String>::deserialize(deserializer)?.iter().map(of_name).collect()
 }
@@ -100,26 +95,18 @@ pub struct Observed {
 }
 
 impl Observe {
-    /// The observables where none are named: all but the last point and the steps over poles.
-    pub const USUAL: [Observable; 10] = [
-        Observable::Lyapunov,
-        Observable::Spectrum,
-        Observable::LogDet,
-        Observable::Fli,
-        Observable::Megno,
-        Observable::Sali,
-        Observable::Rotation,
-        Observable::Drift,
-        Observable::Extrema,
-        Observable::Escape,
-    ];
-
     /// Kahan's map, tangent vectors made orthogonal every ten steps, no bound, and of that all that
     /// is usual.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        let (order, every, observe) = (usual_order(), usual_every(), usual());
+        let (order, every, observe) = (usual_order(), usual_every(), Observable::usual());
         Observe { eps, at, steps, order, every, escape: None, reembed: false, observe }
+    }
+
+    /// Observes so many steps of orbits whose first points and ε are given beside the question.
+    #[must_use]
+    pub fn of(observe: Vec<Observable>, steps: u64) -> Self {
+        Observe { observe, ..Observe::new(Rational::zero(), Vec::new(), steps) }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
@@ -132,8 +119,7 @@ impl Observe {
         let system = study.proved()?;
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
         let at = at.composed(self.composition(study)?);
-        let runs = if self.observe.contains(&Observable::Rotation) { 2 } else { 1 };
-        let count = Count::new("steps", runs * self.steps, watch);
+        let count = Count::new("steps", self.steps_in_all(), watch);
         let of = self.observables();
         let tell = &|steps| count.tell(steps);
         let (Followed { report, end }, ends) = self.alone(study, &at, &start, &of, tell);
@@ -150,6 +136,25 @@ impl Observe {
                 .zip(report.into_iter().map(|seen| after(end.steps(self.steps), shown(study, seen))))
                 .collect(),
         })
+    }
+
+    /// The steps of an orbit, which some observers follow twice.
+    #[must_use]
+    pub fn steps_in_all(&self) -> u64 {
+        let runs = self.observe.iter().map(|one| one.runs()).max();
+        self.steps.saturating_mul(runs.unwrap_or(1))
+    }
+
+    /// Refuses drifts that are asked for by name where the field claims no integral.
+    ///
+    /// # Errors
+    /// [`StudyError::NoIntegral`].
+    pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
+        let is_named = self.observe.contains(&Observable::Drift) && self.observe != Observable::usual();
+        if is_named && study.field().integrals().is_empty() {
+            return Err(StudyError::NoIntegral { system: study.name().to_owned() });
+        }
+        Ok(())
     }
 
     /// What is observed, each once.
@@ -269,11 +274,9 @@ impl Observe {
     /// [`StudyError`] where steps are to be projected, and are not those of a lifted field, or
     /// something is observed that is of the map itself.
     pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
-        use Observable::{Fli, LogDet, Lyapunov, Megno, PassedPoles, Sali, Spectrum};
         if self.reembed {
             study.can_reembed(true)?;
-            let of_the_map = [Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, PassedPoles];
-            let refused = self.observe.iter().find(|one| of_the_map.contains(one));
+            let refused = self.observe.iter().find(|one| !one.is_of_points());
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
         }
         if self.every == 0 {
@@ -347,12 +350,7 @@ impl Serialize for Observed {
             "system": self.system, "steps": self.steps, "ended": self.end.name(), "ended_step": self.steps,
         });
         for (observable, seen) in &self.seen {
-            let name = match observable {
-                Observable::LogDet => "mean_log_det",
-                Observable::Escape => "escaped",
-                other => other.name(),
-            };
-            object[name] = json_of(seen, &self.variables, &self.integrals);
+            object[observable.key()] = json_of(seen, &self.variables, &self.integrals);
             match seen {
                 Seen::Exponent(one) => object["lyapunov_error"] = json!(one.error),
                 Seen::Spectrum(all) => {

@@ -7,8 +7,8 @@ use kahan_algebra::rational::Rational;
 use kahan_study::columns::{Others, Wanted};
 use kahan_study::number_file::Numbers;
 use kahan_study::{
-    Misread, Observable, Over, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument,
-    Unwatched, read,
+    Misread, Over, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument, Unwatched,
+    read,
 };
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -81,7 +81,6 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let output = root.remove("output").map_or(Ok(Output::default()), read);
     let output = note(output, "output", mistakes);
     let has_draws = root.contains_key("draws");
-    let has_observables = root.get("question").is_some_and(|question| question.get("observe").is_some());
     let file = root.remove("starts");
     let question = question(root, mistakes);
     // A table under its name before is not missing besides.
@@ -97,9 +96,6 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
         over.starts = points.map_err(|why| mistakes.push(mistake(&["starts"], why))).ok()?;
     }
     contradictions(&over, (&written, has_draws), mistakes);
-    if has_observables {
-        no_drift(&over, &study, mistakes);
-    }
     if !mistakes.is_empty() {
         return None;
     }
@@ -127,7 +123,10 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
             return None;
         }
         None => {
-            let why = "a plan has a [question], with ask = \"observe\", \"heights\", \"evaluate\" or \"discover\", and [question.over]";
+            let why = format!(
+                "a plan has a [question], with ask = \"{}\", and [question.over]",
+                Question::OVER_AXES.join("\" or \"")
+            );
             mistakes.push(mistake(&[], why));
             return None;
         }
@@ -156,8 +155,9 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
         }
         other => {
             let why = format!(
-                "`{}` has no rows over axes; there are observe, heights, evaluate, discover",
-                other.name()
+                "`{}` has no rows over axes; there are {}",
+                other.name(),
+                Question::OVER_AXES.join(", ")
             );
             mistakes.push(mistake(&["question", "ask"], why));
             None
@@ -187,15 +187,6 @@ fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &
     }
 }
 
-/// Notes drifts that are asked for by name where the field claims no integral.
-fn no_drift(over: &Over, study: &Study, mistakes: &mut Vec<Misread>) {
-    let Question::Observe(asked) = &*over.question else { return };
-    if asked.observe.contains(&Observable::Drift) && study.field().integrals().is_empty() {
-        let why = "observe: drift is that of integrals, and the field claims none";
-        mistakes.push(mistake(&["question", "observe"], why));
-    }
-}
-
 /// Returns the mistake of a subject that cannot be studied, at the value that is at fault.
 fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
@@ -213,6 +204,7 @@ fn of_question(why: &StudyError) -> Misread {
         StudyError::UnknownAxis { name, .. }
         | StudyError::AxisValues { name, .. }
         | StudyError::AxisTwice { name } => mistake(&["question", "over", name], why.to_string()),
+        StudyError::NoIntegral { .. } => mistake(&["question", "observe"], format!("observe: {why}")),
         _ => mistake(&["question"], why.to_string()),
     }
 }

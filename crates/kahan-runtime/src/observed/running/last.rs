@@ -1,0 +1,48 @@
+//! The last point of an orbit.
+
+use kahan_core::observe::{Burst, Grouped, Observer, Observers};
+
+use super::super::observable::{About, Of, Seen};
+use crate::observed::Observing;
+use crate::{MachineFloat, MapAt};
+
+pub(super) const ABOUT: About =
+    About::new("final", Of::Variables, &[("final_{}", "value after the last step")]);
+
+/// Keeps the last point.
+pub(super) struct Last<T>(Vec<T>);
+
+pub(super) type Own<'a, T> = Last<T>;
+
+pub(super) fn observer<T: MachineFloat>(_: &MapAt<T>, _: &Observing<'_>) -> Last<T> {
+    Last(Vec::new())
+}
+
+pub(super) fn seen<T: MachineFloat>(own: Last<T>) -> Seen {
+    Seen::Point(own.report().iter().map(T::approximate).collect())
+}
+
+impl<T: MachineFloat> Observer<T> for Last<T> {
+    type Report = Vec<T>;
+
+    const MAY_END: bool = false;
+
+    #[inline]
+    fn observe(&mut self, _: u64, x: &[T]) {
+        self.0.clear();
+        self.0.extend_from_slice(x);
+    }
+
+    #[inline]
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
+        let Some((step, points)) = burst.steps().last() else { return };
+        for (lane, last) in group.iter_mut().flatten().enumerate() {
+            last.observe(step, points.of(lane).as_ref());
+        }
+    }
+
+    #[inline]
+    fn report(self) -> Vec<T> {
+        self.0
+    }
+}
