@@ -4,7 +4,6 @@ use std::mem::discriminant;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use kahan_algebra::rational::Rational;
 use kahan_runtime::{By, DimensionError, End, Follow, Followed, MapAt, threads};
 use kahan_study::{Observable, Observe, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
