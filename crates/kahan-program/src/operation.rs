@@ -84,6 +84,28 @@ impl<I, C, F: Function> Operation<I, C, F> {
         };
         Operands { nodes, next: 0, count }
     }
+}
+
+impl<I, C, F> Operation<I, C, F> {
+    /// Returns the operation on other operands, in a program that may have other inputs, constants and
+    /// functions. `None` for an input, a constant and a call.
+    pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
+        Some(match *self {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,
+            Operation::Add(a, b) => Operation::Add(rename(a), rename(b)),
+            Operation::Subtract(a, b) => Operation::Subtract(rename(a), rename(b)),
+            Operation::Multiply(a, b) => Operation::Multiply(rename(a), rename(b)),
+            Operation::Divide(a, b) => Operation::Divide(rename(a), rename(b)),
+            Operation::Negate(a) => Operation::Negate(rename(a)),
+            Operation::MultiplyAdd(a, b, c) => Operation::MultiplyAdd(rename(a), rename(b), rename(c)),
+            Operation::MultiplySubtract(a, b, c) => {
+                Operation::MultiplySubtract(rename(a), rename(b), rename(c))
+            }
+            Operation::SubtractProduct(a, b, c) => {
+                Operation::SubtractProduct(rename(a), rename(b), rename(c))
+            }
+        })
+    }
 
     /// Whether the operation computes nothing: an input or a constant.
     #[inline]
@@ -101,20 +123,10 @@ impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
     }
 
     fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
-        let mut renamed = self.clone();
-        match &mut renamed {
-            Operation::Input(_) | Operation::Constant(_) => {}
-            Operation::Negate(a) => *a = rename(*a),
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b)
-            | Operation::Call(_, a, b) => (*a, *b) = (rename(*a), rename(*b)),
-            Operation::MultiplyAdd(a, b, c)
-            | Operation::MultiplySubtract(a, b, c)
-            | Operation::SubtractProduct(a, b, c) => (*a, *b, *c) = (rename(*a), rename(*b), rename(*c)),
+        match self {
+            Operation::Call(function, a, b) => Operation::Call(function.clone(), rename(*a), rename(*b)),
+            _ => self.computed(rename).unwrap_or_else(|| self.clone()),
         }
-        renamed
     }
 }
 

@@ -166,15 +166,7 @@ impl Line {
                 Operation::Divide(a, b) if has_poles && one == Some(at(a)) => {
                     Instruction::Call(Reciprocal, at(b), at(b))
                 }
-                Operation::Add(a, b) => Instruction::Add(at(a), at(b)),
-                Operation::Subtract(a, b) => Instruction::Subtract(at(a), at(b)),
-                Operation::Multiply(a, b) => Instruction::Multiply(at(a), at(b)),
-                Operation::Divide(a, b) => Instruction::Divide(at(a), at(b)),
-                Operation::Negate(a) => Instruction::Negate(at(a)),
-                Operation::MultiplyAdd(a, b, c) => Instruction::MultiplyAdd(at(a), at(b), at(c)),
-                Operation::MultiplySubtract(a, b, c) => Instruction::MultiplySubtract(at(a), at(b), at(c)),
-                Operation::SubtractProduct(a, b, c) => Instruction::SubtractProduct(at(a), at(b), at(c)),
-                Operation::Call(ref function, ..) => match *function {},
+                _ => operation.computed(at).expect("a plan calls no functions"),
             };
             registers.push(Node(operations.len()));
             operations.push(computed);

@@ -14,7 +14,6 @@ use super::abreast::AbreastOnce;
 use super::dense::advance_columns as advance_dense_columns;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::with_scratch;
-use super::step::Steps;
 
 /// Steps between two looks at the guard of code.
 pub(super) const GUARDED: u64 = 64;
@@ -156,13 +155,8 @@ impl Engine {
         if self.has_loops(kind) {
             return self.looped_stages(kind, own);
         }
-        let mut general = own.iter().map(|constants| self.steps().are_general(&super::split(constants).1));
-        let is_general = general.next()?;
-        let kind = StepKind { is_general, rounds_increments: Steps::rounds::<T>(is_general), ..kind };
-        if general.any(|other| other != is_general) {
-            return None;
-        }
-        let (step, mut registers) = (self.steps().form(is_general), Vec::new());
+        let kind = self.kind_at(kind, own.iter().map(|constants| super::split(constants).1))?;
+        let (step, mut registers) = (self.steps().form(kind.is_general), Vec::new());
         let code = match step.has_lanes() {
             true => Some(self.codes.orbit(self, kind, own.len() > 1)?).into(),
             false if kind.has_eliminating_code(self) => OnceLock::new(),

@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 use crate::machine::StepKind;
 
 use super::couplings::Tables;
-use super::floats::MachineFloat;
+use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Local, Scratch, with_scratch};
 use super::step::{Step, Steps};
 use super::{Engine, distinct, in_turn};
@@ -105,7 +105,16 @@ impl Engine {
             let eps = *eps;
             distinct(&composition).map(move |gamma| kind.stage_eps(gamma, eps))
         };
-        let mut general = eps.iter().flat_map(each).map(|eps| self.steps().are_general(&eps));
+        self.kind_at(kind, eps.iter().flat_map(each))
+    }
+
+    /// The kind of steps at these ε; `None` where some take the general form and others do not.
+    pub(super) fn kind_at<T: RuntimeFloat>(
+        &self,
+        kind: StepKind,
+        eps: impl Iterator<Item = T>,
+    ) -> Option<StepKind> {
+        let mut general = eps.map(|eps| self.steps().are_general(&eps));
         let is_general = general.next().unwrap_or(true);
         let kind = StepKind { is_general, rounds_increments: Steps::rounds::<T>(is_general), ..kind };
         general.all(|other| other == is_general).then_some(kind)
@@ -150,7 +159,7 @@ pub(super) fn advance<T, V>(
                         let x = scattered(x);
                         gathered(|place| kind.stored(x[place]))
                     };
-                    step.advance_as(kind, [state, &mut []], registers, workspace, stored, Tables::factor);
+                    step.advance(kind, [state, &mut []], registers, workspace, stored, Tables::factor);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

@@ -6,7 +6,7 @@ use kahan_core::__private::{InLanes, Lanes, Twice};
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar};
 use kahan_dynamics::Precision;
 
-use crate::machine::Coded;
+use crate::machine::{Codes, CodesOf};
 
 use super::couplings::{Factors, Tables};
 use super::scratch::{Kept, Local};
@@ -65,11 +65,15 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
 type EightLanes<T> = Twice<Twice<Twice<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
-pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + InLanes {
+pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
     /// The numbers of several states side by side: an instruction of a line is decoded once for
     /// all of them.
     #[doc(hidden)]
     type Abreast: Lanes<Self>;
+
+    /// Its codes among those of a field.
+    #[doc(hidden)]
+    fn codes(codes: &Codes) -> &CodesOf<Self>;
 
     /// The scratch for several states side by side.
     #[doc(hidden)]
@@ -87,7 +91,7 @@ macro_rules! scratch {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $precision:ident) => {
+    ($float:ty, $precision:ident, $codes:ident) => {
         impl RuntimeFloat for $float {
             const PRECISION: Precision = Precision::$precision;
 
@@ -128,13 +132,17 @@ macro_rules! implement_for_float {
         impl MachineFloat for $float {
             type Abreast = EightLanes<$float>;
 
+            fn codes(codes: &Codes) -> &CodesOf<Self> {
+                &codes.$codes
+            }
+
             scratch!(lanes, EightLanes<$float>);
         }
     };
 }
 
-implement_for_float!(f32, Single);
-implement_for_float!(f64, Double);
+implement_for_float!(f32, Single, single);
+implement_for_float!(f64, Double, double);
 
 impl RuntimeFloat for Dd {
     const PRECISION: Precision = Precision::DoubleDouble;

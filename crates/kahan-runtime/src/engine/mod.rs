@@ -238,34 +238,33 @@ impl Engine {
         steps: u64,
     ) {
         with_scratch(T::single(), |scratch| {
-            self.run(stages, steps, scratch, |step, rounds_increments, registers, workspace| {
-                let kind = StepKind { rounds_increments, ..kind };
-                step.advance_as(kind, [state, carry], registers, workspace, |x| kind.stored(x), T::factor);
+            self.run(kind, stages, steps, scratch, |step, kind, registers, workspace| {
+                step.advance(kind, [state, carry], registers, workspace, |x| kind.stored(x), T::factor);
             });
         });
     }
 
     /// Whether a step from this state, which is used up, divides by a number that is exactly 0.
     pub(crate) fn divides_by_zero<T: RuntimeFloat>(&self, stages: &[Stage<T>], state: &mut [T]) -> bool {
-        let mut divides = false;
+        let (kind, mut divides) = (StepKind::of(T::PRECISION, false), false);
         with_scratch(T::single(), |scratch| {
-            self.run(stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, state, registers, workspace);
+            self.run(kind, stages, 1, scratch, |step, kind, registers, workspace| {
+                step.advance(kind, [state, &mut []], registers, workspace, |x| x, Tables::factor);
                 divides |= step.has_divided_by_zero(registers, workspace);
             });
         });
         divides
     }
 
-    /// Runs so many steps of all stages, each in its own registers; `advance` is told whether
-    /// increments are rounded.
+    /// Runs so many steps of all stages, each in its own registers and by the kind of its form.
     #[inline(always)]
     pub(crate) fn run<V: Scalar + Copy>(
         &self,
+        kind: StepKind,
         stages: &[Stage<V>],
         steps: u64,
         Scratch { registers, workspace, .. }: &mut Scratch<V>,
-        mut advance: impl FnMut(&Step, bool, &mut [V], &mut Workspace<V>),
+        mut advance: impl FnMut(&Step, StepKind, &mut [V], &mut Workspace<V>),
     ) {
         let steps_of_field = self.steps();
         let form = |stage: &Stage<V>| steps_of_field.form(stage.is_general);
@@ -278,8 +277,8 @@ impl Engine {
         registers.resize(stages.len() * size, V::zero());
         for _ in 0..steps {
             in_turn(stages.len(), |k| {
-                let rounds = Steps::rounds::<V>(stages[k].is_general);
-                advance(form(&stages[k]), rounds, &mut registers[k * size..][..size], workspace);
+                let kind = StepKind { rounds_increments: Steps::rounds::<V>(stages[k].is_general), ..kind };
+                advance(form(&stages[k]), kind, &mut registers[k * size..][..size], workspace);
             });
         }
     }
@@ -347,10 +346,11 @@ impl Engine {
             constants.iter().map(|constant| Dual::from_value(*constant)).collect();
         extended[index] = Dual::coordinate(constants[index], 0);
         let mut point: Vec<Dual<T, 1>> = state.iter().map(|x| Dual::from_value(*x)).collect();
+        let kind = StepKind::of(T::PRECISION, false);
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&extended, scratch)];
-            self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, &mut point, registers, workspace);
+            self.run(kind, &stages, 1, scratch, |step, kind, registers, workspace| {
+                step.advance(kind, [&mut point, &mut []], registers, workspace, |x| x, Tables::factor);
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()

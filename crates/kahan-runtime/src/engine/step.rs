@@ -141,29 +141,13 @@ impl Step {
         }
     }
 
-    /// Replaces a state by the next one, in the registers of the step. Where generated code takes
-    /// the general form for one state, it `rounds` increments before it adds them.
-    #[inline]
-    pub(crate) fn advance<V: Scalar + Copy>(
-        &self,
-        rounds: bool,
-        state: &mut [V],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-    ) {
-        self.compute(state, registers, workspace, Tables::factor);
-        for (i, x) in state.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, workspace), *x);
-        }
-    }
-
     /// Advances a state by a step of a kind. A `carry` that is not empty holds what the state lacks,
     /// and is advanced by the operations of
     /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
     /// each number once where a wider precision serves a state of single precision. A step that
     /// eliminates factors A(x,ε) by `factor`, which is [`Tables::factor`] in all but programs that
     /// are written for machine code; where it returns `false`, partial pivoting takes over.
-    pub(crate) fn advance_as<V: Scalar + Copy>(
+    pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
         [state, carry]: [&mut [V]; 2],

@@ -5,7 +5,6 @@ use std::hash::Hash;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use kahan_core::FloatScalar;
 use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};
 
 use crate::engine::{Engine, MachineFloat, Object, advance_dense};
@@ -57,30 +56,11 @@ pub struct CodesOf<T> {
 /// The code of a field.
 #[derive(Debug, Default)]
 pub struct Codes {
-    single: CodesOf<f32>,
-    double: CodesOf<f64>,
+    pub(crate) single: CodesOf<f32>,
+    pub(crate) double: CodesOf<f64>,
     /// The steps that were asked for before the code of an elimination was compiled.
     steps: AtomicU64,
     operations: OnceLock<Option<u32>>,
-}
-
-/// A float that has code.
-pub trait Coded: kahan_jit::Float + FloatScalar {
-    /// Its code.
-    #[doc(hidden)]
-    fn of(codes: &Codes) -> &CodesOf<Self>;
-}
-
-impl Coded for f32 {
-    fn of(codes: &Codes) -> &CodesOf<f32> {
-        &codes.single
-    }
-}
-
-impl Coded for f64 {
-    fn of(codes: &Codes) -> &CodesOf<f64> {
-        &codes.double
-    }
 }
 
 /// The code of an orbit, whose step is one of the map or several of them.
@@ -130,13 +110,13 @@ impl Codes {
     }
 
     /// The code of an orbit; `None` where there can be no code.
-    pub(crate) fn orbit<T: Coded>(
+    pub(crate) fn orbit<T: MachineFloat>(
         &self,
         engine: &Engine,
         kind: StepKind,
         is_composed: bool,
     ) -> Option<Arc<OrbitCode<T>>> {
-        T::of(self).orbits.get((kind, is_composed), || {
+        T::codes(self).orbits.get((kind, is_composed), || {
             let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
             let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
@@ -150,13 +130,13 @@ impl Codes {
     }
 
     /// The code of points side by side, each with constants of its own; likewise.
-    pub(crate) fn abreast<T: Coded>(
+    pub(crate) fn abreast<T: MachineFloat>(
         &self,
         engine: &Engine,
         work: SideBySide,
         instructions: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
-        T::of(self).abreast.get((work, instructions), || {
+        T::codes(self).abreast.get((work, instructions), || {
             let (program, fuses) = match work {
                 SideBySide::Steps(kind, 0) => (kind.program::<T>(engine)?, kind.fuses),
                 SideBySide::Steps(kind, vectors) => (kind.carrying::<T>(engine, vectors)?, kind.fuses),
@@ -168,7 +148,7 @@ impl Codes {
     }
 
     /// The code of an object; likewise. Nothing in it is fused.
-    pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
+    pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
         }
@@ -178,19 +158,19 @@ impl Codes {
             Function::compile(&program, shape).ok()
         };
         let none_yet = || (0..engine.objects()).map(|_| OnceLock::new()).collect();
-        let functions = T::of(self).functions.get_or_init(none_yet);
+        let functions = T::codes(self).functions.get_or_init(none_yet);
         functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
     /// The code of columns; likewise.
-    pub(crate) fn columns<T: Coded>(
+    pub(crate) fn columns<T: MachineFloat>(
         &self,
         engine: &Engine,
         kind: StepKind,
         instructions: InstructionSet,
     ) -> Option<Arc<ColumnsCode<T>>> {
         let shape = Shape { instructions, lanes: LaneCount::All, fuses: kind.fuses };
-        T::of(self).columns.get((kind, shape), || ColumnsCode::compile(engine, kind, shape))
+        T::codes(self).columns.get((kind, shape), || ColumnsCode::compile(engine, kind, shape))
     }
 }
 
@@ -239,7 +219,7 @@ impl<T: MachineFloat> OrbitCode<T> {
     }
 }
 
-impl<T: Coded> ColumnsCode<T> {
+impl<T: MachineFloat> ColumnsCode<T> {
     fn compile(engine: &Engine, kind: StepKind, shape: Shape) -> Option<Self> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
@@ -264,10 +244,7 @@ impl<T: Coded> ColumnsCode<T> {
 
     /// Appends the constants of a register of trajectories; `given` are their parameters and ε,
     /// each a whole register.
-    pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>)
-    where
-        T: Default,
-    {
+    pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>) {
         let start = constants.len();
         constants.resize(start + self.constants.results(), T::default());
         self.constants.run(&[], given, &mut constants[start..]);

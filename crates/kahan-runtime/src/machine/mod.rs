@@ -10,6 +10,6 @@ mod kind;
 mod programs;
 mod traced;
 
-pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
+pub(crate) use codes::{Codes, CodesOf, ColumnsCode, OrbitCode};
 pub(crate) use kahan_jit::{InstructionSet, Sweep};
 pub(crate) use kind::{SideBySide, StepKind};

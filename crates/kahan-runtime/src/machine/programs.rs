@@ -4,12 +4,12 @@ use kahan_core::Scalar;
 use kahan_dynamics::Precision;
 use kahan_jit::{Input, Program};
 
-use crate::engine::{Engine, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
+use crate::engine::{Engine, MachineFloat, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
-use super::{Coded, InstructionSet, StepKind};
+use super::{InstructionSet, StepKind};
 
 /// The most operations of an elimination that is compiled.
 const MOST_OPERATIONS: u32 = 50_000;
@@ -20,7 +20,7 @@ impl StepKind {
     ///
     /// The numbers are x₁, …, xₙ; compensated, what each of them lacks comes behind. In
     /// double-double each is two numbers, the high one first, and the guard comes last.
-    pub(super) fn program<T: Coded>(self, engine: &Engine) -> Option<Program> {
+    pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
         if self.precision == Precision::DoubleDouble {
@@ -37,7 +37,7 @@ impl StepKind {
     }
 
     /// The program of a step, and whether a guard comes last.
-    pub(super) fn guarded_program<T: Coded>(self, engine: &Engine) -> Option<(Program, bool)> {
+    pub(super) fn guarded_program<T: MachineFloat>(self, engine: &Engine) -> Option<(Program, bool)> {
         match self.program::<T>(engine) {
             Some(program) => Some((program, self.precision == Precision::DoubleDouble)),
             None => Some((self.eliminating::<T>(engine)?, true)),
@@ -50,7 +50,7 @@ impl StepKind {
     /// those of this build, and where it takes too many operations.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
-    fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
+    fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         if !self.has_eliminating_code(engine) {
             return None;
         }
@@ -66,7 +66,7 @@ impl StepKind {
             step.open(&given, &mut scratch.registers);
             let (state, carry) = numbers.split_at_mut(variables);
             let mut growth = None;
-            step.advance_as(
+            step.advance(
                 self,
                 [state, carry],
                 &mut scratch.registers,
@@ -86,7 +86,7 @@ impl StepKind {
     /// The program of a point that carries so many tangent vectors, each as many numbers as the
     /// point; the engine is that of the variational field. The squares of the vectors' lengths are
     /// results behind them, of states that nothing reads.
-    pub(super) fn carrying<T: Coded>(self, engine: &Engine, vectors: usize) -> Option<Program> {
+    pub(super) fn carrying<T: MachineFloat>(self, engine: &Engine, vectors: usize) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let n = engine.dimension() / 2;
         traced::program(|| {
@@ -113,7 +113,7 @@ impl StepKind {
             && engine.codes.operations(engine).is_some_and(|operations| operations <= MOST_OPERATIONS)
     }
 
-    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
+    fn next<T: MachineFloat>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
         let constant = |k| Traced::input(Input::Constant(k));
         self.advanced(step, numbers, constant, Traced::rounded_to_single)
     }
@@ -131,14 +131,14 @@ impl StepKind {
         kernel.give((0..).map(constant), &mut registers);
         let (state, carry) = numbers.split_at_mut(step.quotients.len());
         let workspace = &mut Scratch::default().workspace;
-        step.advance_as(self, [state, carry], &mut registers, workspace, single, Tables::factor);
+        step.advance(self, [state, carry], &mut registers, workspace, single, Tables::factor);
         Some(numbers)
     }
 }
 
 /// The program of an object from a state, and the parameters with ε behind them; `None` where the
 /// field has none, or no straight line for it.
-pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Program> {
+pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
         let (state, constants) = (Traced::<T>::states(0..n), constants(engine));
@@ -163,7 +163,7 @@ pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Progra
 
 /// The program of the constants that the step of columns is prepared with; a step that eliminates
 /// takes the parameters and ε as they are.
-pub(super) fn prepared<T: Coded>(engine: &Engine, is_general: bool) -> Option<Program> {
+pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Option<Program> {
     let lines = engine.steps().form(is_general).lines();
     traced::program(|| {
         let constants = constants::<T>(engine);
@@ -175,7 +175,7 @@ pub(super) fn prepared<T: Coded>(engine: &Engine, is_general: bool) -> Option<Pr
 }
 
 /// The program of a state that stays as it is, and the integrals behind it.
-pub(super) fn integrals_behind_the_state<T: Coded>(engine: &Engine) -> Option<Program> {
+pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let state = Traced::<T>::states(0..engine.dimension());
         let integrals = results(engine.line(Object::Integrals)?, &constants(engine), &state);
@@ -184,12 +184,12 @@ pub(super) fn integrals_behind_the_state<T: Coded>(engine: &Engine) -> Option<Pr
 }
 
 /// The parameters, and ε behind them.
-fn constants<T: Coded>(engine: &Engine) -> Vec<Traced<T>> {
+fn constants<T: MachineFloat>(engine: &Engine) -> Vec<Traced<T>> {
     (0..=engine.derived.system.field.symbols.parameters.len())
         .map(|k| Traced::input(Input::Constant(k)))
         .collect()
 }
 
-fn results<T: Coded>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {
+fn results<T: MachineFloat>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {
     line.values(constants, &mut Vec::new(), state).iter().collect()
 }

@@ -46,23 +46,13 @@ impl Observing<'_> {
 /// A float of the machine whose orbits are observed.
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// What is seen of the orbit of `start`, which goes as far as its points are finite and within
-    /// the bound. `tell` hears of steps, and may stop the orbit.
+    /// the bound. It is made by `step`, or by the map where that is `None`; observers take what they
+    /// need from the map. `tell` hears of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if the start has not an entry a variable.
     fn alone(
-        at: &MapAt<Self>,
-        start: &[Self],
-        asked: &Observing<'_>,
-        tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Result<Followed<Vec<Seen>>, DimensionError>;
-
-    /// Observes the orbit that other steps make; observers take what they need from the map.
-    ///
-    /// # Errors
-    /// [`DimensionError`] if the start has not an entry a variable.
-    fn alone_by(
-        step: &dyn Step<Scalar = Self>,
+        step: Option<&dyn Step<Scalar = Self>>,
         at: &MapAt<Self>,
         start: &[Self],
         asked: &Observing<'_>,
@@ -87,22 +77,16 @@ macro_rules! observed {
     ($($float:ty),*) => {
         $(impl ObservedFloat for $float {
             fn alone(
+                step: Option<&dyn Step<Scalar = Self>>,
                 at: &MapAt<Self>,
                 start: &[Self],
                 asked: &Observing<'_>,
                 tell: &dyn Fn(u64) -> ControlFlow<()>,
             ) -> Result<Followed<Vec<Seen>>, DimensionError> {
-                running::alone(at, at, start, asked, tell)
-            }
-
-            fn alone_by(
-                step: &dyn Step<Scalar = Self>,
-                at: &MapAt<Self>,
-                start: &[Self],
-                asked: &Observing<'_>,
-                tell: &dyn Fn(u64) -> ControlFlow<()>,
-            ) -> Result<Followed<Vec<Seen>>, DimensionError> {
-                running::alone(&step, at, start, asked, tell)
+                match step {
+                    Some(step) => running::alone(&step, at, start, asked, tell),
+                    None => running::alone(at, at, start, asked, tell),
+                }
             }
 
             fn abreast(

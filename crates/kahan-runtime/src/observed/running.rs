@@ -235,7 +235,7 @@ where
     /// by side; one orbit after the other where a plane of tangent vectors goes along.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
-        if matches!(first.carrier, Carrier::Plane(..)) {
+        if first.carrier.plane.is_some() {
             for (lane, all) in group.iter_mut().flatten().enumerate() {
                 burst.show(lane, 0, |step, x| all.observe(step, x));
             }

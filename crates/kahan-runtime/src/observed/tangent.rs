@@ -38,11 +38,11 @@ const FARTHEST: f64 = 1.0 / 64.0;
 
 /// The map along which tangent vectors are carried.
 #[derive(Clone, Debug)]
-pub(super) enum Carrier<'a, T: MachineFloat> {
-    /// All variables by the map.
-    Map(&'a MapAt<T>),
-    /// Original variables by a plane that goes along the orbit.
-    Plane(&'a MapAt<T>, Rc<RefCell<Plane<'a, T>>>),
+pub(super) struct Carrier<'a, T: MachineFloat> {
+    map: &'a MapAt<T>,
+    /// A plane that goes along the orbit and carries original variables; `None` where the map
+    /// carries all variables.
+    pub(super) plane: Option<Rc<RefCell<Plane<'a, T>>>>,
 }
 
 /// The tangent vectors of the original variables at a point of an orbit.
@@ -62,23 +62,21 @@ pub(super) struct Plane<'a, T: MachineFloat> {
 
 impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
     pub(super) fn new(map: &'a MapAt<T>, relations: Option<&'a dyn Relations>) -> Self {
-        let Some(relations) = relations else { return Carrier::Map(map) };
-        let (parameters, _) = map.own();
-        let plane = Plane {
+        let plane = |relations| Plane {
             map,
             relations,
-            parameters: parameters.iter().map(T::approximate).collect(),
+            parameters: map.own().0.iter().map(T::approximate).collect(),
             place: Vec::new(),
             basis: Vec::new(),
             images: Vec::new(),
             largest: Vec::new(),
         };
-        Carrier::Plane(map, Rc::new(RefCell::new(plane)))
+        Carrier { map, plane: relations.map(|relations| Rc::new(RefCell::new(plane(relations)))) }
     }
 
     /// Goes along to the next point, before observers see it.
     pub(super) fn follow(&self, step: u64, x: &[T]) {
-        if let Carrier::Plane(_, plane) = self {
+        if let Some(plane) = &self.plane {
             plane.borrow_mut().follow(step, x);
         }
     }
@@ -168,61 +166,45 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
     type State = Vec<T>;
 
     fn dimension(&self) -> usize {
-        match self {
-            Carrier::Map(map) => Step::dimension(*map),
-            Carrier::Plane(_, plane) => plane.borrow().relations.originals(),
-        }
+        let originals = self.plane.as_ref().map(|plane| plane.borrow().relations.originals());
+        originals.unwrap_or(Step::dimension(self.map))
     }
 
     fn eps(&self) -> &T {
-        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
-        Step::eps(*map)
+        Step::eps(self.map)
     }
 
     /// Steps of the map, on all variables.
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
-        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
-        Step::advance(*map, x, steps, workspace)
+        Step::advance(self.map, x, steps, workspace)
     }
 
     fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
-        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
-        map.part(eps, x, workspace)
+        self.map.part(eps, x, workspace)
     }
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
     /// On a plane, to the point that it followed last.
     fn carry(&self, x: &[T], v: &mut Vec<T>) {
-        match self {
-            Carrier::Map(map) => map.carry(x, v),
-            Carrier::Plane(_, plane) => {
-                let mut sum = vec![T::zero(); v.len()];
-                for (image, entry) in plane.borrow().images.iter().zip(&*v) {
-                    sum.iter_mut().zip(image).for_each(|(sum, one)| *sum += *entry * *one);
-                }
-                *v = sum;
-            }
+        let Some(plane) = &self.plane else { return self.map.carry(x, v) };
+        let mut sum = vec![T::zero(); v.len()];
+        for (image, entry) in plane.borrow().images.iter().zip(&*v) {
+            sum.iter_mut().zip(image).for_each(|(sum, one)| *sum += *entry * *one);
         }
+        *v = sum;
     }
 
     fn det_jacobian(&self, x: &[T]) -> T {
-        match self {
-            Carrier::Map(map) => map.det_jacobian(x),
-            Carrier::Plane(_, plane) => {
-                let images = &plane.borrow().images;
-                determinant(&mut images.concat(), images.len())
-            }
-        }
+        let Some(plane) = &self.plane else { return self.map.det_jacobian(x) };
+        let images = &plane.borrow().images;
+        determinant(&mut images.concat(), images.len())
     }
 
     fn carry_side_by_side<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize> {
-        let mut own = [None; GROUP];
-        for (own, carrier) in own.iter_mut().zip(maps) {
-            let Carrier::Map(map) = carrier else { return None };
-            *own = Some(*map);
+        if maps.iter().any(|carrier| carrier.plane.is_some()) {
+            return None;
         }
-        let first = own[0]?;
-        MapAt::carry_side_by_side(own.map(|map| map.unwrap_or(first)), work)
+        MapAt::carry_side_by_side(maps.map(|carrier| carrier.map), work)
     }
 }

@@ -252,7 +252,7 @@ fn orbits_side_by_side_are_counted_as_each_is_alone() {
         let beside = f64::abreast(&[&at; 37], &starts, &asked, &go_on).expect("columns that fit");
         for (orbit, beside) in beside.iter().enumerate() {
             let start: Vec<f64> = starts.iter().map(|column| column[orbit]).collect();
-            let alone = f64::alone(&at, &start, &asked, &go_on).expect("a number a variable");
+            let alone = f64::alone(None, &at, &start, &asked, &go_on).expect("a number a variable");
             assert_eq!(format!("{beside:?}"), format!("{alone:?}"), "{name}: orbit {orbit}");
             let Seen::Passed(found) = alone.report[0] else { panic!("{alone:?}") };
             assert_eq!(found, passed(&at, &start, 40));

@@ -214,10 +214,10 @@ impl Observe {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
         let Some(step) = study.steps(at, self.reembed) else {
-            return (T::alone(at, start, &self.observing(study, of), tell).expect(FITTING), None);
+            return (T::alone(None, at, start, &self.observing(study, of), tell).expect(FITTING), None);
         };
         let of = with_last(of);
-        let mut found = T::alone_by(&step, at, start, &self.observing(study, &of), tell).expect(FITTING);
+        let mut found = T::alone(Some(&step), at, start, &self.observing(study, &of), tell).expect(FITTING);
         let last = found.report.pop().and_then(last_point::<T>).expect("the last point was asked for");
         let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
         found.end = step.end(found.end, &last);
