@@ -1,6 +1,6 @@
 //! Settings compared on one scene: the choice, the front, and the picture of all.
 
-use kahan_study::trade::{Measured, Traded};
+use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};
 
 use crate::document::Table;
@@ -24,7 +24,7 @@ pub(super) fn html(traded: &Traded) -> Markup {
 /// The choice in words, and as Rust to paste.
 #[must_use]
 pub fn choice(traded: &Traded) -> Option<[String; 2]> {
-    let choice = traded.choice()?;
+    let Choice { setting: choice, rust } = traded.choice.as_ref()?;
     let words = format!(
         "{}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
         choice.setting.scheme(),
@@ -33,7 +33,7 @@ pub fn choice(traded: &Traded) -> Option<[String; 2]> {
         traded.error_name(),
         choice.error()
     );
-    Some([words, traded.rust.clone()?])
+    Some([words, rust.clone()])
 }
 
 /// An error of a setting, where it was measured.

@@ -4,15 +4,16 @@
 //! be. Out: the [`Setting`] that serves at the least modelled cost. Nothing is timed, so the answer
 //! is the same on every machine of one kind, and every time: a trajectory is compared with the flow
 //! itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count of operations
-//! gives the price ([`cycles`]). The command `kahan trade` measures that, too. Deliberately absent:
-//! extrapolation. What is chosen has been run, over the whole horizon.
+//! gives the price ([`cycles`]). The command `kahan trade` makes the search with prices that it
+//! measures. Deliberately absent: extrapolation. What is chosen has been run, over the whole
+//! horizon.
 
 mod cycles;
 mod error;
 mod integrals;
 mod run;
 mod scheme;
-mod search;
+pub mod search;
 mod setting;
 mod trajectory;
 

@@ -136,8 +136,8 @@ where
         // stages are shorter, may be.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
-        let mut search = Search::new(runs, self.scene.tolerance, self.others);
-        let verdict = search.run(coarsest);
+        let mut search = Search::counted(runs, self.scene.tolerance);
+        let verdict = search.run(coarsest, self.others);
         let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
         match verdict {
             Verdict::Choice(setting) => Ok(setting),

@@ -6,6 +6,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Composition, Dd, KahanMap};
 use kahan_dynamics::Flow;
+use serde::{Serialize, Serializer};
 
 use super::path::Limits;
 use super::refusal::{LEAST_DIFFERENCE, NoReference};
@@ -24,15 +25,25 @@ const CLOSED_SAMPLES: u32 = 64;
 const SAMPLES: u64 = 4096;
 
 /// What stands behind a reference.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Certificate {
     /// The second method.
+    #[serde(rename = "second_method", serialize_with = "name")]
     pub method: Method,
     /// The largest difference from it that was seen, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
     /// The last time before which every difference was as small as was asked for.
+    #[serde(skip)]
     pub agreed_until: f64,
+}
+
+/// Writes the name of a method.
+fn name<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(match method {
+        Method::ClosedSolution => "closed solution",
+        Method::Composition { .. } => "composition",
+    })
 }
 
 /// The method that a Taylor series is compared with.

@@ -6,13 +6,13 @@ use std::time::Duration;
 
 use kahan_core::Dd;
 use kahan_discover::Watch;
+use kahan_dynamics::search::Trials;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};
 
 use crate::reference::Reference;
 
 use super::Measured;
 use super::drift::{Drift, Integrals};
-use super::front::better;
 use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
@@ -21,47 +21,39 @@ use super::stops::stops;
 const INTEGRAL_SAMPLES: usize = 32;
 
 /// What measures settings of one scene, and remembers them.
-pub(super) struct Search<'a> {
+pub(super) struct Measuring<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
     /// The number of variables, from the first on, that errors are of.
     pub(super) originals: usize,
-    /// What a measured error may be.
-    pub(super) tolerance: f64,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Duration,
-    /// The part of the time left that the way to a setting that serves may take.
-    pub(super) share: f64,
     /// Whether the clock tells how long a step takes here: what is interpreted takes longer.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
     /// The first schemes and ε that there was no time for.
     pub(super) skipped: Vec<(Scheme, f64)>,
-    /// Schemes whose errors fell no further, above the tolerance.
-    pub(super) stalled: Vec<Scheme>,
     pub(super) watch: &'a dyn Watch,
 }
 
-impl Search<'_> {
-    /// The error that the need is about, at about so many steps over the horizon; `None` where
-    /// there is no time for it.
-    pub(super) fn error(&mut self, scheme: Scheme, steps: u64) -> Option<f64> {
-        let setting = self.scene.setting(scheme, steps);
-        if let Some(known) = self.settings.iter().find(|known| known.setting == setting) {
-            return Some(known.error());
-        }
+impl Trials for Measuring<'_> {
+    fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
+        self.scene.setting(scheme, steps)
+    }
+
+    fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
         if !(setting.eps() > 0.0 && setting.eps().is_finite()) {
             // It leaves the range of `f32`.
             return Some(f64::INFINITY);
         }
-        if self.expected(scheme, setting.eps(), setting.steps() as f64) > self.time_left() {
-            self.skip(scheme, setting.steps());
+        let (scheme, steps) = (setting.scheme(), setting.steps());
+        if self.gives_up(scheme, steps, steps as f64, share) {
             return None;
         }
-        let Some(measured) = self.measure(setting) else {
-            self.skip(scheme, setting.steps());
+        let Some(measured) = self.measure(*setting) else {
+            self.skip(scheme, steps);
             return None;
         };
         let error = measured.error();
@@ -70,21 +62,44 @@ impl Search<'_> {
         Some(error)
     }
 
+    fn price(&self, scheme: Scheme) -> f64 {
+        self.prices.nanoseconds(scheme)
+    }
+
+    fn cost(&self, setting: &Setting) -> f64 {
+        let steps = match self.scene.need() {
+            Need::Trajectory => setting.steps() as f64,
+            // An orbit that keeps integrals ends at the step nearest to the horizon.
+            Need::Integrals => 0.5 * self.scene.horizon() / setting.eps(),
+        };
+        self.price(setting.scheme()) * steps
+    }
+
+    fn gives_up(&mut self, scheme: Scheme, next: u64, end: f64, share: f64) -> bool {
+        let eps = self.scene.horizon() / (2.0 * end);
+        let is_late = self.expected(scheme, eps, end) > self.time_left().mul_f64(share);
+        if is_late {
+            self.skip(scheme, next);
+        }
+        is_late
+    }
+}
+
+impl Measuring<'_> {
     /// Remembers from which number of steps on there was no time for a scheme.
-    pub(super) fn skip(&mut self, scheme: Scheme, steps: u64) {
+    fn skip(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));
         }
     }
 
-    fn time_left(&self) -> Duration {
-        self.deadline.saturating_sub((self.subject.clock)())
+    /// Gives back the schemes that there was no time for, to be tried again.
+    pub(super) fn put_off(&mut self) -> Vec<(Scheme, f64)> {
+        std::mem::take(&mut self.skipped)
     }
 
-    /// Whether so many steps take more than the share of the time that is left.
-    pub(super) fn takes_too_long(&self, scheme: Scheme, steps: f64) -> bool {
-        let expected = self.expected(scheme, self.scene.horizon() / (2.0 * steps), steps);
-        expected > self.time_left().mul_f64(self.share)
+    fn time_left(&self) -> Duration {
+        self.deadline.saturating_sub((self.subject.clock)())
     }
 
     fn expected(&self, scheme: Scheme, eps: f64, steps: f64) -> Duration {
@@ -175,22 +190,5 @@ impl Search<'_> {
         let size = norm(&mut start.iter().copied());
         let distance = norm(&mut start.iter().zip(&back).map(|(start, back)| *back - *start));
         Some(if size > 0.0 { distance / size } else { distance }).filter(|error| error.is_finite())
-    }
-
-    /// What a scheme costs at so many steps.
-    pub(super) fn cost(&self, scheme: Scheme, steps: u64) -> f64 {
-        self.prices.nanoseconds(scheme) * steps as f64 / self.scene.horizon()
-    }
-
-    /// The cheapest setting that meets the need.
-    pub(super) fn best(&self) -> Option<usize> {
-        let meets = self.settings.iter().enumerate();
-        let meets = meets.filter(|(_, measured)| measured.error() <= self.tolerance);
-        meets.min_by(|(_, a), (_, b)| better(a, b)).map(|(index, _)| index)
-    }
-
-    /// What the cheapest setting that meets the need costs; infinite where there is none.
-    pub(super) fn least_cost(&self) -> f64 {
-        self.best().map_or(f64::INFINITY, |best| self.settings[best].nanoseconds_per_unit_time)
     }
 }

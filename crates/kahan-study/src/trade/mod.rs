@@ -23,6 +23,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 use kahan_discover::{Progress, Watch};
+use kahan_dynamics::search::Search;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};
 use serde::{Deserialize, Serialize};
 
@@ -35,10 +36,10 @@ use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Refe
 use crate::study::Study;
 
 use drift::Integrals;
-use measure::Search;
+use measure::Measuring;
 use prices::Prices;
 use runner::Runner;
-use search::SHARE;
+use search::{Ladders, MEASURED};
 
 pub use object::need_name;
 
@@ -76,9 +77,10 @@ fn usual_seconds() -> f64 {
 }
 
 /// A setting, measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
     /// The setting; what error to expect of it, this says.
+    #[serde(flatten, serialize_with = "object::setting")]
     pub setting: Setting,
     /// The price.
     pub nanoseconds_per_unit_time: f64,
@@ -96,33 +98,48 @@ pub struct Measured {
 }
 
 /// What was measured, and on what.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Traded {
     /// The name of the system.
     pub system: String,
     /// The values of its parameters.
+    #[serde(serialize_with = "object::parameters")]
     pub parameters: Names<Rational>,
     /// The first point.
+    #[serde(rename = "x", with = "exact")]
     pub start: Vec<Rational>,
     /// The horizon, the need and the tolerance.
+    #[serde(flatten, serialize_with = "object::scene")]
     pub scene: Scene,
+    /// What errors of trajectories are relative to.
+    pub scale: Option<f64>,
+    /// What stands behind the errors of trajectories.
+    #[serde(rename = "reference")]
+    pub certificate: Option<Certificate>,
+    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled
+    /// by the cost of the plans.
+    #[serde(rename = "timing", serialize_with = "object::timing")]
+    pub is_code: bool,
     /// The settings, the cheapest first.
     pub settings: Vec<Measured>,
     /// The cheapest that meets the need.
-    pub choice: Option<usize>,
-    /// That setting as Rust to paste.
-    pub rust: Option<String>,
-    /// What stands behind the errors of trajectories.
-    pub certificate: Option<Certificate>,
-    /// What those errors are relative to.
-    pub scale: Option<f64>,
-    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled
-    /// by the cost of the plans.
-    pub is_code: bool,
+    pub choice: Option<Choice>,
     /// Schemes that there was no time for, and the ε from which on.
+    #[serde(serialize_with = "object::skipped")]
     pub skipped: Vec<(Scheme, f64)>,
     /// Schemes that cannot: their errors fall no further, and stay above the tolerance.
+    #[serde(skip)]
     pub stalled: Vec<Scheme>,
+}
+
+/// The setting that was chosen.
+#[derive(Clone, Debug, Serialize)]
+pub struct Choice {
+    /// The setting.
+    #[serde(flatten)]
+    pub setting: Measured,
+    /// The setting as Rust to paste.
+    pub rust: String,
 }
 
 /// Why nothing was measured.
@@ -164,7 +181,7 @@ impl Traded {
     /// The cheapest setting that meets the need.
     #[must_use]
     pub fn choice(&self) -> Option<&Measured> {
-        self.choice.map(|choice| &self.settings[choice])
+        self.choice.as_ref().map(|choice| &choice.setting)
     }
 
     /// What was simulated, in words: system, first point, time.
@@ -210,7 +227,7 @@ impl Trade {
         let clock = || watch.now().unwrap_or_default();
         let trade = |why| StudyError::Trade { system: study.name().to_owned(), why };
         let runner = Runner::new(study.field(), &parameters, &start, &clock).map_err(trade)?;
-        let search = Search::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
+        let search = Ladders::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
         Ok(search.finish(study, &parameters))
     }
 }
@@ -225,7 +242,7 @@ fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
     }
 }
 
-impl<'a> Search<'a> {
+impl<'a> Ladders<'a> {
     /// Measures.
     fn of(
         runner: &'a Runner<'a>,
@@ -280,54 +297,58 @@ impl<'a> Search<'a> {
             let stand_in = Runner::stand_in(clock)?;
             Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
-        let mut search = Search {
+        // What the reference may err by is not there to be used.
+        let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
+        let tolerance = scene.tolerance() - certified;
+        let measuring = Measuring {
             subject: runner,
             prices,
             scene,
             originals: study.coordinates().len(),
-            // What the reference may err by is not there to be used.
-            tolerance: scene.tolerance()
-                - reference.as_ref().map_or(0.0, |reference| reference.certificate().difference),
             reference,
             integrals,
             deadline,
-            share: SHARE,
             is_code,
             settings: Vec::new(),
             skipped: Vec::new(),
-            stalled: Vec::new(),
             watch,
         };
-        search.search(coarsest);
-        Ok(search)
+        let search = Search::new(measuring, tolerance, MEASURED);
+        let mut ladders = Ladders { search, tolerance, stalled: Vec::new() };
+        ladders.run(coarsest);
+        Ok(ladders)
     }
 
-    fn finish(mut self, study: &Study, parameters: &[Rational]) -> Traded {
-        front::mark(&mut self.settings);
-        for index in 0..self.settings.len() {
-            if self.settings[index].on_front {
-                self.settings[index].return_error = self.return_error(&self.settings[index].setting);
-            }
+    fn finish(self, study: &Study, parameters: &[Rational]) -> Traded {
+        let Self { search, tolerance, stalled } = self;
+        let mut measuring = search.into_trials();
+        let mut settings = std::mem::take(&mut measuring.settings);
+        front::mark(&mut settings);
+        for setting in settings.iter_mut().filter(|setting| setting.on_front) {
+            setting.return_error = measuring.return_error(&setting.setting);
         }
-        let (start, choice) = (&self.subject.start, self.best());
-        let rust = choice.map(|best| &self.settings[best].setting);
-        let rust = rust.map(|setting| paste::rust_of(study, parameters, start, setting));
+        let Measuring { subject, scene, reference, is_code, skipped, .. } = measuring;
+        let choice = settings.iter().find(|setting| setting.error() <= tolerance).map(|best| Choice {
+            setting: best.clone(),
+            rust: paste::rust_of(study, parameters, &subject.start, &best.setting),
+        });
         Traded {
             system: study.name().to_owned(),
             parameters: study.parameters().iter().cloned().zip(parameters.iter().cloned()).collect(),
-            start: start.clone(),
-            scene: self.scene,
+            start: subject.start.clone(),
+            scene,
             choice,
-            rust,
-            certificate: self.reference.as_ref().map(Reference::certificate),
-            scale: self.reference.as_ref().map(|reference| reference.flow().scale()),
-            is_code: self.is_code,
-            skipped: self.skipped,
-            stalled: self.stalled,
-            settings: self.settings,
+            certificate: reference.as_ref().map(Reference::certificate),
+            scale: reference.as_ref().map(|reference| reference.flow().scale()),
+            is_code,
+            skipped,
+            stalled,
+            settings,
         }
     }
+}
 
+impl Measuring<'_> {
     /// Tells the watch how many settings are known; after it said stop, there is no time left, and
     /// it hears no more.
     fn tell(&mut self) {

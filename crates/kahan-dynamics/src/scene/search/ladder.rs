@@ -6,8 +6,7 @@
 
 use kahan_core::Composition;
 
-use super::super::{Scheme, Setting};
-use super::{ENOUGH, PLAIN, SHARE, SMALL, STALL, Search, Trials, WIDE};
+use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
 /// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to
 /// follow it.
@@ -21,11 +20,6 @@ const STALLS: u32 = 2;
 const LITTLE: f64 = 0.3;
 /// The most rungs of a ladder.
 const RUNGS: usize = 34;
-/// The most rungs of a ladder that begins where another felt roundings.
-const MORE_RUNGS: usize = 5;
-/// A ladder is given up where the law says that its end will cost this factor more than what is
-/// known to serve.
-const SURELY: f64 = 1.5;
 /// Roundings differ from one ε to the next by about this factor.
 const NEAR: f64 = 30.0;
 /// A ladder's longest step where the law is seen to hold.
@@ -55,20 +49,35 @@ impl Gain {
     }
 }
 
-/// What a ladder has shown so far.
+/// What a ladder has shown.
 #[derive(Clone, Copy, Debug, Default)]
-struct Climb {
+pub struct Climb {
     /// Whether some rung gained as the law has it.
     was_lawful: bool,
     /// Whether some rung gained less.
     gained_little: bool,
     /// How many rungs in a row gained nothing.
     stalls: u32,
+    /// Whether it ended where rungs gained nothing, for their roundings.
+    has_stalled: bool,
     /// The finest rung.
-    finest: Option<Setting>,
+    pub(super) finest: Option<Setting>,
 }
 
 impl Climb {
+    /// Whether errors fell less than the order has it: there may be roundings in them, which
+    /// compensation makes fewer.
+    #[must_use]
+    pub const fn has_felt_roundings(&self) -> bool {
+        self.gained_little
+    }
+
+    /// Whether the ladder ended where finer steps gain nothing, for their roundings.
+    #[must_use]
+    pub const fn has_stalled(&self) -> bool {
+        self.has_stalled
+    }
+
     /// Counts what a rung gained on the one before, if there was one that said something.
     fn add(&mut self, trial: Setting) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
@@ -83,34 +92,25 @@ impl Climb {
 }
 
 impl<L: Trials> Search<L> {
-    /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others',
-    /// too. What then serves is vouched for.
-    pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
-        let climb = self.ladder(PLAIN.composed(composition), coarsest, RUNGS);
-        if climb.gained_little && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
-            self.is_rough = true;
-            let from = self.smooth(composition, coarsest);
-            for other in self.others {
-                self.ladder(other.composed(composition), from, MORE_RUNGS);
-            }
-        }
-        if self.best().is_some() && !self.is_vouched_for() {
-            self.vouch();
-        }
+    /// Tries more and more steps of a scheme, from `coarsest` on, until some serve, or more cannot
+    /// be the cheapest.
+    pub fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> Climb {
+        self.rungs(scheme, coarsest, RUNGS)
     }
 
-    fn ladder(&mut self, scheme: Scheme, coarsest: u64, rungs: usize) -> Climb {
+    pub(super) fn rungs(&mut self, scheme: Scheme, coarsest: u64, rungs: usize) -> Climb {
+        let share = self.rules.share;
         let (mut steps, mut climb) = (coarsest, Climb::default());
         for _ in 0..rungs {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
             // Where a leap takes too long, the next rung may not.
-            let next = climb.finest.map_or(steps, |before| 2 * before.steps);
+            let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
-            let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, SHARE)) else { break };
+            let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
             let gain = climb.add(trial);
-            if trial.error <= ENOUGH * self.tolerance {
+            if trial.error <= self.enough() {
                 break;
             }
             if climb.stalls >= STALLS {
@@ -118,20 +118,23 @@ impl<L: Trials> Search<L> {
                 // end.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
+                    climb.has_stalled = true;
                     break;
                 }
                 // A stiff motion: steps of either size meet poles of the map, which finer ones will
                 // not.
                 climb.stalls = 0;
             }
-            steps = 2 * trial.steps;
+            // A setting of few bits has fewer or more steps than asked.
+            steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
-                let enough = Self::by_law(&trial, 0.9 * ENOUGH * self.tolerance);
-                if self.cost(scheme, enough) > SURELY * self.least_cost() {
+                let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
+                let is_dear = self.cost(scheme, enough) > self.rules.surely * self.least_cost();
+                if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
                 // Where the law is seen to hold, there is no need of the rungs between.
-                if gain.is_lawful() {
+                if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
             }
@@ -141,14 +144,14 @@ impl<L: Trials> Search<L> {
 
     /// Whether a trial errs by its roundings rather than by its order: double-double, which has
     /// none, errs less.
-    fn has_roundings(&mut self, trial: &Setting) -> bool {
+    pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
         let wide = WIDE.composed(trial.scheme.composition);
-        let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, SHARE) };
+        let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
     /// The finest steps of an order at which the errors of plain `f64` still fell by the law.
-    fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
+    pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();
         plain.sort_by_key(|trial| trial.steps);
