@@ -1,7 +1,7 @@
 //! Tables as arrays: the rows of a question, a column each.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Exact, Kept, Question, StudyError, Table};
+use kahan_study::{Exact, Kept, Question, Table};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -27,16 +27,16 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, u64)> {
         let (question, study) = (crate::field::question(question)?, self.study().clone());
+        if let Question::Over(over) = &question {
+            over.has_integrals(&study).map_err(|_| no_integral(observed_as))?;
+        }
         let asked = if let Question::Orbit(orbit) = &question { orbit.steps } else { 0 };
         let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
             let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
             end.map(|end| (table, end))
         })?
-        .map_err(|error| match error {
-            StudyError::NoIntegral { .. } => no_integral(observed_as),
-            other => of_study(py, &other),
-        })?;
+        .map_err(|error| of_study(py, &error))?;
         let columns = table.columns.into_iter().zip(table.values);
         let columns = columns.map(|(column, kept)| Ok((column.name, column.meaning, array(py, kept)?)));
         Ok((columns.collect::<PyResult<_>>()?, end.name(), end.steps(asked)))

@@ -180,6 +180,7 @@ impl Asking for Chart {
 impl Chart {
     fn of_orbits(&self) -> Result<Shown, Refusal> {
         let (study, asked) = self.asked()?;
+        asked.has_integrals(&study)?;
         let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
         Ok(Shown::of(&asked, &found))
     }

@@ -99,11 +99,11 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     if !mistakes.is_empty() {
         return None;
     }
-    let points = over.cells(&study);
+    let (points, drifts) = (over.cells(&study), over.has_integrals(&study));
     let question = Question::Over(over);
     let mut empty = Table::default();
     // No rows, and so their columns alone.
-    let asked = study.rows(&question, 0..0, &mut empty, &Unwatched);
+    let asked = drifts.and_then(|()| study.rows(&question, 0..0, &mut empty, &Unwatched));
     let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
     let places = output.places(&empty, mistakes);
     let empty = choose(empty, places.as_deref());

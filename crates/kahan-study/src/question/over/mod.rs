@@ -83,6 +83,17 @@ pub struct OverFound {
 }
 
 impl Over {
+    /// Refuses drifts that are asked for by name where the field claims no integral.
+    ///
+    /// # Errors
+    /// [`StudyError::NoIntegral`].
+    pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
+        match &*self.question {
+            Question::Observe(asked) => asked.has_integrals(study),
+            _ => Ok(()),
+        }
+    }
+
     /// Of one draw.
     #[must_use]
     pub fn new(question: Question, over: Vec<Varied>) -> Self {

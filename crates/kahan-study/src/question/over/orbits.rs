@@ -45,7 +45,6 @@ impl<'a> Orbits<'a> {
     pub(super) fn of(study: &'a Study, cells: &'a Cells<'a>, asked: &'a Observe) -> Result<Self, StudyError> {
         study.proved()?;
         asked.composition(study)?;
-        asked.has_integrals(study)?;
         if asked.reembed && cells.axes.iter().any(|along| along.target == Target::Scalar) {
             return Err(StudyError::Orbit(NoOrbit::Reembed));
         }
