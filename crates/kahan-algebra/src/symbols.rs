@@ -120,4 +120,10 @@ impl Symbols {
             Symbol::SecondState(i) => format!("{}'", self.states[i]),
         }
     }
+
+    /// The variable of this name.
+    #[must_use]
+    pub fn named(&self, name: &str) -> Option<Variable> {
+        (0..self.count()).map(|index| Variable(index as u16)).find(|&variable| self.name(variable) == name)
+    }
 }

@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::Claim;
 
 use crate::watch::{Finding, Progress, Watch};
 
@@ -54,9 +54,9 @@ impl<'a> Work<'a> {
 
     /// Tells of a claim that is proved, unless it was told before. The watch looks at once, so that
     /// it can end the work with that.
-    pub fn found(&self, kind: ClaimKind, text: &str) {
+    pub fn found(&self, claim: &Claim, text: &str) {
         if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
-            self.watch.found(&Finding::claimed(kind, text));
+            self.watch.found(&Finding::claimed(claim, text));
             self.look(self.now());
         }
     }

@@ -13,6 +13,7 @@ use crate::orbits::basis::Basis;
 use crate::orbits::ceiling::Ceiling;
 use crate::orbits::growth::GrowthVerdict;
 use crate::orbits::hilbert::Hilbert;
+use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
 /// The most characters of a claim that is printed for people to read. A longer integral is left to
@@ -232,11 +233,9 @@ pub struct Report {
     pub bases: Vec<Basis>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
-    /// Invariant Poisson brackets, proved, each a claim of the language of `kahan!`: with
-    /// polynomial entries, the highest rank first, then from the density and the integrals.
-    pub brackets: Vec<String>,
-    /// The rank of each of these brackets at a general point.
-    pub bracket_ranks: Vec<usize>,
+    /// Invariant Poisson brackets, proved: with polynomial entries, the highest rank first, then
+    /// from the density and the integrals.
+    pub brackets: Vec<Bracket>,
     /// How many of them, the first, have polynomial entries.
     pub polynomial_brackets: usize,
     /// Proved functions whose next value follows from their value. They are functionally

@@ -9,8 +9,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kahan_algebra::syntax::ClaimKind;
-
-use crate::claims::proved::name_of;
+use kahan_algebra::system::Claim;
 
 /// What long work may use, and whom it tells. Whoever watches says what it has a use for; all else
 /// is as if nobody watched.
@@ -79,9 +78,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// What a claim of this kind says.
-    pub(crate) fn claimed(kind: ClaimKind, text: &str) -> Self {
-        Finding { kind, name: name_of(text).unwrap_or_default().to_owned(), text: text.to_owned() }
+    /// The finding that a claim with this line is.
+    pub(crate) fn claimed(claim: &Claim, text: &str) -> Self {
+        Finding { kind: claim.kind, name: claim.name.text.clone(), text: text.to_owned() }
     }
 }
 

@@ -194,7 +194,7 @@ fn fields_with_little_in_them_end_in_true_sentences() {
         let all = report.sentences.join(" ");
         assert!(all.contains(sentence), "{text}: {all}");
         check_lines(text, &report);
-        assert!(report.densities.iter().all(|formula| formula.kind == ClaimKind::Density));
+        assert!(report.densities.iter().all(|formula| formula.claim.kind == ClaimKind::Density));
     }
 }
 

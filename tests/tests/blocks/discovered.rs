@@ -43,7 +43,8 @@ fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let report = discover(&system, &options, &Unwatched).expect("there is a map");
     assert_eq!(report.integrals.len(), report.independent_integrals(), "{equations}");
     let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
-    let found: Vec<&str> = formulas.chain(report.brackets.iter().map(String::as_str)).collect();
+    let brackets = report.brackets.iter().map(|bracket| bracket.text.as_str());
+    let found: Vec<&str> = formulas.chain(brackets).collect();
     assert_eq!(found, lines, "{equations}");
 }
 

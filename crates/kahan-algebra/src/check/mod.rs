@@ -16,13 +16,14 @@ mod names;
 mod stand_in;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::parse;
 use kahan_syntax::syntax::{Block, Header};
-use kahan_syntax::token::Span;
+use kahan_syntax::token::{Span, Token};
 
 use crate::family::Family;
 use crate::field::Field;
 use crate::kept::Kept;
-use crate::system::System;
+use crate::system::{Claim, System};
 
 use names::Scope;
 
@@ -135,6 +136,22 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
          `for i in periodic { x[i]dot = c[i]*x[i+1]; }`",
     );
     true
+}
+
+/// Reads claims about the field of a system, without a proof; later ones may name earlier ones. The
+/// claims that the system brings along are unknown to them.
+///
+/// # Errors
+/// The mistakes.
+pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    let mut diagnostics = Diagnostics::default();
+    let block = parse::parse(tokens, &mut diagnostics);
+    let field = &system.field;
+    let mut scope = Scope::default().with(field.symbols.clone());
+    let mut stand_in = StandIn::of_type(None);
+    let claims = claims::compile_all(&block, &field.components, &mut scope, &mut stand_in, &mut diagnostics);
+    let mistakes = diagnostics.finish();
+    if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
 /// Checks a block of plain equations. There is always a stand-in, and a system where the equations

@@ -73,21 +73,24 @@ pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
     field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
 }
 
-/// The block: header, equations as expanded (constants folded in), claims as written.
+/// The lines of a block: header, equations as expanded (constants folded in), claims as written.
 #[must_use]
-pub fn macro_block(system: &System) -> String {
-    let mut lines = vec!["kahan! {".to_owned()];
-    let parameters = used_parameters(system);
-    if let Some(header) = &system.header {
-        lines.extend(header_lines(header, &parameters).iter().map(|line| format!("    {line}")));
-    }
+pub fn block_lines(system: &System) -> Vec<String> {
+    let header = system.header.as_ref();
+    let mut lines = header.map_or_else(Vec::new, |header| header_lines(header, &used_parameters(system)));
     let names = system.constants.iter();
     let in_claims = |name: &str| system.claims.iter().any(|claim| claim_names(claim, name));
     for (name, value) in names.filter(|(name, _)| in_claims(name)) {
-        lines.push(format!("    const {name} = {value};"));
+        lines.push(format!("const {name} = {value};"));
     }
-    lines.extend(equation_lines(&system.field).map(|line| format!("    {line}")));
-    lines.extend(system.claims.iter().map(|claim| format!("    {}", claim_text(system, claim))));
-    lines.push("}".to_owned());
-    lines.join("\n")
+    lines.extend(equation_lines(&system.field));
+    lines.extend(system.claims.iter().map(|claim| claim_text(system, claim)));
+    lines
+}
+
+/// A system as a call of `kahan!`.
+#[must_use]
+pub fn macro_block(system: &System) -> String {
+    let lines: String = block_lines(system).iter().map(|line| format!("    {line}\n")).collect();
+    format!("kahan! {{\n{lines}}}")
 }

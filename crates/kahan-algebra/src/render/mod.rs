@@ -9,7 +9,7 @@ mod lines;
 mod notation;
 mod report;
 
-pub use block::{equation_lines, macro_block};
+pub use block::{block_lines, equation_lines, macro_block};
 pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
 pub use columns::{aligned, columns, shorten, widths};
 pub use expression::{Level, at_least, expression_text, push_term, written};

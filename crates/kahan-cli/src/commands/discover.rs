@@ -108,9 +108,9 @@ impl Asking for Discover {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::stages())?;
         let answer = if self.latex {
-            Answer::verbatim(latex(&found)?)
+            Answer::verbatim(latex(&found))
         } else if self.as_macro {
-            let block = folded(&macro_block(&found.claimed()?), SOURCE_WIDTH);
+            let block = folded(&macro_block(&found.claimed()), SOURCE_WIDTH);
             Answer::verbatim(comments(&found, SOURCE_WIDTH) + &block)
         } else {
             Answer::of(&found, self.search.json, text)
@@ -181,8 +181,8 @@ fn comments(found: &Discovered, width: usize) -> String {
     texts.map(comment).collect()
 }
 
-fn latex(found: &Discovered) -> Result<String, Refusal> {
-    let system = found.readable()?;
+fn latex(found: &Discovered) -> String {
+    let system = found.readable();
     let notation = &Latex;
     let mut page = Page::default();
     page.line(&format!("% {}", found.system));
@@ -209,7 +209,7 @@ fn latex(found: &Discovered) -> Result<String, Refusal> {
         page.display(&aligned(vec![breaking::equation("0", left, PAGE_WIDTH)]));
         page.line(&evaluation(basis, notation, "$"));
     }
-    Ok(page.text)
+    page.text
 }
 
 /// The width of the words before the numbers.

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::macro_block;
+use kahan_algebra::render::block_lines;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_draw::document::{Making, colophon, document, readable};
@@ -215,7 +215,7 @@ fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field>
     const LONGEST: usize = 800;
 
     let Ok(Found::Discover(found)) = &found.answer else { return None };
-    let claimed = &found.readable().ok()?;
+    let claimed = &found.readable();
     let claims = claimed.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
     let claimed = System { claims: claims.cloned().collect(), ..claimed.clone() };
     let names = claimed.field.symbols.parameters.iter().enumerate();
@@ -224,9 +224,7 @@ fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field>
         Some((k, value.clone()))
     });
     let at_values = claimed.specialise(&values.collect::<Vec<_>>())?;
-    let block = macro_block(&at_values);
-    let body = block.strip_prefix("kahan! {").and_then(|block| block.strip_suffix('}'))?;
-    let text = joined(body.split_whitespace(), " ");
+    let text = joined(block_lines(&at_values).iter().flat_map(|line| line.split_whitespace()), " ");
     let has_integrals = at_values.accessors(ClaimKind::Integral).next().is_some();
     if !has_integrals || text.len() > LONGEST {
         return None;

@@ -76,7 +76,8 @@ case             integrals written growth      densities drifts ranks          l
         {
             differs(found < known, format!("{found} {what}, known {known}"));
         }
-        let missing = known.bracket_ranks.iter().filter(|rank| !report.bracket_ranks.contains(rank));
+        let mut ranks: Vec<usize> = report.brackets.iter().map(|bracket| bracket.rank).collect();
+        let missing = known.bracket_ranks.iter().filter(|rank| !ranks.contains(rank));
         for rank in missing {
             differs(true, format!("no bracket of rank {rank}"));
         }
@@ -97,7 +98,6 @@ case             integrals written growth      densities drifts ranks          l
             }
         }
         self.ratio = (least > 0).then(|| all as f64 / least as f64);
-        let mut ranks = report.bracket_ranks.clone();
         ranks.dedup();
         self.counts = [
             format!("{independent:>9} {written:>7}"),
@@ -122,7 +122,7 @@ fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
         }
     }
     printed.extend(report.densities.iter().map(|formula| formula.text.clone()));
-    printed.extend(report.brackets.iter().cloned());
+    printed.extend(report.brackets.iter().map(|bracket| bracket.text.clone()));
     printed
         .extend(found.into_iter().filter(|text| !["integral", "density", "bracket"].contains(&kind(text))));
     printed

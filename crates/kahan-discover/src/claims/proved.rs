@@ -1,23 +1,27 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
-//! What is printed is what was proved: the text of the claim is parsed behind the equations of the
-//! field and goes through the prover of claims, or states exactly a formula that a theorem proves.
-//! A formula that does not pass is not returned.
+//! What is printed is what was proved: the text of the claim is read as one about the field and goes
+//! through the prover of claims, or states exactly a formula that a theorem proves. A formula that
+//! does not pass is not returned. The claim that was read goes on as a value beside its text.
 
 use std::slice::from_ref;
 
 use kahan_algebra::arithmetic::{Arithmetic, Functions};
+use kahan_algebra::check::claims_of;
+use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
-use kahan_algebra::prove::{Verdict, prove_all};
+use kahan_algebra::prove::check_claims;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::{Formulas, Text};
+use kahan_algebra::render::equation_lines;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
-use kahan_algebra::{lexer, read, read_unproved, seed};
+use kahan_algebra::system::{Claim, System};
+use kahan_algebra::token::Token;
+use kahan_algebra::{lexer, seed};
 
 use crate::claims::writing::{is_product, quotient, state_factors};
+use crate::poisson::brackets::Bracket;
 
 /// The most work for the comparison of a formula with its text.
 const MOST_TERMS: usize = 100_000;
@@ -27,12 +31,12 @@ const MOST_WORK: u64 = 10_000_000;
 const DENSITY: &str = "rho";
 
 /// A proved claim.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Formula {
-    /// What is claimed: an integral or a density.
-    pub kind: ClaimKind,
     /// The claim as a line of the language of `kahan!`: `integral H1 = …;`.
     pub text: String,
+    /// The claim, an integral or a density, as the field can have it.
+    pub claim: Claim,
     /// The degree in the states of numerator and denominator, the larger.
     pub degree: u32,
     /// The numerator.
@@ -46,24 +50,21 @@ pub struct Formula {
 impl Formula {
     /// The claim's name.
     #[must_use]
-    pub fn name(&self) -> Option<&str> {
-        name_of(&self.text)
+    pub fn name(&self) -> &str {
+        &self.claim.name.text
     }
-}
-
-/// The name of a claim that is written as a line.
-pub(crate) fn name_of(text: &str) -> Option<&str> {
-    text.split_whitespace().nth(1)
 }
 
 /// Writes and proves claims about one field, some of its parameters and ε perhaps fixed.
 #[derive(Clone, Debug)]
 pub struct Claims<'a> {
     system: &'a System,
-    equations: String,
+    /// The system without its own claims.
+    bare: System,
+    /// The equations, which the seeds of proofs depend on.
+    equations: Vec<Token>,
     /// ` when a = 1, eps = 1/2`, or empty.
     pub(crate) condition: String,
-    taken: Vec<String>,
 }
 
 impl<'a> Claims<'a> {
@@ -72,18 +73,12 @@ impl<'a> Claims<'a> {
     pub fn new(system: &'a System, parameters: &[(String, Rational)], eps: Option<&Rational>) -> Self {
         let field = &system.field;
         let symbols = &field.symbols;
-        let values = Formulas { field, map: None, notation: &Text }.field();
-        let lines: Vec<String> = symbols
-            .states
-            .iter()
-            .zip(values)
-            .map(|(state, value)| format!("{state}dot = {value};"))
-            .collect();
+        let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
         // A parameter that cancelled from the equations is unknown to them.
         let occurs = |name: &str| {
-            symbols.parameters.iter().position(|known| known == name).is_some_and(|k| {
-                field.components.iter().any(|component| component.contains(symbols.parameter(k)))
-            })
+            symbols
+                .named(name)
+                .is_some_and(|variable| field.components.iter().any(|component| component.contains(variable)))
         };
         let mut conditions: Vec<String> = parameters
             .iter()
@@ -93,8 +88,8 @@ impl<'a> Claims<'a> {
         conditions.extend(eps.map(|value| format!("eps = {value}")));
         let condition =
             if conditions.is_empty() { String::new() } else { format!(" when {}", conditions.join(", ")) };
-        let taken = [symbols.states.clone(), symbols.parameters.clone(), vec!["eps".to_owned()]].concat();
-        Claims { system, equations: lines.join(" "), condition, taken }
+        let bare = System { claims: Vec::new(), ..system.clone() };
+        Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
     /// The name of the density that the field brings along, if one found here would have to stand
@@ -112,8 +107,11 @@ impl<'a> Claims<'a> {
             Some(index) => format!("{stem}{index}"),
             None => stem.to_owned(),
         };
+        let symbols = &self.system.field.symbols;
         let is_taken = |name: &String| {
-            self.taken.contains(name)
+            symbols.states.contains(name)
+                || symbols.parameters.contains(name)
+                || name == "eps"
                 || self.system.constants.iter().any(|(known, _)| known == name)
                 || self.system.claims.iter().any(|claim| claim.name.text == *name)
                     && !(stem == DENSITY && self.own_density() == Some(name.as_str()))
@@ -136,8 +134,9 @@ impl<'a> Claims<'a> {
         denominator: &Polynomial,
         by: &[Polynomial],
     ) -> Option<Formula> {
-        let formula = self.written(symbols, index, numerator, denominator, by);
-        self.is_proved(&formula.text).then_some(formula)
+        let text = self.written(symbols, index, numerator, denominator, by);
+        let claim = self.proved(&[], &text)?;
+        Some(formula(symbols, text, claim, numerator, denominator))
     }
 
     /// The claim that numerator/denominator is an integral, which a theorem proves; `None` where
@@ -150,26 +149,20 @@ impl<'a> Claims<'a> {
         numerator: &Polynomial,
         denominator: &Polynomial,
     ) -> Option<Formula> {
-        let formula = self.written(symbols, index, numerator, denominator, &[]);
-        let reading = read_unproved(&lexer::lex(&format!("{} {}", self.equations, formula.text)).tokens);
-        let system = reading.system().ok()?;
-        let own = |name: &str| {
-            let mut all = (0..symbols.count()).map(|index| Variable(index as u16));
-            all.find(|&variable| symbols.name(variable) == name)
-        };
+        let text = self.written(symbols, index, numerator, denominator, &[]);
+        let claim = claims_of(self.system, &lexer::lex(&text).tokens).ok()?.pop()?;
         let value = |variable: Variable| {
-            let own = own(&system.field.symbols.name(variable));
+            let own = symbols.named(&self.system.field.symbols.name(variable));
             own.map(|own| Polynomial::variable(own).into())
         };
         let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
-        let stated =
-            system.claims.last()?.plan.evaluate(&functions, |input| input.variable().map(value)).pop()??;
+        let stated = claim.plan.evaluate(&functions, |input| input.variable().map(value)).pop()??;
         let [above, below] = [numerator, denominator].map(|side| Some(side.clone().into()));
         let meant = functions.divide(&above, &below)?;
         let is_stated = [functions.subtract(&stated, &meant), functions.add(&stated, &meant)]
             .iter()
             .any(|difference| functions.is_zero(difference));
-        is_stated.then_some(formula)
+        is_stated.then(|| formula(symbols, text, claim, numerator, denominator))
     }
 
     fn written(
@@ -179,11 +172,9 @@ impl<'a> Claims<'a> {
         numerator: &Polynomial,
         denominator: &Polynomial,
         by: &[Polynomial],
-    ) -> Formula {
+    ) -> String {
         let value = unsigned(quotient(symbols, from_ref(numerator), from_ref(denominator), by));
-        let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
-        let factors = [numerator, denominator].map(|side| state_factors(symbols, side)).concat();
-        formula(symbols, ClaimKind::Integral, text, numerator, denominator, factors)
+        format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
     /// The claim that ∏ factorᵏ is an invariant density, if it is proved; written as integrals are.
@@ -205,9 +196,8 @@ impl<'a> Claims<'a> {
         let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
         let product =
             |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
-        self.is_proved(&text).then(|| {
-            formula(symbols, ClaimKind::Density, text, &product(&above), &product(&below), Vec::new())
-        })
+        let claim = self.proved(&[], &text)?;
+        Some(formula(symbols, text, claim, &product(&above), &product(&below)))
     }
 
     /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the
@@ -223,35 +213,41 @@ impl<'a> Claims<'a> {
     }
 
     /// The claim of an invariant bracket with these entries, if it is proved.
-    pub(crate) fn bracket(&self, index: usize, entries: &str) -> Option<String> {
+    pub(crate) fn bracket(&self, index: usize, rank: usize, entries: &str) -> Option<Bracket> {
         let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
-        self.is_proved(&text).then_some(text)
+        let claim = self.proved(&[], &text)?;
+        Some(Bracket { text, claim, rank })
     }
 
-    /// Whether a claim holds that may name earlier claims. These are not proved again.
-    pub(crate) fn is_proved_behind(&self, earlier: &[&str], text: &str) -> bool {
-        let tokens = lexer::lex(&format!("{} {} {text}", self.equations, earlier.join(" "))).tokens;
-        let Ok(mut system) = read_unproved(&tokens).system() else { return false };
+    /// Reads a claim behind earlier ones, which it may name, and returns it if it is proved. The
+    /// earlier ones are not proved again.
+    pub(crate) fn proved(&self, earlier: &[&str], text: &str) -> Option<Claim> {
+        let tokens = lexer::lex(&format!("{} {text}", earlier.join(" "))).tokens;
+        let claims = claims_of(self.system, &tokens).ok()?;
+        let mut system = System { claims, ..self.bare.clone() };
         system.claims.drain(..earlier.len());
-        matches!(prove_all(&system, seed(&tokens))[..], [Verdict::Proved(_)])
-    }
-
-    /// Whether a claim holds.
-    pub(crate) fn is_proved(&self, text: &str) -> bool {
-        read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics().is_empty()
+        let mut diagnostics = Diagnostics::default();
+        check_claims(&system, seed(&[&self.equations[..], &tokens].concat()), &mut diagnostics);
+        if diagnostics.finish().is_empty() { system.claims.pop() } else { None }
     }
 }
 
 fn formula(
     symbols: &Symbols,
-    kind: ClaimKind,
     text: String,
+    claim: Claim,
     numerator: &Polynomial,
     denominator: &Polynomial,
-    factors: Vec<Polynomial>,
 ) -> Formula {
-    let degree = symbols.degree(numerator).max(symbols.degree(denominator));
-    Formula { kind, text, degree, numerator: numerator.clone(), denominator: denominator.clone(), factors }
+    let sides = if claim.kind == ClaimKind::Integral { &[numerator, denominator][..] } else { &[] };
+    Formula {
+        degree: symbols.degree(numerator).max(symbols.degree(denominator)),
+        factors: sides.iter().flat_map(|side| state_factors(symbols, side)).collect(),
+        numerator: numerator.clone(),
+        denominator: denominator.clone(),
+        text,
+        claim,
+    }
 }
 
 /// Without the sign in front of a product: what is conserved is so with the other sign, too.

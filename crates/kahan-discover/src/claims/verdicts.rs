@@ -225,7 +225,7 @@ fn formulas(report: &Report) -> Vec<String> {
             let replaced = &report.integrals[index];
             sentences.push(format!(
                 "In place of {}, whose text has {} characters, {} stands in its compact form.",
-                replaced.name().unwrap_or_default(),
+                replaced.name(),
                 replaced.text.len(),
                 modified(&[found])
             ));
@@ -285,8 +285,10 @@ fn listed_labels(of: &[&HamiltonianReport]) -> String {
 }
 
 fn polynomial_brackets(report: &Report) -> Option<String> {
-    let ranks: Vec<String> =
-        report.bracket_ranks[..report.polynomial_brackets].iter().map(usize::to_string).collect();
+    let ranks: Vec<String> = report.brackets[..report.polynomial_brackets]
+        .iter()
+        .map(|bracket| bracket.rank.to_string())
+        .collect();
     match &ranks[..] {
         [] => None,
         [rank] => {
@@ -345,7 +347,7 @@ fn own_density(report: &Report) -> Option<String> {
 
 fn composition(report: &Report) -> Option<String> {
     let survivors = report.survivors.as_ref()?;
-    let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
+    let name = |index: usize| report.integrals[index].name();
     let kept = (0..report.integrals.len())
         .filter(|&index| survivors.formulas[index])
         .map(|index| name(index).to_owned());

@@ -19,7 +19,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::Claim;
 
 use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::quotient;
@@ -54,12 +54,12 @@ const MOST_DIMENSIONS: usize = 8;
 const MOST_CHARACTERS: usize = 1000;
 
 /// A proved drift.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Drift {
-    /// The claim's name.
-    pub name: String,
     /// The claim as a line of the language of `kahan!`: `drift F1 = … by …;`.
     pub text: String,
+    /// The claim, as the field can have it.
+    pub claim: Claim,
     /// The form of the next value.
     pub kind: DriftKind,
     /// The numerator of F.
@@ -112,13 +112,13 @@ pub(crate) fn drifts(
     integrals: &[Formula],
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
-    tell: &dyn Fn(ClaimKind, &str),
+    tell: &dyn Fn(&Claim, &str),
 ) -> Vec<Drift> {
     let mut search = || {
         let cofactors = Cofactors::of(field, searched)?;
         let known = Independent::of(searched, integrals, random);
         let SampledStep { sample, here, .. } = known.step()?.clone();
-        let names = integrals.iter().filter_map(Formula::name).map(str::to_owned);
+        let names = integrals.iter().map(|formula| formula.name().to_owned());
         let names = names.chain((1..=searched.dimension()).map(|index| claims.name("F", Some(index))));
         let triangle = Triangle::new(&field.symbols, &cofactors.components, names.collect());
         let mut search = Search {
@@ -181,7 +181,7 @@ pub(crate) fn independent(
     let mut known = Independent::of(searched, integrals, random);
     let is_news = |drift: &Drift| {
         let is_named = |old: &&Formula| match &drift.kind {
-            DriftKind::Link(names) => names.iter().any(|name| old.name() == Some(name)),
+            DriftKind::Link(names) => names.iter().any(|name| old.name() == name),
             _ => false,
         };
         let mut named = before.iter().filter(is_named);
@@ -207,7 +207,7 @@ struct Search<'a> {
     known: Independent<'a>,
     triangle: Triangle,
     deadline: &'a Deadline<'a>,
-    tell: &'a dyn Fn(ClaimKind, &str),
+    tell: &'a dyn Fn(&Claim, &str),
     found: Vec<Drift>,
 }
 
@@ -310,7 +310,7 @@ impl Search<'_> {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
         let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };
-        if self.add(name, &value, &text, kind, [above, below]) {
+        if self.add(&name, &value, &text, kind, [above, below]) {
             self.triangle.take(drift, [above, below], image);
         }
     }
@@ -324,7 +324,7 @@ impl Search<'_> {
             let is_news = self.known.admits(above, below);
             let (value, next) = (&link.value_text, &link.next_text);
             let kind = DriftKind::Link(self.triangle.names(&link));
-            if !is_news || !self.add(name.clone(), value, next, kind, [above, below]) {
+            if !is_news || !self.add(&name, value, next, kind, [above, below]) {
                 return None;
             }
             self.triangle.keep(&name, link);
@@ -336,27 +336,26 @@ impl Search<'_> {
     /// is read behind the integrals and the earlier drifts, which it may name.
     fn add(
         &mut self,
-        name: String,
+        name: &str,
         value: &str,
         next: &str,
         kind: DriftKind,
         [above, below]: [&Polynomial; 2],
     ) -> bool {
         let text = format!("drift {name} = {value} by {next}{};", self.claims.condition);
-        let is_proved = || {
-            let DriftKind::Link(_) = kind else { return self.claims.is_proved(&text) };
+        let proved = || {
+            let DriftKind::Link(_) = kind else { return self.claims.proved(&[], &text) };
             let integrals = self.integrals.iter().map(|formula| formula.text.as_str());
             let earlier = integrals.chain(self.found.iter().map(|drift| drift.text.as_str()));
-            self.claims.is_proved_behind(&earlier.collect::<Vec<_>>(), &text)
+            self.claims.proved(&earlier.collect::<Vec<_>>(), &text)
         };
-        let is_added = text.len() <= MOST_CHARACTERS && is_proved();
-        if is_added {
-            self.known.keep(above, below);
-            (self.tell)(ClaimKind::Drift, &text);
-            let [numerator, denominator] = [above, below].map(Clone::clone);
-            self.found.push(Drift { name, text, kind, numerator, denominator });
-        }
-        is_added
+        let claim = if text.len() <= MOST_CHARACTERS { proved() } else { None };
+        let Some(claim) = claim else { return false };
+        self.known.keep(above, below);
+        (self.tell)(&claim, &text);
+        let [numerator, denominator] = [above, below].map(Clone::clone);
+        self.found.push(Drift { text, claim, kind, numerator, denominator });
+        true
     }
 }
 
@@ -377,9 +376,10 @@ mod tests {
         let one = Polynomial::one();
         let [before, other] = [x.clone(), &x * &x]
             .map(|side| [claims.integral(symbols, 1, &side, &one, &[]).expect("an integral")]);
+        let text = "drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);";
         let drift = Drift {
-            name: "F1".to_owned(),
-            text: "drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);".to_owned(),
+            claim: claims.proved(&[&before[0].text], text).expect("a drift"),
+            text: text.to_owned(),
             kind: DriftKind::Link(vec!["H1".to_owned()]),
             numerator: y,
             denominator: one,

@@ -125,7 +125,7 @@ impl Triangle {
 
     /// Adds an integral: a drift that is its own next value.
     pub(super) fn take_integral(&mut self, formula: &Formula) {
-        if let Some(variable) = formula.name().and_then(|name| self.variable(name)) {
+        if let Some(variable) = self.variable(formula.name()) {
             let value = RationalFunction::variable(variable);
             self.take(value.clone(), [&formula.numerator, &formula.denominator], value);
         }

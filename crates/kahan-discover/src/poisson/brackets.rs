@@ -12,6 +12,7 @@ use std::cmp::Reverse;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
+use kahan_algebra::system::Claim;
 
 use crate::claims::proved::{Claims, Formula};
 use crate::claims::writing::begins_negative;
@@ -36,11 +37,22 @@ const MOST_CHARACTERS: usize = 2_500;
 /// dimensions. In more dimensions no bracket of rank 2 stands beside one of full rank.
 const MOST_BESIDE: usize = 400;
 
+/// A proved invariant Poisson bracket.
+#[derive(Clone, Debug)]
+pub struct Bracket {
+    /// The claim as a line of the language of `kahan!`: `bracket P1 { … };`.
+    pub text: String,
+    /// The claim, as the field can have it.
+    pub claim: Claim,
+    /// The rank at a general point.
+    pub rank: usize,
+}
+
 /// Proved brackets.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
-    /// The rank of each bracket, and its claim in the language of `kahan!`.
-    pub(crate) claims: Vec<(usize, String)>,
+    /// The brackets, in the order of their numbers.
+    pub(crate) proved: Vec<Bracket>,
     /// The number of brackets with polynomial entries; these come first.
     pub(crate) polynomial: usize,
     /// The indices of the constant tensors K for which (I − ε² f′²)K is proved to be a bracket.
@@ -68,13 +80,13 @@ pub(crate) fn brackets(
         let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
         Some(claims.bracket_entries(symbols, &coprime(symbols, tensor, &mut budget)?))
     };
-    let mut proved: Vec<(usize, String)> = Vec::new();
+    let mut proved: Vec<Bracket> = Vec::new();
     let mut taken: Vec<String> = Vec::new();
-    let mut add = |proved: &mut Vec<(usize, String)>, rank: usize, entries: String| {
+    let mut add = |proved: &mut Vec<Bracket>, rank: usize, entries: String| {
         let is_new = !taken.contains(&entries);
-        let claim = is_new.then(|| claims.bracket(proved.len() + 1, &entries)).flatten();
-        let is_proved = claim.is_some();
-        proved.extend(claim.map(|claim| (rank, claim)));
+        let bracket = is_new.then(|| claims.bracket(proved.len() + 1, rank, &entries)).flatten();
+        let is_proved = bracket.is_some();
+        proved.extend(bracket);
         taken.push(entries);
         is_proved
     };
@@ -91,13 +103,13 @@ pub(crate) fn brackets(
         let is_proved = if entries.len() <= MOST_CHARACTERS && !tensor.is_implied {
             add(&mut proved, tensor.rank, entries)
         } else {
-            tensor.structure.is_some() && claims.bracket(1, &entries).is_some()
+            tensor.structure.is_some() && claims.bracket(1, tensor.rank, &entries).is_some()
         };
         structures.extend(tensor.structure.filter(|_| is_proved));
     }
     structures.sort_unstable();
     let count = proved.len();
-    let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
+    let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
     // A bracket is about as long as the integrals in it.
@@ -117,7 +129,7 @@ pub(crate) fn brackets(
     for entries in found.into_iter().take(MOST_BRACKETS) {
         add(&mut proved, 2, entries);
     }
-    Brackets { claims: proved, polynomial: count, structures }
+    Brackets { proved, polynomial: count, structures }
 }
 
 /// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices

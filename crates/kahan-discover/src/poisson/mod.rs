@@ -5,3 +5,5 @@ pub(crate) mod brackets;
 pub mod hamiltonian;
 pub(crate) mod modified;
 pub mod structure;
+
+pub use brackets::Bracket;

@@ -8,8 +8,8 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::relations::Relations;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
-use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
+use kahan_algebra::syntax::{ClaimBody, ClaimKind};
+use kahan_algebra::system::{Condition, System};
 
 use super::shapes::{Grid, Shape, shapes};
 use super::{Scan, Sight};
@@ -52,7 +52,7 @@ pub(super) fn proposals(
         points: seen().map(|point| point.values.clone()).collect(),
         special: sights.iter().map(|sight| is_special(sight)).collect(),
     };
-    let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| variable(symbols, name)).collect();
+    let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| symbols.named(name)).collect();
     let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
     // Integrals that ordinary points lack say more than lower degrees.
     let mut found = shapes(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
@@ -69,13 +69,6 @@ pub(super) fn proposals(
         proposals.push(Proposal { relation, points: points.len(), sight: sight.clone(), claims });
     }
     proposals
-}
-
-fn variable(symbols: &Symbols, name: &str) -> Option<Variable> {
-    if name == "eps" {
-        return Some(symbols.epsilon());
-    }
-    symbols.parameters.iter().position(|known| known == name).map(|k| symbols.parameter(k))
 }
 
 /// What has the fewest integrals, and of that what most are equal to: the others lie on further
@@ -177,23 +170,27 @@ impl<'a> Prover<'a> {
     /// The formula as a claim `when` the relation holds; `None` where it is not proved, or holds
     /// without it.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
-        let statement = formula.text.trim_end_matches(';');
-        let (body, fixed) = statement.split_once(" when ").unwrap_or((statement, ""));
-        let (_, value) = body.split_once(" = ")?;
+        let ClaimBody::Function(value) = &formula.claim.body else { return None };
+        let value = Text.expression(value);
         let eps_is_fixed = relation.starts_with("eps = ");
-        let mut fixed: Vec<&str> = fixed.split(", ").filter(|part| !part.is_empty()).collect();
-        fixed.retain(|part| !eps_is_fixed || !part.starts_with("eps = "));
-        let name = self.free_name(formula.kind);
+        let sides = formula.claim.conditions.iter().map(|Condition { written, .. }| {
+            [&written.left, &written.right].map(|side| Text.expression(side))
+        });
+        let fixed = sides.filter(|[left, _]| !eps_is_fixed || left != "eps");
+        let fixed: Vec<String> = fixed.map(|sides| sides.join(" = ")).collect();
+        let fixed: Vec<&str> = fixed.iter().map(String::as_str).collect();
+        let kind = formula.claim.kind;
+        let name = self.free_name(kind);
         let claim = |relations: &[&str]| {
             let when =
                 if relations.is_empty() { String::new() } else { format!(" when {}", relations.join(", ")) };
-            format!("{} {name} = {value}{when};", formula.kind.keyword())
+            format!("{} {name} = {value}{when};", kind.keyword())
         };
         let on_relation = claim(&[&[relation], &fixed[..]].concat());
-        if self.claims.is_proved(&claim(&fixed)) || !self.claims.is_proved(&on_relation) {
+        if self.claims.proved(&[], &claim(&fixed)).is_some() {
             return None;
         }
-        self.work.found(formula.kind, &on_relation);
+        self.work.found(&self.claims.proved(&[], &on_relation)?, &on_relation);
         self.taken.insert(name);
         Some(on_relation)
     }

@@ -61,7 +61,7 @@ impl Search<'_> {
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
         // A long formula is left out if bases or compact forms give all integrals.
         let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
-        let tell = |formula: &Formula| (self.tell)(formula.kind, &formula.text);
+        let tell = |formula: &Formula| (self.tell)(&formula.claim, &formula.text);
         let tell_if_short = |formula: &Formula| {
             if is_short(formula) {
                 tell(formula);

@@ -25,8 +25,7 @@ use crate::watch::{Progress, Watch};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
-use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
+use kahan_algebra::system::{Claim, System};
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
 /// at, so that nothing is found but from the equations. `watch` is told of every stage as it
@@ -41,16 +40,15 @@ use kahan_algebra::system::System;
 /// Where there is no map to look at: see [`DiscoverError`].
 pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result<Report, DiscoverError> {
     let work = Work::new(watch);
-    discover_within(system, options, &work, &|kind, text| work.found(kind, text))
+    discover_within(system, options, &work, &|claim, text| work.found(claim, text))
 }
 
-/// Does the work of [`discover`] as a part of other work; `tell` hears the kind and the line of each
-/// claim.
+/// Does the work of [`discover`] as a part of other work; `tell` hears each claim and its line.
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
     work: &Work<'_>,
-    tell: &dyn Fn(ClaimKind, &str),
+    tell: &dyn Fn(&Claim, &str),
 ) -> Result<Report, DiscoverError> {
     // Until when each stage may go on.
     let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
@@ -74,7 +72,7 @@ pub(crate) fn discover_within(
     let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
     let proved = rules.proved(&searched, &claims, &mut random.clone());
     for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_READABLE) {
-        tell(formula.kind, &formula.text);
+        tell(&formula.claim, &formula.text);
     }
     let of_flow = flow_integrals(&searched, 2, random, &for_flow);
 
@@ -200,7 +198,6 @@ pub(crate) fn discover_within(
             }
         })
         .collect();
-    let (bracket_ranks, brackets) = found.brackets.claims.into_iter().unzip();
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
@@ -215,8 +212,7 @@ pub(crate) fn discover_within(
         integrals: found.of.integrals,
         bases: found.of.bases,
         densities: found.densities,
-        bracket_ranks,
-        brackets,
+        brackets: found.brackets.proved,
         polynomial_brackets: found.brackets.polynomial,
         density_search: found.density_search,
         own_density: claims.own_density().map(str::to_owned),

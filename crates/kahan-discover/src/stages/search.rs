@@ -3,7 +3,7 @@
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::Claim;
 
 use super::Until;
 use super::formulas::Integrals;
@@ -39,7 +39,7 @@ pub(super) struct Search<'a> {
     pub(super) place: &'a SampledStep,
     /// Callbacks that hear of a stage that begins, and of a claim that is proved.
     pub(super) begins: &'a dyn Fn(&str),
-    pub(super) tell: &'a dyn Fn(ClaimKind, &str),
+    pub(super) tell: &'a dyn Fn(&Claim, &str),
 }
 
 /// The findings from the relations up to some degree.
@@ -81,10 +81,10 @@ impl Search<'_> {
         (self.begins)("invariant densities");
         let (densities, density_search) = self.densities(before, &tensors, &of.all, random, &until.densities);
         let symbols = &self.field.symbols;
-        densities.iter().for_each(|formula| (self.tell)(formula.kind, &formula.text));
+        densities.iter().for_each(|formula| (self.tell)(&formula.claim, &formula.text));
         let density = densities.first();
         let brackets = brackets(self.claims, symbols, &tensors, integrals, density, &until.densities);
-        brackets.claims.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));
+        brackets.proved.iter().for_each(|bracket| (self.tell)(&bracket.claim, &bracket.text));
 
         (self.begins)("what survives composition");
         let survivors = hilbert

@@ -40,6 +40,6 @@ pub(crate) fn system(text: &str) -> System {
 /// The lines of a report, each a claim.
 pub(crate) fn claims(report: &Report) -> Vec<&str> {
     let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
-    let brackets = report.brackets.iter().map(String::as_str);
+    let brackets = report.brackets.iter().map(|bracket| bracket.text.as_str());
     formulas.chain(brackets).chain(report.drifts.iter().map(|drift| drift.text.as_str())).collect()
 }

@@ -11,11 +11,8 @@ use maud::{Markup, html};
 use crate::document::{LINE, Table, claim, display, readable};
 
 /// What was found, each formula as it was proved.
-///
-/// # Panics
-/// Never: the search reads the text of its claims, and proves them.
 pub(super) fn html(found: &Discovered) -> Markup {
-    let claimed = &found.readable().expect("the search has read the text of its claims");
+    let claimed = &found.readable();
     let report = &found.report;
     html! {
         @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().next().is_none() {

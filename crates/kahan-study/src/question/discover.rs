@@ -1,10 +1,9 @@
 //! What a field's map preserves, found from its equations alone.
 
-use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Formulas, Notation, Text};
-use kahan_algebra::syntax::{ClaimBody, TensorEntry};
-use kahan_algebra::system::System;
+use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::syntax::{ClaimBody, ClaimKind, TensorEntry};
+use kahan_algebra::system::{Claim, System};
 use kahan_discover::claims::proved::Formula;
 use kahan_discover::integrals::composition::Survivors;
 use kahan_discover::modular::monomials::Monomials;
@@ -12,8 +11,7 @@ use kahan_discover::orbits::basis::Basis;
 use kahan_discover::orbits::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
 use kahan_discover::report::{HamiltonianReport, MOST_READABLE, ModifiedPlace};
 use kahan_discover::{Options, Report, Unwatched, Watch, discover};
-use kahan_runtime::FieldText;
-use serde::ser::{Error, SerializeMap};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
@@ -108,15 +106,17 @@ impl AtCell for Discover {
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
         let degree = self.degree.or(Some(default_degree(at.len())));
         let asked = Discover { eps: Some(eps.clone()), degree, ..self.clone() };
-        let texts = |formulas: &[Formula]| {
-            let texts: Vec<&str> = formulas.iter().map(|formula| formula.text.as_str()).collect();
-            texts.join("\n")
-        };
         let (integrals, growth, entropy, formulas) = match asked.ask(study, &Unwatched) {
-            Ok(Discovered { report, .. }) => {
-                let growth = &report.growth.growth;
-                let formulas = [texts(&report.integrals), texts(&report.densities)];
-                (report.independent_integrals() as i64, growth.word().to_owned(), growth.entropy(), formulas)
+            Ok(found) => {
+                let growth = &found.report.growth.growth;
+                let formulas =
+                    [ClaimKind::Integral, ClaimKind::Density].map(|kind| found.lines(kind).join("\n"));
+                (
+                    found.report.independent_integrals() as i64,
+                    growth.word().to_owned(),
+                    growth.entropy(),
+                    formulas,
+                )
             }
             Err(StudyError::Discover { why, .. }) => (-1, why.to_string(), f64::NAN, Default::default()),
             Err(why) => (-1, why.to_string(), f64::NAN, Default::default()),
@@ -153,49 +153,52 @@ fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, Study
 }
 
 impl Discovered {
-    /// The claims as text.
-    #[must_use]
-    pub fn claims(&self) -> Vec<&str> {
-        self.claims_but(&[])
+    /// The proved claims, each with its line: integrals, densities, brackets and drifts.
+    fn claims(&self) -> impl Iterator<Item = (&str, &Claim)> {
+        let Report { integrals, densities, brackets, drifts, .. } = &self.report;
+        let formulas = integrals.iter().chain(densities).map(|formula| (&*formula.text, &formula.claim));
+        let brackets = brackets.iter().map(|bracket| (&*bracket.text, &bracket.claim));
+        formulas.chain(brackets).chain(drifts.iter().map(|drift| (&*drift.text, &drift.claim)))
     }
 
-    /// The claims for people to read, as text: without integrals that the compact forms of modified
+    /// The lines of the claims of one kind.
+    fn lines(&self, kind: ClaimKind) -> Vec<&str> {
+        self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
+    }
+
+    /// The claims for people to read: without integrals that the compact forms of modified
     /// Hamiltonians replace, and without claims of more than [`MOST_READABLE`] characters.
+    fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
+        let replaced = self.report.replaced();
+        // The integrals stand first, so that their indices are those of the claims.
+        let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
+        kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
+    }
+
+    /// The lines of the claims of the [readable field](Self::readable).
     #[must_use]
     pub fn readable_claims(&self) -> Vec<&str> {
-        let mut claims = self.claims_but(&self.report.replaced());
-        claims.retain(|claim| claim.len() <= MOST_READABLE);
-        claims
+        self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// The claims as text, without the integrals at the indices `but`.
-    fn claims_but(&self, but: &[usize]) -> Vec<&str> {
-        let report = &self.report;
-        let integrals = (0..report.integrals.len()).filter(|index| !but.contains(index));
-        let integrals = integrals.map(|index| &report.integrals[index]);
-        let formulas = integrals.chain(&report.densities).map(|formula| formula.text.as_str());
-        let drifts = report.drifts.iter().map(|drift| drift.text.as_str());
-        formulas.chain(report.brackets.iter().map(String::as_str)).chain(drifts).collect()
-    }
-
-    /// The field with its [readable claims](Self::readable_claims).
-    ///
-    /// # Errors
-    /// Where the text of the claims has mistakes, which the search excludes.
-    pub fn readable(&self) -> Result<System, StudyError> {
-        self.with_claims(self.readable_claims())
+    /// The field with its claims for people to read: without integrals that the compact forms of
+    /// modified Hamiltonians replace, and without claims of more than [`MOST_READABLE`] characters.
+    #[must_use]
+    pub fn readable(&self) -> System {
+        let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
+        System { claims, ..self.field.clone() }
     }
 
     /// The field with all that was found as its claims.
-    ///
-    /// # Errors
-    /// Where the text of the claims has mistakes, which the search excludes.
-    pub fn claimed(&self) -> Result<System, StudyError> {
-        self.with_claims(self.claims())
+    #[must_use]
+    pub fn claimed(&self) -> System {
+        let claims = self.claims().map(|(_, claim)| claim.clone()).collect();
+        System { claims, ..self.field.clone() }
     }
 
-    /// All that is claimed, each claim in its parts, and H where the field is K grad H.
-    fn parts(&self) -> Result<Vec<Part>, StudyError> {
+    /// All that is claimed as objects of JSON, each claim in its parts, and H where the field is
+    /// K grad H.
+    fn parts(&self) -> Vec<Value> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
             ClaimBody::Recurrence { function, next } => {
@@ -209,43 +212,17 @@ impl Discovered {
                 entries.iter().map(entry).collect::<Vec<_>>().join(" ")
             }
         };
-        let claims = self.claimed()?.claims.into_iter().map(|claim| Part {
-            kind: claim.kind.keyword(),
-            expression: expression(&claim.body),
-            name: claim.name.text,
-        });
+        let part = |kind, name: &str, value: &str| json!({"kind": kind, "name": name, "expression": value});
+        let claims = self
+            .claims()
+            .map(|(_, claim)| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
         // Integrals have the names H1, H2, …, so the H of K1 is H_K1.
-        let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| Part {
-            kind: "hamiltonian",
-            name: found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}")),
-            expression: found.hamiltonian.clone(),
+        let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| {
+            let name = found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}"));
+            part("hamiltonian", &name, &found.hamiltonian)
         });
-        Ok(claims.chain(hamiltonians).collect())
+        claims.chain(hamiltonians).collect()
     }
-
-    fn with_claims(&self, claims: Vec<&str>) -> Result<System, StudyError> {
-        let symbols = &self.field.field.symbols;
-        let values = Formulas { field: &self.field.field, map: None, notation: &Text }.field();
-        let equations =
-            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
-        let items: Vec<String> = equations.chain(claims.into_iter().map(str::to_owned)).collect();
-        let items = items.join("\n");
-        // A header keeps the order of the parameters, and may not name what nothing uses.
-        let named = lex(&items).tokens;
-        let mut parameters = symbols.parameters.clone();
-        parameters.retain(|name| named.iter().any(|token| token.text == *name));
-        let text = format!("struct Found {{ {} }}\n{items}", parameters.join(", "));
-        let claimed = FieldText::new(text, self.system.clone()).unproved_system();
-        Ok(System { header: self.field.header.clone(), ..claimed.map_err(StudyError::Field)? })
-    }
-}
-
-/// Something that the map keeps, in its parts.
-#[derive(Serialize)]
-struct Part {
-    kind: &'static str,
-    name: String,
-    expression: String,
 }
 
 /// The relation of a basis as an object of JSON. The integrals are quotients of coefficients `c[m]`
@@ -279,7 +256,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
 
 /// The integrals that composition leaves, and the quotients of two, as an object of JSON.
 fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
-    let name = |index: usize| integrals[index].name().expect("a claim has a name");
+    let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);
     let quotient = |&(above, below): &(usize, usize)| format!("{}/{}", name(above), name(below));
     json!({
@@ -292,15 +269,12 @@ fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
 
 impl Serialize for Discovered {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        fn texts(formulas: &[Formula]) -> Vec<&str> {
-            formulas.iter().map(|formula| formula.text.as_str()).collect()
-        }
         let report = &self.report;
         let structure = &report.structure;
         let hilbert = report.hilbert.as_ref();
         let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), value.to_json()));
         let generic = report.parameters.iter().map(|name| (name.clone(), Value::Null));
-        let drifts: Vec<&str> = report.drifts.iter().map(|drift| drift.text.as_str()).collect();
+        let ranks: Vec<usize> = report.brackets.iter().map(|bracket| bracket.rank).collect();
         let bases: Vec<Value> = report.bases.iter().map(|basis| relation(basis, &report.variables)).collect();
         let hamiltonians: Vec<Value> = structure.hamiltonians.iter().map(hamiltonian).collect();
         let survivors = report.survivors.as_ref().map(|found| survivors(found, &report.integrals));
@@ -321,12 +295,12 @@ impl Serialize for Discovered {
         object.serialize_entry("entropy", &report.growth.growth.entropy())?;
         object.serialize_entry("linear_integrals", &structure.linear_integrals)?;
         object.serialize_entry("quadratic_integrals_of_the_flow", &structure.quadratic_integrals)?;
-        object.serialize_entry("integrals", &texts(&report.integrals))?;
-        object.serialize_entry("densities", &texts(&report.densities))?;
-        object.serialize_entry("brackets", &report.brackets)?;
-        object.serialize_entry("bracket_ranks", &report.bracket_ranks)?;
-        object.serialize_entry("drifts", &drifts)?;
-        object.serialize_entry("found", &self.parts().map_err(S::Error::custom)?)?;
+        object.serialize_entry("integrals", &self.lines(ClaimKind::Integral))?;
+        object.serialize_entry("densities", &self.lines(ClaimKind::Density))?;
+        object.serialize_entry("brackets", &self.lines(ClaimKind::Bracket))?;
+        object.serialize_entry("bracket_ranks", &ranks)?;
+        object.serialize_entry("drifts", &self.lines(ClaimKind::Drift))?;
+        object.serialize_entry("found", &self.parts())?;
         object.serialize_entry("bases", &bases)?;
         object.serialize_entry("divergence", &structure.divergence)?;
         object.serialize_entry("is_even", &structure.is_even)?;

@@ -22,12 +22,12 @@ impl Even {
     fn of(drift: &Drift) -> Option<Self> {
         match &drift.kind {
             DriftKind::Sum(Constant { text, .. }) => Some(Even {
-                function: drift.name.clone(),
+                function: drift.claim.name.text.clone(),
                 step: text.clone(),
                 is_atom: text.chars().all(char::is_alphanumeric),
             }),
             DriftKind::Multiple(Constant { text, .. }) => Some(Even {
-                function: format!("log|{}|", drift.name),
+                function: format!("log|{}|", drift.claim.name.text),
                 step: format!("log|{text}|"),
                 is_atom: true,
             }),

@@ -40,6 +40,6 @@ pub(super) fn linear_ends(report: &Report) -> Option<String> {
     let (iterates, drift) = (report.linear_iterates?, report.drifts.first()?);
     Some(format!(
         "Linear growth is observed over {iterates} iterates, not proved. Where it goes on, {} is constant on the curves of the only pencil that the map permutes (Diller and Favre 2001), a general one of them has infinitely many images, and no rational integral exists. That ended the search.",
-        drift.name
+        drift.claim.name.text
     ))
 }

@@ -43,7 +43,7 @@ fn bracket(
 /// Whether the prover finds a tensor invariant under the map of a system, and Poisson.
 fn is_proved_at(system: &System, values: &[(String, Rational)], tensor: &[RationalFunction]) -> bool {
     let claims = Claims::new(system, values, None);
-    claims.bracket(1, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
+    claims.bracket(1, 2, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
 }
 
 fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
