@@ -503,8 +503,8 @@ class System(Formulas):
         """The answer to any question by its name, with its parts as in JSON: numbers, text, lists and dicts.
 
         >>> import kahan
-        >>> kahan.System("xdot = x^2;").ask("heights", eps="1/2", at=["1/3"], steps=2).variables
-        ['x']
+        >>> kahan.System("xdot = x^2;").ask("heights", eps="1/2", at=["1/3"], steps=2).steps
+        2
         """
         return Answer(self._ask(question, progress, **parts))
 
