@@ -637,13 +637,17 @@ class System(Formulas):
         return Answer(self._ask("verify", progress, mutate=False))
 
     def periodic(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, period: int = 1,
-                 over: Mapping[str, Range] | None = None) -> Answer:
-        """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
+                 over: Mapping[str, Range] | None = None, hold: str | None = None) -> Answer:
+        """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps.
+
+        Without ``eps`` and ``period``: a steady state, with the ``eigenvalues`` of f'. Linear integrals keep
+        their values at the point; with ``hold="none"`` they do not.
+        """
         axes = axes_of(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
         return Answer(self._ask("periodic", at=self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"), period=whole(period, "period"),
-                                over=axes))
+                                over=axes, hold=hold))
 
     def heights(self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
                 digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:

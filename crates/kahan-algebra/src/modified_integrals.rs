@@ -91,6 +91,27 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
     flow.polarised(integral, &mut budget()).or_else(|_| flow.rotated(integral, &mut budget())).ok()
 }
 
+/// Returns a basis of the linear integrals Σ cₖ xₖ of a field whose coefficients are numbers, each as
+/// pairs (k, cₖ); they hold at all values of the parameters and ε, and Kahan's map keeps them.
+///
+/// The basis is in reduced echelon form read from the end of `order`, a permutation of the states:
+/// the last variable of each, in that order, occurs in no other one.
+///
+/// It is empty beyond a bounded amount of work.
+///
+/// # Panics
+/// If `order` names a state that the field has not.
+#[must_use]
+pub fn linear_integrals(field: &Field, order: &[usize]) -> Vec<Vec<(usize, Rational)>> {
+    let mut budget = budget();
+    let Ok(flow) = Flow::of(field, &mut budget) else { return Vec::new() };
+    let components: Vec<Polynomial> = order.iter().map(|k| flow.components[*k].clone()).collect();
+    let relations = linear_relations(&components, |_| true, &mut budget).unwrap_or_default();
+    let number = |coefficient: &Polynomial| coefficient.as_constant().expect("no variable is left in it");
+    let integral = |relation: &Relation| relation.iter().map(|(k, c)| (order[*k], number(c))).collect();
+    relations.iter().map(integral).collect()
+}
+
 fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
@@ -151,8 +172,8 @@ impl<'a> Flow<'a> {
             component.map_monomials(|monomial| is_quadratic(monomial).then(|| monomial.clone()))
         };
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
-        let constant = linear_relations(&self.components, symbols, budget)?;
-        let affine = linear_relations(&quadratic, symbols, budget)?;
+        let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
+        let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
         // The integrals begin a basis of the forms whose derivative is affine.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
@@ -237,7 +258,7 @@ impl<'a> Flow<'a> {
                 };
                 let vectors = values.iter().zip(&second).map(vector).collect::<Within<Vec<_>>>()?;
                 let mut forms = Vec::new();
-                for relation in linear_relations(&vectors, self.symbols, budget)? {
+                for relation in linear_relations(&vectors, |v| self.symbols.is_state(v), budget)? {
                     let form = combination(&relation, &values, budget)?;
                     forms.push((form, combination(&relation, &first, budget)?));
                 }
@@ -271,7 +292,7 @@ impl<'a> Flow<'a> {
             derivatives.push(derivative);
         }
         let mut integrals = Vec::new();
-        for relation in linear_relations(&derivatives, self.symbols, budget)? {
+        for relation in linear_relations(&derivatives, |v| self.symbols.is_state(v), budget)? {
             integrals.push(self.symbols.primitive_part(&combination(&relation, &values, budget)?));
         }
         Ok(integrals)

@@ -1,9 +1,8 @@
 //! Linear relations between polynomials in the states, over the field of rational functions of the
 //! parameters: sparse elimination to reduced row echelon form.
 
-use crate::poly::{Budget, Monomial, Polynomial, Within};
+use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
-use crate::symbols::Symbols;
 
 /// The coefficients cₖ of a relation Σ cₖ vₖ = 0 that are not zero, by ascending k: polynomials in
 /// the parameters with coprime integer coefficients.
@@ -15,10 +14,10 @@ pub(super) type Relation = Vec<(usize, Polynomial)>;
 /// no other one, and the last indices of a subspace are among those of the whole space.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
-    symbols: &Symbols,
+    is_state: impl Fn(Variable) -> bool,
     budget: &mut Budget,
 ) -> Within<Vec<Relation>> {
-    let (rows, is_zero) = equations(vectors, symbols);
+    let (rows, is_zero) = equations(vectors, is_state);
     let mut by_first: Vec<Vec<Row>> = vec![Vec::new(); vectors.len()];
     rows.into_iter().for_each(|row| by_first[row[0].0].push(row));
     let mut pivots: Vec<Option<Row>> = vec![None; vectors.len()];
@@ -62,10 +61,10 @@ pub(super) fn linear_relations(
 
 /// An equation for each monomial in the states, and which coefficients are zero because an equation
 /// has no other one; these stand in no equation.
-fn equations(vectors: &[Polynomial], symbols: &Symbols) -> (Vec<Row>, Vec<bool>) {
+fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {
-        let by_states = vector.group(|variable| symbols.is_state(variable));
+        let by_states = vector.group(&is_state);
         entries.extend(by_states.into_iter().map(|(states, entry)| (states, column, entry)));
     }
     entries.sort_by(|left, right| left.0.cmp(&right.0));

@@ -6,14 +6,15 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
-use kahan_dynamics::periodic::{Branch, PeriodicPoint};
-use kahan_study::{CycleFound, Periodic as Question, Study, StudyError, characteristic_polynomial};
+use kahan_core::nalgebra::Complex;
+use kahan_dynamics::periodic::Branch;
+use kahan_study::{CycleFound, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial};
 
 use super::line::Asking;
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::layout::{headed, paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, csv, joined};
-use crate::reading::{Start, over, whole};
+use crate::reading::{Start, one_of, over, whole};
 
 /// Finds a periodic point near a first one: its multipliers, and how it changes.
 ///
@@ -22,6 +23,11 @@ use crate::reading::{Start, over, whole};
 /// eigenvalues of the derivative of the map over the period; `family` counts the directions that it
 /// leaves as they are. Where the points are fractions of a few digits, the cycle is proved exactly,
 /// and its stability is decided by the exact characteristic polynomial of that derivative.
+///
+/// Cycles of period 1 are the steady states of the field. They are the same for each eps, which need
+/// not be given; the eigenvalues of the derivative f' of the field are told, too. Linear integrals
+/// of the field, as the total of a closed population, keep their values at the first point, and
+/// multipliers are those along their common level; --hold none holds nothing.
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle. The table has about as many rows as the range has
@@ -32,6 +38,7 @@ use crate::reading::{Start, over, whole};
 Examples:
   kahan periodic lv --eps 1/10 --at 0.9,1.1
   kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
+  kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg")]
 // ε may be what changes.
@@ -48,6 +55,10 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
+    /// Which integrals keep their values at the first point.
+    #[arg(long, value_name = "WHICH", default_value = "linear", value_parser = one_of(&Hold::ALL, |one| one.name().into()))]
+    hold: Hold,
+
     /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg,
     /// F.png or F.pdf.
     #[arg(long, value_name = "F", requires = "over")]
@@ -56,8 +67,8 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
-    /// branch.
+    /// Print one JSON object: period, points, residual, multipliers, eigenvalues, stability, family,
+    /// held, exact, branch.
     #[arg(long)]
     json: bool,
 }
@@ -71,7 +82,7 @@ impl Asking for Periodic {
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let axis = self.over.as_deref().map(over).transpose()?;
         let (study, at, eps) = self.start.study_over(axis.as_slice())?;
-        Ok((study, Question { eps, at, period: self.period, over: axis }))
+        Ok((study, Question { eps, at, period: self.period, over: axis, hold: self.hold }))
     }
 
     /// The cycle, and its branch.
@@ -105,13 +116,17 @@ fn text(found: &CycleFound) -> String {
         1 => "1 direction leads to neighbours of the same period".to_owned(),
         directions => format!("{directions} directions lead to neighbours of the same period"),
     };
-    let cycle_lines = vec![
+    let mut cycle_lines = vec![
         format!("period       {}", cycle.points.len()),
         format!("stability    {}{}", cycle.stability(), if cycle.is_blurred() { BLURRED } else { "" }),
-        format!("multipliers  {}", multipliers(cycle)),
+        format!("multipliers  {}", complex_numbers(&cycle.multipliers)),
         format!("family       {family}"),
         format!("residual     {:.1e}", cycle.residual),
     ];
+    let eigenvalues = found.eigenvalues(cycle, found.eps);
+    let eigenvalues = eigenvalues.map(|of| format!("eigenvalues  {} of f'", complex_numbers(&of)));
+    let held = (!found.held.is_empty()).then(|| format!("held         {}", joined(&found.held, ", ")));
+    cycle_lines.splice(3..3, eigenvalues.into_iter().chain(held));
     let points = cycle.points.iter().enumerate().map(|(n, point)| {
         [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
     });
@@ -126,7 +141,7 @@ fn text(found: &CycleFound) -> String {
     });
     let branch = found.branch.iter().flat_map(|(name, branch)| {
         let turns = branch.turns.iter();
-        let turns = turns.map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, turn.change));
+        let turns = turns.map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, found.said(turn.change)));
         let cut =
             "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
         let changes = turns.chain(branch.is_cut.then(|| cut.to_owned())).collect();
@@ -140,7 +155,7 @@ fn text(found: &CycleFound) -> String {
 fn branch_rows(found: &CycleFound, name: &str, branch: &Branch) -> Rows {
     let rows = branch.points.iter().map(|point| {
         let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
-        let tail = [point.cycle.stability().to_string(), multipliers(&point.cycle)];
+        let tail = [point.cycle.stability().to_string(), complex_numbers(&point.cycle.multipliers)];
         [format!("{:.8}", point.parameter)].into_iter().chain(first).chain(tail).collect()
     });
     let variables = found.variables.iter().map(String::as_str);
@@ -161,8 +176,8 @@ fn points(found: &CycleFound) -> Rows {
     headed([name, "n"].into_iter().chain(variables).chain(["stability"]), rows)
 }
 
-fn multipliers(cycle: &PeriodicPoint) -> String {
-    let shown = cycle.multipliers.iter().map(|one| match one.im {
+fn complex_numbers(numbers: &[Complex<f64>]) -> String {
+    let shown = numbers.iter().map(|one| match one.im {
         0.0 => format!("{:.6}", one.re),
         im => format!("{:.6}{}{:.6}i", one.re, if im < 0.0 { "-" } else { "+" }, im.abs()),
     });

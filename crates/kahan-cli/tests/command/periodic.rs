@@ -78,7 +78,7 @@ fn a_branch_goes_round_its_fold() {
     let over = ["--over", "a=1:-1:+-1/20", "--out", out.to_str().expect("UTF-8"), "--json"];
     let found = object(&[&["periodic"], &field[..], &over[..]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
-    assert_eq!((turns.len(), &turns[0]["change"]), (1, &"fold, two cycles meet".into()));
+    assert_eq!((turns.len(), &turns[0]["change"]), (1, &"fold, two steady states meet".into()));
     assert!(turns[0]["parameter"].as_f64().expect("a number").abs() < 1e-9);
     let table = fs::read_to_string(out).expect("the table");
     assert!(table.starts_with("a,n,x,stability\n1.0,0,1.0,attracting\n"), "{table}");
@@ -97,8 +97,71 @@ fn what_changes_the_stability_of_the_lorenz_system_is_found() {
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
     assert_eq!(turns.len(), 1, "{turns:?}");
-    assert_eq!(turns[0]["change"], "a pair of multipliers goes through the unit circle");
+    assert_eq!(turns[0]["change"], HOPF);
     assert!((turns[0]["parameter"].as_f64().expect("a number") - 470.0 / 19.0).abs() < 1e-8, "{turns:?}");
+}
+
+const HOPF: &str = "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis";
+
+#[test]
+fn steady_states_keep_the_totals_of_their_start() {
+    let sirs = ["periodic", "--field", "sdot = -2*s*i + r/2; idot = 2*s*i - i; rdot = i - r/2;", "--json"];
+    // s = 1/2, i = r/2, and the total is that of the start.
+    for (start, state) in [
+        ("0.5,0.2,0.3", ["1/2", "1/6", "1/3"]),
+        ("1,0.5,0.5", ["1/2", "1/2", "1"]),
+        ("0.1,0.1,0.9", ["1/2", "1/5", "2/5"]),
+    ] {
+        let found = object(&[&sirs[..], &["--at", start]].concat());
+        assert_eq!(found["exact"]["points"][0], serde_json::json!(state), "{found}");
+        assert_eq!((&found["family"], &found["stability"]), (&0.into(), &"attracting".into()), "{found}");
+        assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(2), "{found}");
+        // With all three variables, the total has an eigenvalue 0 of its own.
+        let free = object(&[&sirs[..], &["--at", start, "--hold", "none"]].concat());
+        assert_eq!((&free["family"], &free["stability"]), (&1.into(), &"neutral".into()), "{free}");
+        assert_eq!(
+            (found["held"].as_array().map(Vec::len), &free["held"]),
+            (Some(1), &serde_json::json!([]))
+        );
+    }
+    let total = object(&[&sirs[..], &["--at", "1,0.5,0.5"]].concat());
+    assert_eq!(total["held"], serde_json::json!(["s + i + r = 2"]));
+}
+
+#[test]
+fn coefficients_of_what_is_held_may_be_parameters_that_stand_still() {
+    // a*x + y is kept; over a there is no integral with constant coefficients.
+    let field = ["periodic", "--field", "xdot = y - x; ydot = -a*(y - x);", "--at", "1,0"];
+    let held = |more: &[&str]| object(&[&field[..], more, &["--json"]].concat())["held"].clone();
+    assert_eq!(held(&["--param", "a=3"]), serde_json::json!(["3*x + y = 3"]));
+    assert_eq!(held(&["--over", "a=3:4:3"]), serde_json::json!([]));
+    assert_eq!(held(&["--param", "a=3", "--over", "eps=1/10:1/5:3"]), serde_json::json!(["3*x + y = 3"]));
+}
+
+#[test]
+fn steady_states_need_no_step_and_have_the_eigenvalues_of_the_field() {
+    let rates = ["1", "1e-12", "1e12"];
+    for rate in rates {
+        let field = format!("xdot = {rate}*(x - x^2);");
+        let found = object(&["periodic", "--field", &field, "--at", "0.9", "--json"]);
+        let eigenvalue = found["eigenvalues"][0][0].as_f64().expect("a number");
+        let expected: f64 = rate.parse().expect("a number");
+        assert!((eigenvalue / expected + 1.0).abs() < 1e-12, "{found}");
+        assert_eq!(found["exact"]["points"], serde_json::json!([["1"]]), "{found}");
+    }
+    // Lorenz' atmosphere of 1984 at a = 1/4, b = 4. At the Hopf point f = 0, and a₁a₂ = a₃ of the
+    // characteristic polynomial of f': solved apart, in 40 digits.
+    let field = "xdot = -y^2 - z^2 - x/4 + F/4; ydot = x*y - 4*x*z - y + G; zdot = 4*x*y + x*z - z;";
+    let over = ["--param", "G=1/5", "--at", "1,0,0", "--over", "F=0.8:1.2:21", "--json"];
+    let found = object(&[&["periodic", "--field", field], &over[..]].concat());
+    let turns = found["branch"]["turns"].as_array().expect("turns");
+    assert_eq!((turns.len(), &turns[0]["change"]), (1, &HOPF.into()), "{turns:?}");
+    let parameter = turns[0]["parameter"].as_f64().expect("a number");
+    assert!((parameter - 1.012_459_976_6).abs() < 1e-10, "{parameter}");
+    let said = refusal(&[
+        "periodic", "--field", field, "--param", "F=1", "--param", "G=1", "--at", "1,0,0", "--period", "2",
+    ]);
+    assert!(said.contains("--eps"), "{said}");
 }
 
 #[test]

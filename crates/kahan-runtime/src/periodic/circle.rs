@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_dynamics::periodic::Stability;
 
 /// The variable of characteristic polynomials.
-const Z: Variable = Variable(0);
+pub(super) const Z: Variable = Variable(0);
 
 type Matrix = [Vec<Rational>];
 

@@ -12,7 +12,7 @@ use kahan_dynamics::periodic::{PeriodicPoint, Stability};
 use crate::Map;
 use crate::heights::HeightsOrbit;
 
-use super::circle::{characteristic_polynomial, product, stability};
+use super::circle::{Z, characteristic_polynomial, product, stability};
 
 /// The most decimal digits of a coordinate of a cycle over ℚ. The heights of what is no cycle grow
 /// with every step, most often by a factor; those of a cycle come back, to a few digits.
@@ -30,6 +30,18 @@ pub struct RationalCycle {
     pub polynomial: Polynomial,
     /// What the multipliers say, decided without rounding.
     pub stability: Stability,
+}
+
+impl RationalCycle {
+    /// Returns the cycle among those with its values of so many independent integrals, each of which
+    /// has a multiplier 1 of its own: the others are left.
+    #[must_use]
+    pub fn on_leaf(self, integrals: usize) -> Self {
+        let own = &Polynomial::variable(Z) - &Polynomial::one();
+        let polynomial = (0..integrals).try_fold(self.polynomial.clone(), |rest, _| rest.checked_div(&own));
+        let polynomial = polynomial.expect("an integral has the multiplier 1");
+        RationalCycle { stability: stability(&polynomial), polynomial, ..self }
+    }
 }
 
 impl Map {

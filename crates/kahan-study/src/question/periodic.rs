@@ -1,11 +1,17 @@
 //! A cycle of the map near a point, how stable it is, and where it goes when something changes.
 
+use kahan_algebra::modified_integrals::linear_integrals;
+use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
+use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_discover::Watch;
-use kahan_dynamics::periodic::{Branch, BranchPoint, PeriodicPoint, Turn, branch, periodic_point};
-use kahan_runtime::{Map, MapAt, RationalCycle};
+use kahan_dynamics::periodic::{
+    Branch, BranchPoint, Change, Differentiable, Leaf, OnLeaf, PeriodicPoint, Turn, branch, periodic_point,
+};
+
+use kahan_runtime::{Map, MapAt, ParametricAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Value, json};
 
@@ -26,7 +32,8 @@ const MOST_UNKNOWNS: usize = 250;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step; the first value of `over` where that is of ε.
+    /// ε, half the time step; the first value of `over` where that is of ε. Steady states are the
+    /// same for each ε: where the period is 1, it is chosen by the field's rates if it is not given.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle, a coordinate for each variable.
@@ -38,6 +45,34 @@ pub struct Periodic {
     /// The parameter that changes along the branch, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
+    /// Which integrals keep their values at `at`.
+    #[serde(default)]
+    pub hold: Hold,
+}
+
+/// Which integrals keep their values while a cycle is looked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Hold {
+    /// Linear ones with constant coefficients.
+    #[default]
+    Linear,
+    /// None.
+    None,
+}
+
+impl Hold {
+    /// All choices.
+    pub const ALL: [Self; 2] = [Self::Linear, Self::None];
+
+    /// Returns the name in questions: `linear` or `none`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Hold::Linear => "linear",
+            Hold::None => "none",
+        }
+    }
 }
 
 /// A cycle, and what becomes of it.
@@ -47,8 +82,12 @@ pub struct CycleFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle, in doubles.
+    /// The cycle, in doubles. Its multipliers are those along the level of what is held.
     pub cycle: PeriodicPoint,
+    /// The linear integrals that are held, with their values, as equations.
+    pub held: Vec<String>,
+    /// ε at the cycle.
+    pub eps: f64,
     /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
     pub exact: Option<RationalCycle>,
     /// What changes along the branch, and the branch.
@@ -59,7 +98,7 @@ impl Periodic {
     /// Fixed points, with nothing that changes.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
-        Periodic { eps: Some(eps), at, period: one(), over: None }
+        Periodic { eps: Some(eps), at, period: one(), over: None, hold: Hold::default() }
     }
 
     /// Looks for the cycle of a system whose claims hold, by Newton's method. Costs at each of its
@@ -76,16 +115,77 @@ impl Periodic {
             return Err(StudyError::LongCycle { unknowns, most: MOST_UNKNOWNS });
         }
         let begin = self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64());
-        let cycle = periodic_point(&family.at(begin), &family.start, self.period);
-        let cycle = cycle.map_err(|why| StudyError::NoCycle { system: study.name().to_owned(), why })?;
+        let start = family.leaf.coordinates(&family.start);
+        let mut cycle = periodic_point(&family.on_leaf(begin), &start, self.period)
+            .map_err(|why| StudyError::NoCycle { system: study.name().to_owned(), why })?;
+        let branch = self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch)));
+        family.unfold(&mut cycle);
         Ok(CycleFound {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
             exact: family.exact(&cycle),
-            branch: self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch))),
+            held: family.held.iter().map(|integral| integral.equation(study)).collect(),
+            eps: family.eps_at(begin),
+            branch,
             cycle,
         })
     }
+}
+
+impl CycleFound {
+    /// The eigenvalues of the derivative of the field at a cycle of this answer, where it is a
+    /// steady state: λ = (μ − 1)/(ε(μ + 1)) of its multipliers μ.
+    #[must_use]
+    pub fn eigenvalues(&self, cycle: &PeriodicPoint, eps: f64) -> Option<Vec<Complex<f64>>> {
+        let of = |multiplier: &Complex<f64>| (multiplier - 1.0) / (multiplier + 1.0) / eps;
+        (cycle.points.len() == 1).then(|| cycle.multipliers.iter().map(of).collect())
+    }
+
+    /// ε at a cycle of the branch.
+    fn eps_of(&self, point: &BranchPoint) -> f64 {
+        let is_eps = self.branch.as_ref().is_some_and(|(over, _)| over == "eps");
+        if is_eps { point.parameter } else { self.eps }
+    }
+
+    /// A change on the branch in words: of steady states in those of the field.
+    #[must_use]
+    pub fn said(&self, change: Change) -> String {
+        let of_field = match change {
+            Change::Fold => "fold, two steady states meet",
+            Change::ThroughOne => "an eigenvalue of f' goes through 0",
+            Change::ThroughCircle => "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis",
+            Change::ThroughMinusOne => return change.to_string(),
+        };
+        if self.cycle.points.len() == 1 { of_field.to_owned() } else { change.to_string() }
+    }
+}
+
+/// A linear integral Σ cₖ xₖ that is held at its value.
+struct Held {
+    /// The pairs (k, cₖ).
+    coefficients: Vec<(usize, Rational)>,
+    value: Rational,
+}
+
+impl Held {
+    fn of(coefficients: Vec<(usize, Rational)>, point: &[Rational]) -> Self {
+        Held { value: value(&coefficients, point), coefficients }
+    }
+
+    /// The integral and its value as an equation whose first coefficient is positive.
+    fn equation(&self, study: &Study) -> String {
+        let symbols = &study.system().field.symbols;
+        let terms = self.coefficients.iter();
+        let terms = terms.map(|(k, c)| (Monomial::power(symbols.state(*k), 1), c.clone()));
+        let first = self.coefficients.iter().min_by_key(|(k, _)| *k);
+        let sign = Rational::from(if first.is_some_and(|(_, c)| c.is_negative()) { -1 } else { 1 });
+        let integral = Polynomial::from_terms(terms).scale(&sign);
+        format!("{} = {}", Text.polynomial(symbols, &integral), &self.value * &sign)
+    }
+}
+
+fn value(coefficients: &[(usize, Rational)], point: &[Rational]) -> Rational {
+    coefficients.iter().fold(Rational::zero(), |sum, (k, c)| &sum + &(c * &point[*k]))
 }
 
 /// The map at each value of what changes.
@@ -93,6 +193,9 @@ struct Family {
     study: Study,
     eps: Rational,
     start: Vec<f64>,
+    held: Vec<Held>,
+    /// The points at which what is held has its values.
+    leaf: Leaf,
     /// The index of the parameter that changes; `None` for ε, or for nothing.
     parameter: Option<usize>,
     changes: bool,
@@ -103,16 +206,48 @@ impl Family {
         let axis = asked.over.as_ref();
         let parameter = axis.map(|axis| study.axis(axis)).transpose()?.flatten();
         let of_axis = axis.filter(|_| parameter.is_none()).map(|axis| axis.range.value(0));
-        let eps = asked.eps.clone().or(of_axis).ok_or(StudyError::MissingStep)?;
         let study = match (axis, parameter) {
             (Some(axis), Some(place)) if study.given()[place].is_none() => {
                 study.with(place, axis.range.value(0))
             }
             _ => study.clone(),
         };
+        let point = study.point(&asked.at)?;
+        let given = asked.eps.clone().or(of_axis);
+        let eps = given.or_else(|| (asked.period == 1).then(|| step_for(study.map().ok()?, &point))?);
+        let eps = eps.ok_or(StudyError::MissingStep)?;
         // A mistake in what is given is told before the search.
         let (_, start) = study.in_floats(&asked.at, &eps)?;
-        Ok(Family { study, eps, start, parameter, changes: axis.is_some() })
+        let integrals = match asked.hold {
+            Hold::Linear => integrals(&study, parameter, &start)?,
+            Hold::None => Vec::new(),
+        };
+        let floats = |integral: &Vec<(usize, Rational)>| {
+            integral.iter().map(|(k, c)| (*k, c.to_f64())).collect::<Vec<_>>()
+        };
+        let leaf = Leaf::through(&start, &integrals.iter().map(floats).collect::<Vec<_>>());
+        let held = integrals.into_iter().map(|integral| Held::of(integral, &point)).collect();
+        Ok(Family { study, eps, start, held, leaf, parameter, changes: axis.is_some() })
+    }
+
+    /// ε where what changes has this value.
+    fn eps_at(&self, value: f64) -> f64 {
+        match (self.changes, self.parameter) {
+            (true, None) => value,
+            _ => self.eps.to_f64(),
+        }
+    }
+
+    /// The map on the leaf.
+    fn on_leaf(&self, value: f64) -> OnLeaf<'_, ParametricAt> {
+        OnLeaf { map: self.at(value).by(self.parameter), leaf: &self.leaf }
+    }
+
+    /// Puts the points of a cycle on the leaf in the place of their coordinates.
+    fn unfold(&self, cycle: &mut PeriodicPoint) {
+        for point in &mut cycle.points {
+            *point = self.leaf.point(point);
+        }
     }
 
     /// The map where what changes has this value; where the field divides by zero, that of no
@@ -122,12 +257,8 @@ impl Family {
         if let Some(place) = self.parameter {
             parameters[place] = Rational::from_f64(value).unwrap_or_default();
         }
-        let eps = match (self.changes, self.parameter) {
-            (true, None) => value,
-            _ => self.eps.to_f64(),
-        };
         match self.study.map_at(&parameters) {
-            Some(map) => map.at(eps),
+            Some(map) => map.at(self.eps_at(value)),
             None => self.own().at(f64::NAN),
         }
     }
@@ -135,10 +266,11 @@ impl Family {
     /// The branch that begins with a cycle.
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
-        let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
         let count = Count::new("cycles", steps as u64, watch);
-        branch(map, cycle, ends, steps, |_| count.tell(1))
+        let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
+        branch.points.iter_mut().for_each(|point| self.unfold(&mut point.cycle));
+        branch
     }
 
     /// The map at the values that were given, at which there is one.
@@ -148,8 +280,55 @@ impl Family {
 
     /// The cycle over ℚ, where nothing changes.
     fn exact(&self, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        if self.changes { None } else { self.own().rational_cycle(&self.eps, cycle) }
+        if self.changes {
+            return None;
+        }
+        let exact = self.own().rational_cycle(&self.eps, cycle)?;
+        let is_held = |held: &Held| value(&held.coefficients, &exact.points[0]) == held.value;
+        self.held.iter().all(is_held).then(|| exact.on_leaf(self.held.len()))
     }
+}
+
+/// The linear integrals of a field at the values of its parameters, but for the one that changes.
+/// They determine variables that are small at `start`, so that the free ones show its size.
+fn integrals(
+    study: &Study,
+    changes: Option<usize>,
+    start: &[f64],
+) -> Result<Vec<Vec<(usize, Rational)>>, StudyError> {
+    let mut values = study.valued();
+    if let Some(place) = changes {
+        values[place] = None;
+    }
+    let mut order: Vec<usize> = (0..start.len()).collect();
+    order.sort_by(|a, b| start[*b].abs().total_cmp(&start[*a].abs()));
+    let found = linear_integrals(&study.at(values).specialised()?.field, &order);
+    // A field that is zero moves no variable, and every point is a cycle.
+    Ok(if found.len() < start.len() { found } else { Vec::new() })
+}
+
+/// A power of two for ε at which a step changes distances near a point by a part of themselves: the
+/// rates of the field there are neither fast nor slow for it.
+fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
+    /// Beyond all powers of two of a double.
+    const MOST: usize = 2200;
+
+    let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
+    let change = |eps: f64| {
+        let derivative = map.at(eps).derivative(&start);
+        let change = &derivative - DMatrix::identity(start.len(), start.len());
+        if change.iter().all(|entry| entry.is_finite()) { change.amax() } else { f64::INFINITY }
+    };
+    let mut eps = 1.0;
+    for _ in 0..MOST {
+        match change(eps) {
+            0.0 => return Some(Rational::one()),
+            change if change > 1.0 => eps /= 2.0,
+            change if change < 0.25 => eps *= 2.0,
+            _ => break,
+        }
+    }
+    Rational::from_f64(eps)
 }
 
 /// The characteristic polynomial of a cycle's derivative, in z.
@@ -160,15 +339,20 @@ pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
 }
 
 /// A cycle as an object of JSON.
-fn object_of(cycle: &PeriodicPoint) -> Value {
-    json!({
+fn object_of(found: &CycleFound, cycle: &PeriodicPoint, eps: f64) -> Value {
+    let pairs = |of: &[Complex<f64>]| of.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>();
+    let mut object = json!({
         "period": cycle.points.len(),
         "points": cycle.points,
         "residual": cycle.residual,
-        "multipliers": cycle.multipliers.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>(),
+        "multipliers": pairs(&cycle.multipliers),
         "stability": cycle.stability().to_string(),
         "family": cycle.family,
-    })
+    });
+    if let Some(eigenvalues) = found.eigenvalues(cycle, eps) {
+        object["eigenvalues"] = json!(pairs(&eigenvalues));
+    }
+    object
 }
 
 impl Serialize for CycleFound {
@@ -181,14 +365,15 @@ impl Serialize for CycleFound {
             })
         };
         let place = |point: &BranchPoint| {
-            let mut place = object_of(&point.cycle);
+            let mut place = object_of(self, &point.cycle, self.eps_of(point));
             place["parameter"] = json!(point.parameter);
             place
         };
-        let turn = |turn: &Turn| json!({"change": turn.change.to_string(), "parameter": turn.parameter});
-        let mut object = object_of(&self.cycle);
+        let turn = |turn: &Turn| json!({"change": self.said(turn.change), "parameter": turn.parameter});
+        let mut object = object_of(self, &self.cycle, self.eps);
         object["system"] = json!(self.system);
         object["variables"] = json!(self.variables);
+        object["held"] = json!(self.held);
         object["exact"] = self.exact.as_ref().map_or(Value::Null, exact);
         if let Some((over, branch)) = &self.branch {
             object["branch"] = json!({
