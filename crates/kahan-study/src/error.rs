@@ -247,8 +247,48 @@ impl StudyError {
     }
 }
 
+/// Spells a part of a question, by its name and its value, in messages of a front; the value is empty
+/// where the part is meant whatever it is.
+pub type Spelling = fn(name: &str, value: &str) -> String;
+
+/// Returns a part, by its own name where no front spells it.
+pub(crate) fn part(spelling: Option<Spelling>, name: &str, value: &str) -> String {
+    match spelling {
+        Some(spell) => spell(name, value),
+        None if value.is_empty() => name.to_owned(),
+        None => format!("{name} {value}"),
+    }
+}
+
+/// The need as a front spells it.
+pub(crate) fn the_need(spelling: Option<Spelling>, value: &str) -> String {
+    spelling.map_or_else(|| format!("the need `{value}`"), |spell| spell("need", value))
+}
+
+/// A reason as a front tells it.
+pub(crate) struct Told<F>(pub F);
+
+impl<F: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Told<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0(f)
+    }
+}
+
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.tell(f, None)
+    }
+}
+
+impl StudyError {
+    /// Returns the message in which a front spells the parts of a question.
+    #[must_use]
+    pub fn spelled(&self, spelling: Spelling) -> String {
+        Told(|f: &mut fmt::Formatter<'_>| self.tell(f, Some(spelling))).to_string()
+    }
+
+    fn tell(&self, f: &mut fmt::Formatter<'_>, spelling: Option<Spelling>) -> fmt::Result {
+        let named = |name| part(spelling, name, "");
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -257,7 +297,7 @@ impl fmt::Display for StudyError {
                 }
                 write!(f, " The catalog has {}.", known.join(", "))
             }
-            Self::Field(mistakes) => mistakes.fmt(f),
+            Self::Field(mistakes) => write!(f, "{mistakes}"),
             Self::NoFamily => f.write_str(
                 "sites are for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
             ),
@@ -278,6 +318,7 @@ impl fmt::Display for StudyError {
             }
             Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
+                let what = named(what);
                 write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
             Self::MissingCoordinates { names } => {
@@ -289,7 +330,7 @@ impl fmt::Display for StudyError {
                 "at: the new variable {variable} = {expression} has no value there; choose another point"
             ),
             Self::NotPositive { what, value } => {
-                write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
+                write!(f, "{}: `{value}` is not a number above 0 within the range of f64", named(what))
             }
             Self::Discover { system, why } => write!(f, "{system}: {why}"),
             Self::Degree { asked, variables, most } => {
@@ -323,15 +364,16 @@ impl fmt::Display for StudyError {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
             Self::OutOfRange { what, variable: Some(variable) } => {
-                write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
+                write!(f, "{}: the coordinate {variable} is beyond the range of f64", named(what))
             }
-            Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
+            Self::OutOfRange { what, variable: None } => write!(f, "{} is beyond the range of f64", named(what)),
             Self::BeyondRange { what, name, scalar } => {
-                write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
+                let (what, exact) = (named(what), part(spelling, "scalar", "exact"));
+                write!(f, "{what}: {name} is beyond the range of {}; use {exact}", scalar.name())
             }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoIntegral { .. } => f.write_str("drift is that of integrals, and the field claims none"),
-            Self::Orbit(why) => why.fmt(f),
+            Self::Orbit(why) => why.tell(f, spelling),
             Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
             Self::TooLong { cells } => write!(
                 f,
@@ -347,7 +389,9 @@ impl fmt::Display for StudyError {
                  or show a family of the same equations at fewer sites"
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
-            Self::Trade { system, why } => write!(f, "{system}: {why}"),
+            Self::Trade { system, why } => {
+                write!(f, "{system}: {}", Told(|f: &mut fmt::Formatter<'_>| why.tell(f, spelling)))
+            }
             Self::CoefficientsOfEps { system } => write!(
                 f,
                 "the coefficients of {system} depend on eps, and arrays hold numbers; write the field as text"

@@ -53,7 +53,7 @@ pub mod trade;
 #[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use count::Count;
-pub use error::StudyError;
+pub use error::{Spelling, StudyError};
 #[cfg(feature = "toml")]
 pub use from_toml::{TomlDocument, from_toml};
 pub use kahan_core::observe::Direction;

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::{Answer, Prompt, Refusal, csv};
 use crate::reading::{self, Start, Stepping, observable, whole};
 
 use rows::Rows;
@@ -196,21 +196,22 @@ impl Chart {
 /// A row an orbit, and the names of what is in it; the first range runs fastest.
 fn table(shown: &Shown) -> String {
     let floats = |axis: &Axis| axis.range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
-    let names: Vec<&str> = shown.axes.iter().map(|axis| axis.name.as_str()).collect();
     let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };
-    let ended = if shown.ended.is_empty() { "" } else { ",ended,ended_step" };
-    let mut text = format!("{},{log}{}{ended}\n", names.join(","), shown.column);
-    for (index, value) in shown.values.iter().enumerate() {
-        let places = [index % along[0].len(), index / along[0].len()];
-        along.iter().zip(places).for_each(|(along, place)| text += &format!("{:?},", along[place]));
-        if value.is_finite() {
-            text += &format!("{value:?}");
-        }
-        if let Some((ended, step)) = shown.ended.get(index) {
-            text += &format!(",{ended},{step}");
-        }
-        text.push('\n');
+    let mut headings: Vec<String> = shown.axes.iter().map(|axis| axis.name.clone()).collect();
+    headings.push(format!("{log}{}", shown.column));
+    if !shown.ended.is_empty() {
+        headings.extend(["ended", "ended_step"].map(str::to_owned));
     }
-    text
+    let rows = shown.values.iter().enumerate().map(|(index, value)| {
+        let places = [index % along[0].len(), index / along[0].len()];
+        let mut row: Vec<String> =
+            along.iter().zip(places).map(|(along, place)| format!("{:?}", along[place])).collect();
+        row.push(if value.is_finite() { format!("{value:?}") } else { String::new() });
+        row.extend(
+            shown.ended.get(index).into_iter().flat_map(|(ended, step)| [ended.clone(), step.to_string()]),
+        );
+        row
+    });
+    csv(&[headings].into_iter().chain(rows).collect::<Vec<_>>())
 }

@@ -96,7 +96,7 @@ impl Lift {
 
 /// A relation and its fate.
 fn relation(found: &LiftFound, relation: &RelationFound) -> String {
-    let verdict = relation.verdict().replace("give a first point", "give --at");
+    let verdict = relation.verdict_asking("give --at");
     format!("{}: {verdict}", found.equation(relation))
 }
 

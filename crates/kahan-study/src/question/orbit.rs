@@ -20,13 +20,13 @@ use kahan_runtime::End;
 use kahan_runtime::interpreted::UnsupportedDimension;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::error::StudyError;
+use crate::error::{Spelling, StudyError, part};
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
 use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, Values, free_name};
 use crate::study::Study;
 
-use super::{one, usual_order};
+use super::{Observable, one, usual_order};
 
 pub use chain::{Chain, ChainHead};
 use maps::Moving;
@@ -132,41 +132,68 @@ pub enum NoOrbit {
     Flow(UnsupportedDimension),
 }
 
-impl fmt::Display for NoOrbit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl NoOrbit {
+    pub(crate) fn tell(self, f: &mut fmt::Formatter<'_>, spelling: Option<Spelling>) -> fmt::Result {
+        let named = |name| part(spelling, name, "");
+        let set = |name, value| part(spelling, name, value);
         match self {
             Self::Irrational(order) => write!(
                 f,
-                "order {order} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
-                 scalar f64, or order 2, which is exact"
+                "{} is a composition of steps whose coefficients are irrational, so no exact number can take them; use {}, or {}, \
+                 which is exact",
+                set("order", &order.to_string()),
+                set("scalar", "f64"),
+                set("order", "2")
             ),
-            Self::ProjectiveOrder => {
-                f.write_str("projective follows Kahan's map itself, not compositions; leave order out")
-            }
-            Self::ProjectiveMethod => {
-                f.write_str("projective follows Kahan's map itself, not other methods; leave method out")
-            }
+            Self::ProjectiveOrder => write!(
+                f,
+                "{} follows Kahan's map itself, not compositions; leave {} out",
+                named("projective"),
+                named("order")
+            ),
+            Self::ProjectiveMethod => write!(
+                f,
+                "{} follows Kahan's map itself, not other methods; leave {} out",
+                named("projective"),
+                named("method")
+            ),
             Self::OwnOrder(method) => write!(
                 f,
-                "method {} has an order of its own, and order is of compositions of Kahan's map; leave order out",
-                method.name()
+                "{} has an order of its own, and order is of compositions of Kahan's map; leave {} out",
+                set("method", method.name()),
+                named("order")
             ),
-            Self::ExactFlow => {
-                f.write_str("method flow is a series, whose sum is no exact number; use scalar dd")
-            }
-            Self::Reembed => f.write_str(
-                "reembed projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
+            Self::ExactFlow => write!(
+                f,
+                "{} is a series, whose sum is no exact number; use {}",
+                set("method", "flow"),
+                set("scalar", "dd")
+            ),
+            Self::Reembed => write!(
+                f,
+                "{} projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
                  projective, method and scalar out",
+                named("reembed")
             ),
             Self::OfTheMap(name) => write!(
                 f,
-                "reembed projects steps onto the relations of a lifted field, and {name} is of the map without that: of its \
-                 derivative or its poles; leave reembed out, or observe final, drift, extrema, rotation or escape alone"
+                "{} projects steps onto the relations of a lifted field, and {name} is of the map without that: of its \
+                 derivative or its poles; leave reembed out, or observe {} alone",
+                named("reembed"),
+                of_points()
             ),
-            Self::Projective(why) => write!(f, "projective: {why}"),
-            Self::Flow(why) => write!(f, "method flow: {why}"),
+            Self::Projective(why) => write!(f, "{}: {why}", named("projective")),
+            Self::Flow(why) => write!(f, "{}: {why}", set("method", "flow")),
         }
     }
+}
+
+/// The names of the observables of points, in words.
+fn of_points() -> String {
+    let names = Observable::ALL.iter().filter(|one| one.is_of_points()).map(|one| one.name());
+    let mut names: Vec<&str> = names.collect();
+    let last = names.pop().unwrap_or_default();
+    format!("{} or {last}", names.join(", "))
 }
 
 /// What is known of an orbit before its first step.
@@ -370,8 +397,8 @@ impl Orbit {
             let course = Course { arithmetic, columns: &all, eps, steps: self.steps, every: self.every };
             let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
             match course.hand_on(&mut *points, range, &mut chosen, watch) {
-                Ok(()) => Ending { end: End::Complete, step: self.steps, why: None },
-                Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
+                Ok(()) => Ending::plain(End::Complete, self.steps),
+                Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
             }
         };
