@@ -247,36 +247,22 @@ impl StudyError {
     }
 }
 
-/// Spells a part of a question, by its name and its value, in messages of a front; the value is empty
-/// where the part is meant whatever it is.
+/// Spells a part of a question, by its name and its value, in messages of a front. The value is empty
+/// where the message is about the part with any value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
-/// Returns a part, by its own name where no front spells it.
-pub(crate) fn part(spelling: Option<Spelling>, name: &str, value: &str) -> String {
-    match spelling {
-        Some(spell) => spell(name, value),
-        None if value.is_empty() => name.to_owned(),
-        None => format!("{name} {value}"),
-    }
-}
-
-/// The need as a front spells it.
-pub(crate) fn the_need(spelling: Option<Spelling>, value: &str) -> String {
-    spelling.map_or_else(|| format!("the need `{value}`"), |spell| spell("need", value))
-}
-
-/// A reason as a front tells it.
-pub(crate) struct Told<F>(pub F);
-
-impl<F: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Told<F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0(f)
+/// The [`Spelling`] of JSON, TOML and Python: the name, then the value.
+pub(crate) fn by_name(name: &str, value: &str) -> String {
+    match name {
+        "need" => format!("the need `{value}`"),
+        "seconds" => format!("`{name}`"),
+        _ => format!("{name} {value}").trim_end().to_owned(),
     }
 }
 
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.tell(f, None)
+        self.tell(f, by_name)
     }
 }
 
@@ -284,11 +270,11 @@ impl StudyError {
     /// Returns the message in which a front spells the parts of a question.
     #[must_use]
     pub fn spelled(&self, spelling: Spelling) -> String {
-        Told(|f: &mut fmt::Formatter<'_>| self.tell(f, Some(spelling))).to_string()
+        fmt::from_fn(|f| self.tell(f, spelling)).to_string()
     }
 
-    fn tell(&self, f: &mut fmt::Formatter<'_>, spelling: Option<Spelling>) -> fmt::Result {
-        let named = |name| part(spelling, name, "");
+    fn tell(&self, f: &mut fmt::Formatter<'_>, spelling: Spelling) -> fmt::Result {
+        let named = |name| spelling(name, "");
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -297,7 +283,7 @@ impl StudyError {
                 }
                 write!(f, " The catalog has {}.", known.join(", "))
             }
-            Self::Field(mistakes) => write!(f, "{mistakes}"),
+            Self::Field(mistakes) => fmt::Display::fmt(mistakes, f),
             Self::NoFamily => f.write_str(
                 "sites are for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
             ),
@@ -334,21 +320,20 @@ impl StudyError {
             }
             Self::Discover { system, why } => write!(f, "{system}: {why}"),
             Self::Degree { asked, variables, most } => {
+                let degree = named("degree");
+                let instead = most.map_or_else(|| format!("leave {degree} out"), |most| format!("ask for at most {most}"));
                 write!(
                     f,
-                    "{variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; "
-                )?;
-                match most {
-                    Some(most) => write!(f, "ask for at most {most}"),
-                    None => f.write_str("ask for none"),
-                }
+                    "{degree}: {variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; \
+                     {instead}"
+                )
             }
             Self::UnknownAxis { what, system, name, known } => {
                 write!(f, "`{name}` is {what} of {system}; there is {}", known.join(", "))
             }
             Self::AxisTwice { name } => write!(f, "`{name}` is gone through twice; name two"),
             Self::AxisValues { name, why } => write!(f, "{name}: {why}"),
-            Self::Formula { what, why } => f.write_str(&why.report(what)),
+            Self::Formula { what, why } => f.write_str(&why.report(&named(what))),
             Self::ConstantPlane { text } => write!(
                 f,
                 "{text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as x - 1/2"
@@ -368,7 +353,7 @@ impl StudyError {
             }
             Self::OutOfRange { what, variable: None } => write!(f, "{} is beyond the range of f64", named(what)),
             Self::BeyondRange { what, name, scalar } => {
-                let (what, exact) = (named(what), part(spelling, "scalar", "exact"));
+                let (what, exact) = (named(what), spelling("scalar", "exact"));
                 write!(f, "{what}: {name} is beyond the range of {}; use {exact}", scalar.name())
             }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
@@ -390,7 +375,8 @@ impl StudyError {
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Trade { system, why } => {
-                write!(f, "{system}: {}", Told(|f: &mut fmt::Formatter<'_>| why.tell(f, spelling)))
+                write!(f, "{system}: ")?;
+                why.tell(f, spelling)
             }
             Self::CoefficientsOfEps { system } => write!(
                 f,

@@ -9,7 +9,7 @@ use kahan_runtime::{End, Fraction};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::error::{Spelling, part};
+use crate::error::{Spelling, by_name};
 use crate::numbers::Number;
 
 /// The most cells that an answer keeps in memory.
@@ -234,12 +234,9 @@ impl Ending {
 
     /// Returns the reason with what else could be tried, whose part the spelling tells.
     #[must_use]
-    pub fn in_words(&self, spelling: Option<Spelling>) -> Option<String> {
-        let why = self.why.clone()?;
-        Some(match self.instead {
-            Some([name, value]) => format!("{why}; try {}", part(spelling, name, value)),
-            None => why,
-        })
+    pub fn in_words(&self, spelling: Spelling) -> Option<String> {
+        let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));
+        Some(self.why.clone()? + &instead.unwrap_or_default())
     }
 }
 
@@ -249,7 +246,7 @@ impl Serialize for Ending {
         let mut object = serializer.serialize_struct("Ending", 3)?;
         object.serialize_field("ended", self.end.name())?;
         object.serialize_field("ended_step", &self.step)?;
-        object.serialize_field("stopped", &self.in_words(None))?;
+        object.serialize_field("stopped", &self.in_words(by_name))?;
         object.end()
     }
 }

@@ -2,13 +2,11 @@
 //! option to change.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::orbits::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
 use super::points::{first_point, only, point, points};
 use super::source::{Source, Start};
-use super::values::refused;
 use crate::printing::{Refusal, warn};
 
 impl Source {
@@ -127,7 +125,7 @@ impl From<StudyError> for Refusal {
                 format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
             }
             StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
-            StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
+            error @ StudyError::Formula { .. } => return Refusal::reports(error.spelled(option)),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"
@@ -140,11 +138,6 @@ impl From<StudyError> for Refusal {
                 "--color drift: {system} claims no integral that could drift; claim one in the field (`integral H = …;`), as `kahan \
                  discover` prints them"
             ),
-            StudyError::Degree { asked, variables, most: None } => format!(
-                "--degree: {variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; leave \
-                 --degree out"
-            ),
-            StudyError::Degree { .. } => format!("--degree: {error}"),
             other => other.spelled(option),
         })
     }

@@ -20,7 +20,7 @@ use kahan_runtime::End;
 use kahan_runtime::interpreted::UnsupportedDimension;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::error::{Spelling, StudyError, part};
+use crate::error::{Spelling, StudyError};
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
 use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, Values, free_name};
@@ -133,9 +133,8 @@ pub enum NoOrbit {
 }
 
 impl NoOrbit {
-    pub(crate) fn tell(self, f: &mut fmt::Formatter<'_>, spelling: Option<Spelling>) -> fmt::Result {
-        let named = |name| part(spelling, name, "");
-        let set = |name, value| part(spelling, name, value);
+    pub(crate) fn tell(self, f: &mut fmt::Formatter<'_>, set: Spelling) -> fmt::Result {
+        let named = |name| set(name, "");
         match self {
             Self::Irrational(order) => write!(
                 f,

@@ -81,24 +81,21 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     let entries = [
         ("ended", of_all(|ending| json!(ending.end.name()))),
         ("ended_step", of_all(|ending| json!(ending.step))),
-        ("stopped", of_all(|ending| json!(ending.in_words(Some(option))))),
+        ("stopped", of_all(|ending| json!(ending.in_words(option)))),
     ];
     entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }
 
 /// The same for standard error: of several orbits, how many ended early, and why the first of them.
 fn complaint(endings: &[Ending]) -> Option<String> {
-    let early = endings
-        .iter()
-        .enumerate()
-        .filter_map(|(orbit, ending)| Some((orbit, ending.in_words(Some(option))?)));
-    let mut early = early.peekable();
-    let (orbit, why) = early.peek()?.clone();
+    let early = endings.iter().enumerate();
+    let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));
+    let (orbit, why) = early.next()?;
     Some(match endings.len() {
         1 => why,
         count => format!(
             "{} of {count} orbits end early, the first of them is orbit {orbit}: {why}",
-            early.count()
+            1 + early.count()
         ),
     })
 }
