@@ -154,7 +154,7 @@ fn latex(study: &Study, found: &LiftFound) -> String {
         page.display(&aligned(new));
     }
     for claim in &system.claims {
-        page.claim(&ClaimShown::of(system, claim, Some(&Latex)));
+        page.claim(&ClaimShown::of(system, claim, &Latex));
     }
     page.text
 }
