@@ -200,6 +200,13 @@ pub enum StudyError {
         /// The field.
         system: String,
     },
+    /// No observable has such a column.
+    UnknownColumn {
+        /// What was asked for.
+        name: String,
+        /// The columns of all observables.
+        known: Vec<String>,
+    },
     /// An orbit cannot be all that it is asked to be.
     Orbit(NoOrbit),
     /// A question whose answer is no table, by its name, is asked for rows.
@@ -358,6 +365,13 @@ impl StudyError {
             }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoIntegral { .. } => f.write_str("drift is that of integrals, and the field claims none"),
+            Self::UnknownColumn { name, known } => {
+                write!(f, "{}: there is no column `{name}`; ", named("color"))?;
+                match nearest(name, known) {
+                    Some(near) => write!(f, "did you mean `{near}`?"),
+                    None => write!(f, "there is {}", known.join(", ")),
+                }
+            }
             Self::Orbit(why) => why.tell(f, spelling),
             Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
             Self::TooLong { cells } => write!(

@@ -134,65 +134,54 @@ pub enum NoOrbit {
 
 impl NoOrbit {
     pub(crate) fn tell(self, f: &mut fmt::Formatter<'_>, set: Spelling) -> fmt::Result {
-        let named = |name| set(name, "");
+        let [projective, reembed, order] = ["projective", "reembed", "order"].map(|name| set(name, ""));
         match self {
-            Self::Irrational(order) => write!(
-                f,
-                "{} is a composition of steps whose coefficients are irrational, so no exact number can take them; use {}, or {}, \
-                 which is exact",
-                set("order", &order.to_string()),
-                set("scalar", "f64"),
-                set("order", "2")
-            ),
-            Self::ProjectiveOrder => write!(
-                f,
-                "{} follows Kahan's map itself, not compositions; leave {} out",
-                named("projective"),
-                named("order")
-            ),
-            Self::ProjectiveMethod => write!(
-                f,
-                "{} follows Kahan's map itself, not other methods; leave {} out",
-                named("projective"),
-                named("method")
-            ),
-            Self::OwnOrder(method) => write!(
-                f,
-                "{} has an order of its own, and order is of compositions of Kahan's map; leave {} out",
-                set("method", method.name()),
-                named("order")
-            ),
-            Self::ExactFlow => write!(
-                f,
-                "{} is a series, whose sum is no exact number; use {}",
-                set("method", "flow"),
-                set("scalar", "dd")
-            ),
+            Self::Irrational(asked) => {
+                let (asked, f64, kahan) = (set("order", &asked.to_string()), set("scalar", "f64"), set("order", "2"));
+                write!(
+                    f,
+                    "{asked} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
+                     {f64}, or {kahan}, which is exact"
+                )
+            }
+            Self::ProjectiveOrder => {
+                write!(f, "{projective} follows Kahan's map itself, not compositions; leave {order} out")
+            }
+            Self::ProjectiveMethod => {
+                let method = set("method", "");
+                write!(f, "{projective} follows Kahan's map itself, not other methods; leave {method} out")
+            }
+            Self::OwnOrder(method) => {
+                let method = set("method", method.name());
+                write!(
+                    f,
+                    "{method} has an order of its own, and order is of compositions of Kahan's map; leave {order} out"
+                )
+            }
+            Self::ExactFlow => {
+                let (flow, dd) = (set("method", "flow"), set("scalar", "dd"));
+                write!(f, "{flow} is a series, whose sum is no exact number; use {dd}")
+            }
             Self::Reembed => write!(
                 f,
-                "{} projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
-                 projective, method and scalar out",
-                named("reembed")
+                "{reembed} projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, \
+                 and leave projective, method and scalar out"
             ),
-            Self::OfTheMap(name) => write!(
-                f,
-                "{} projects steps onto the relations of a lifted field, and {name} is of the map without that: of its \
-                 derivative or its poles; leave reembed out, or observe {} alone",
-                named("reembed"),
-                of_points()
-            ),
-            Self::Projective(why) => write!(f, "{}: {why}", named("projective")),
+            Self::OfTheMap(name) => {
+                let of_points = Observable::ALL.iter().filter(|one| one.is_of_points()).map(|one| one.name());
+                let of_points: Vec<&str> = of_points.collect();
+                let (last, others) = of_points.split_last().expect("there are some");
+                let others = others.join(", ");
+                write!(
+                    f,
+                    "{reembed} projects steps onto the relations of a lifted field, and {name} is of the map without that: of \
+                     its derivative or its poles; leave {reembed} out, or observe {others} or {last} alone"
+                )
+            }
+            Self::Projective(why) => write!(f, "{projective}: {why}"),
             Self::Flow(why) => write!(f, "{}: {why}", set("method", "flow")),
         }
     }
-}
-
-/// The names of the observables of points, in words.
-fn of_points() -> String {
-    let names = Observable::ALL.iter().filter(|one| one.is_of_points()).map(|one| one.name());
-    let mut names: Vec<&str> = names.collect();
-    let last = names.pop().unwrap_or_default();
-    format!("{} or {last}", names.join(", "))
 }
 
 /// What is known of an orbit before its first step.
