@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable
 from functools import cached_property
 from typing import Any
@@ -44,10 +43,9 @@ class Formulas(Field):
 
     @cached_property
     def _symbols(self) -> Symbols:
-        sheet = self._sheet("text")
-        constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
-        functions = {claim["name"]: _sides(claim)[0] for claim in sheet["claims"] if claim["kind"] != "bracket"}
-        return Symbols(tuple(self._all_variables), self.parameters, dict(constants) | functions)
+        claims = self._sheet("text")["claims"]
+        functions = {claim["name"]: claim["equations"][0][1] for claim in claims if claim["kind"] != "bracket"}
+        return Symbols(tuple(self._all_variables), self.parameters, functions)
 
     @property
     def field(self) -> Formula:
@@ -84,49 +82,40 @@ class Formulas(Field):
         """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
         return self._formula("jacobian")
 
-    def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
-        """The claims of a kind by name, each with the right sides of its equations in a notation."""
-        def sides(place: int) -> Callable[[str], Any]:
-            return lambda form: [right for _, right in self._sheet(form)["claims"][place]["equations"]]
+    def _claims(self, kind: str, arranged: Callable[[list[str], dict[str, Any], str], Any]) -> dict[str, Formula]:
+        """The claims of a kind by name; ``arranged`` puts the right sides of the equations of a claim in a notation."""
+        def formula(place: int, claim: dict[str, Any]) -> Formula:
+            def read(form: str) -> Any:
+                return arranged([right for _, right in self._sheet(form)["claims"][place]["equations"]], claim, form)
+
+            return Formula(read, self._symbols, claim["name"], claim["when"])
 
         claims = enumerate(self._sheet("text")["claims"])
-        return {claim["name"]: (claim, sides(k)) for k, claim in claims if claim["kind"] == kind}
-
-    def _single(self, kind: str) -> dict[str, Formula]:
-        def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            (text,) = _sides(claim)
-            return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
-
-        return {name: formula(*found) for name, found in self._claims(kind).items()}
+        return {claim["name"]: formula(k, claim) for k, claim in claims if claim["kind"] == kind}
 
     @property
     def integrals(self) -> dict[str, Formula]:
         """The claimed integrals, by name; each was proved when the field was read."""
-        return self._single("integral")
+        return self._claims("integral", lambda sides, *_: sides[0])
 
     @property
     def densities(self) -> dict[str, Formula]:
         """The claimed invariant densities, by name: the map keeps the volume form density dx."""
-        return self._single("density")
+        return self._claims("density", lambda sides, *_: sides[0])
 
     @property
     def brackets(self) -> dict[str, Formula]:
         """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
-        def matrix(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
+        names = self._all_variables
 
-            def read(form: str) -> list[list[str]]:
-                names = self._all_variables
-                entries = [["0"] * len(names) for _ in names]
-                texts = [text for _, _, text in stated] if form == "text" else sides(form)
-                for (x, y, _), text in zip(stated, texts):
-                    i, j = names.index(x), names.index(y)
-                    entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
-                return entries
+        def matrix(sides: list[str], claim: dict[str, Any], form: str) -> list[list[str]]:
+            entries = [["0"] * len(names) for _ in names]
+            for pair, text in zip(claim["pairs"], sides):
+                i, j = map(names.index, pair)
+                entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
+            return entries
 
-            return Formula(read, self._symbols, claim["name"], claim["when"])
-
-        return {name: matrix(*found) for name, found in self._claims("bracket").items()}
+        return self._claims("bracket", matrix)
 
     @property
     def drifts(self) -> dict[str, Formula]:
@@ -137,11 +126,7 @@ class Formulas(Field):
         >>> str(F[0]), str(F[1]), F(["1/3"], eps="1/2").tolist()
         ('1/x', 'F - 2*eps', [Fraction(3, 1), Fraction(2, 1)])
         """
-        def both(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            texts = _sides(claim)
-            return Formula(lambda form: texts if form == "text" else sides(form), self._symbols, claim["name"], claim["when"])
-
-        return {name: both(*found) for name, found in self._claims("drift").items()}
+        return self._claims("drift", lambda sides, *_: sides)
 
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
@@ -155,10 +140,3 @@ class Formulas(Field):
         known = self.__dict__.get("_found", self)
         rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
         return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
-
-
-def _sides(claim: dict[str, Any]) -> list[str]:
-    """The right side of a claim that is a function; of a drift the function and its next value."""
-    text: str = claim["statement"].partition(" = ")[2].rstrip(";").partition(" when ")[0]
-    # After an operator `by` is a name.
-    return re.split(r"(?<![-+*/(]) by ", text, maxsplit=1) if claim["kind"] == "drift" else [text]

@@ -19,10 +19,10 @@ from ._charts import Range, axes_of, size
 from ._coefficients import Entries, coefficients, dense, named_wrongly
 from ._derivatives import differentiable, in_order
 from ._discovery import Discovery
-from ._errors import FieldError, choice, spelled, unknown
+from ._errors import FieldError, choice, spelled
 from ._exact import Number, answer, exact, half_step, nearest, point, whole
 from ._formulas import Formulas
-from ._kahan import Field, is_family, observable
+from ._kahan import Field, is_family
 from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, FloatOrbit, Orbit, Section
@@ -592,7 +592,7 @@ class System(Formulas):
 
         ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
-        number: sali, fli, megno, lyapunov, escape, passed_poles, or a column of another one, as drift_H or
+        number: sali, fli, megno, lyapunov, log_det, drift, escape, passed_poles, or a column, as drift_H or
         spectrum_2. Costs an orbit a cell, in lanes and on all threads.
 
         An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
@@ -605,19 +605,13 @@ class System(Formulas):
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
-        seen, column = observable(color) or (None, color)
-        if seen is None:
-            raise ValueError(f"color: {unknown('column', color, self._observable_columns())}")
         question = {"ask": "observe", "at": self._point(x), "steps": whole(steps, "steps"), "order": whole(order, "order"),
-                    "escape": escape, "reembed": reembed, "observe": [seen], "over": axes}
+                    "escape": escape, "reembed": reembed, "over": axes}
         if eps is not None:
             question["eps"] = exact(eps, "eps")
-        columns, _, _ = self._table(json.dumps(question), observed_as="color", threads=_whole(threads, "threads"),
-                                      listener=listener(progress))
+        (*columns, (_, meaning, shown)), _, _ = self._table(json.dumps(question), color=color, threads=_whole(threads, "threads"),
+                                                            listener=listener(progress))
         found = {name: values for name, _, values in columns}
-        meanings = {name: meaning for name, meaning, _ in columns}
-        if column not in found:
-            raise ValueError(f"color: {unknown('column', color, self._observable_columns())}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
         along = {}
@@ -626,10 +620,7 @@ class System(Formulas):
             along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
         of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
         ended, ended_step = np.array(found["ended"], dtype=object).reshape(sizes), found["ended_step"].reshape(sizes)
-        chart = Chart(self, along, color, found[column].reshape(sizes), ended, ended_step, meanings[column], of)
-        if seen == "escape":
-            chart.values = chart.escaped
-        return chart
+        return Chart(self, along, color, shown.reshape(sizes), ended, ended_step, meaning, of)
 
     def verify(self, *, progress: bool = False) -> Answer:
         """Whether the claims of the field hold: each is proved, as when it was read; of a system of

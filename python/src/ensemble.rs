@@ -46,13 +46,6 @@ impl Field {
         }
     }
 
-    /// The names of all columns of observables.
-    #[pyo3(name = "_observable_columns")]
-    fn observed_columns(&self) -> Vec<String> {
-        let all = Observe::of(Observable::ALL.to_vec(), 0).columns(self.study());
-        all.into_iter().map(|column| column.name).collect()
-    }
-
     /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
     /// each orbit, how each ended, and after how many steps. `of` names observables.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, reembed = false, threads = None, listener = None))]

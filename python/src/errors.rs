@@ -42,16 +42,11 @@ pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
             let values: Vec<String> = names.iter().map(|name| format!("{name}=1")).collect();
             PyValueError::new_err(format!("{error}; give it by name, as in s({})", values.join(", ")))
         }
-        StudyError::NoIntegral { .. } => no_integral("observe"),
+        StudyError::NoIntegral { .. } => PyValueError::new_err(
+            "color: this field claims no integral that could drift; `s.discover().claimed` has those found",
+        ),
         other => PyValueError::new_err(other.to_string()),
     }
-}
-
-/// Says that a drift is asked for by this argument, and no integral is claimed.
-pub(crate) fn no_integral(argument: &str) -> PyErr {
-    PyValueError::new_err(format!(
-        "{argument}: this field claims no integral that could drift; `s.discover().claimed` has those found"
-    ))
 }
 
 /// Numbers of numbers that do not fit.

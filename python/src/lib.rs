@@ -33,7 +33,7 @@ mod _kahan {
     #[pymodule_export]
     use super::{
         arrays::columns, arrow::arrow, basis::Relation, command, field::Field, lattice::Chain,
-        lattice::is_family, names, nearest, observable, picture_scale, program::Program,
+        lattice::is_family, names, nearest, picture_scale, program::Program,
     };
 
     /// The version of the package.
@@ -70,14 +70,6 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
-}
-
-/// The observable of a color, and the column that shows it.
-#[pyfunction]
-fn observable(color: &str) -> Option<(&'static str, String)> {
-    let seen = Observable::of_column(color)?;
-    let column = if color == seen.name() { seen.key() } else { color };
-    Some((seen.name(), column.to_owned()))
 }
 
 /// How pictures show the numbers of a column: whether as logarithms to base 10, and the numbers.

@@ -1,34 +1,38 @@
 //! Tables as arrays: the rows of a question, a column each.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Exact, Kept, Question, Table};
+use kahan_study::{Exact, Kept, Question, Shade, Table};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
 
 use crate::beside::{Listener, apart};
-use crate::errors::{no_integral, of_study};
+use crate::errors::of_study;
 use crate::field::Field;
 
 #[pymethods]
 impl Field {
     /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
-    /// how it ended, and after how many steps of an orbit. `observed_as` is the argument that says
-    /// which observable.
-    #[pyo3(name = "_table", signature = (question, *, observed_as = "observe", threads = None, listener = None))]
+    /// how it ended, and after how many steps of an orbit. A `color` is what orbits over axes are
+    /// observed for, and becomes the last column.
+    #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
         &self,
         py: Python<'py>,
         question: &str,
-        observed_as: &str,
+        color: Option<&str>,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, u64)> {
-        let (question, study) = (crate::field::question(question)?, self.study().clone());
-        if let Question::Over(over) = &question {
-            over.has_integrals(&study).map_err(|_| no_integral(observed_as))?;
+        let (mut question, study) = (crate::field::question(question)?, self.study().clone());
+        let shade = color.map(|color| Shade::read(color, &study)).transpose();
+        let shade = shade.map_err(|error| of_study(py, &error))?;
+        if let (Some(shade), Question::Over(over)) = (&shade, &mut question)
+            && let Question::Observe(observe) = &mut *over.question
+        {
+            observe.observe = vec![shade.observable];
         }
         let asked = if let Question::Orbit(orbit) = &question { orbit.steps } else { 0 };
         let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
@@ -37,9 +41,15 @@ impl Field {
             end.map(|end| (table, end))
         })?
         .map_err(|error| of_study(py, &error))?;
+        let shown = shade.map(|shade| {
+            let own = table.columns.iter().find(|column| column.name == shade.column);
+            let meaning = own.map_or(shade.observable.meaning(), |own| &own.meaning).to_owned();
+            (shade.column.clone(), meaning, shade.values(&table).into_pyarray(py).into_any())
+        });
         let columns = table.columns.into_iter().zip(table.values);
         let columns = columns.map(|(column, kept)| Ok((column.name, column.meaning, array(py, kept)?)));
-        Ok((columns.collect::<PyResult<_>>()?, end.name(), end.steps(asked)))
+        let columns = columns.chain(shown.map(Ok)).collect::<PyResult<_>>()?;
+        Ok((columns, end.name(), end.steps(asked)))
     }
 }
 

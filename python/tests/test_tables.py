@@ -297,3 +297,12 @@ def test_what_was_found_is_claimed_at_the_values_of_the_search() -> None:
     assert claimed.integrals and claimed(a=0.5).parameters == claimed.parameters
     assert claimed.ensemble([[0.1, 0.2]], 0.1, 5, observe=["drift"]).x.shape == (1, 2)
     assert s.discover(seconds=5).claimed.parameters["b"] is None
+
+
+def test_charts_have_the_colors_of_the_command() -> None:
+    both = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="drift")
+    assert both.color == "drift" and np.array_equal(both.values, np.fmax.reduce(
+        [E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color=f"drift_{name}").values for name in E6.integrals]))
+    # Without a bound, an escape is beyond a million.
+    far = kahan.System("xdot = x;").chart({"eps": [0.25, 0.5]}, [1], steps=30, color="escape")
+    assert far.ended.tolist() == ["complete"] * 2 and far.values.tolist() == [28, 13]

@@ -200,6 +200,13 @@ pub enum StudyError {
         /// The field.
         system: String,
     },
+    /// No observable has such a column.
+    UnknownColumn {
+        /// What was asked for.
+        name: String,
+        /// The columns of all observables.
+        known: Vec<String>,
+    },
     /// An orbit cannot be all that it is asked to be.
     Orbit(NoOrbit),
     /// A question whose answer is no table, by its name, is asked for rows.
@@ -247,8 +254,34 @@ impl StudyError {
     }
 }
 
+/// Spells a part of a question, by its name and its value, in messages of a front. The value is empty
+/// where the message is about the part with any value.
+pub type Spelling = fn(name: &str, value: &str) -> String;
+
+/// The [`Spelling`] of JSON, TOML and Python: the name, then the value.
+pub(crate) fn by_name(name: &str, value: &str) -> String {
+    match name {
+        "need" => format!("the need `{value}`"),
+        "seconds" => format!("`{name}`"),
+        _ => format!("{name} {value}").trim_end().to_owned(),
+    }
+}
+
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.tell(f, by_name)
+    }
+}
+
+impl StudyError {
+    /// Returns the message in which a front spells the parts of a question.
+    #[must_use]
+    pub fn spelled(&self, spelling: Spelling) -> String {
+        fmt::from_fn(|f| self.tell(f, spelling)).to_string()
+    }
+
+    fn tell(&self, f: &mut fmt::Formatter<'_>, spelling: Spelling) -> fmt::Result {
+        let named = |name| spelling(name, "");
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -257,7 +290,7 @@ impl fmt::Display for StudyError {
                 }
                 write!(f, " The catalog has {}.", known.join(", "))
             }
-            Self::Field(mistakes) => mistakes.fmt(f),
+            Self::Field(mistakes) => fmt::Display::fmt(mistakes, f),
             Self::NoFamily => f.write_str(
                 "sites are for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
             ),
@@ -278,6 +311,7 @@ impl fmt::Display for StudyError {
             }
             Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
+                let what = named(what);
                 write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
             Self::MissingCoordinates { names } => {
@@ -289,25 +323,24 @@ impl fmt::Display for StudyError {
                 "at: the new variable {variable} = {expression} has no value there; choose another point"
             ),
             Self::NotPositive { what, value } => {
-                write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
+                write!(f, "{}: `{value}` is not a number above 0 within the range of f64", named(what))
             }
             Self::Discover { system, why } => write!(f, "{system}: {why}"),
             Self::Degree { asked, variables, most } => {
+                let degree = named("degree");
+                let instead = most.map_or_else(|| format!("leave {degree} out"), |most| format!("ask for at most {most}"));
                 write!(
                     f,
-                    "{variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; "
-                )?;
-                match most {
-                    Some(most) => write!(f, "ask for at most {most}"),
-                    None => f.write_str("ask for none"),
-                }
+                    "{degree}: {variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; \
+                     {instead}"
+                )
             }
             Self::UnknownAxis { what, system, name, known } => {
                 write!(f, "`{name}` is {what} of {system}; there is {}", known.join(", "))
             }
             Self::AxisTwice { name } => write!(f, "`{name}` is gone through twice; name two"),
             Self::AxisValues { name, why } => write!(f, "{name}: {why}"),
-            Self::Formula { what, why } => f.write_str(&why.report(what)),
+            Self::Formula { what, why } => f.write_str(&why.report(&named(what))),
             Self::ConstantPlane { text } => write!(
                 f,
                 "{text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as x - 1/2"
@@ -323,15 +356,23 @@ impl fmt::Display for StudyError {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
             Self::OutOfRange { what, variable: Some(variable) } => {
-                write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
+                write!(f, "{}: the coordinate {variable} is beyond the range of f64", named(what))
             }
-            Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
+            Self::OutOfRange { what, variable: None } => write!(f, "{} is beyond the range of f64", named(what)),
             Self::BeyondRange { what, name, scalar } => {
-                write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
+                let (what, exact) = (named(what), spelling("scalar", "exact"));
+                write!(f, "{what}: {name} is beyond the range of {}; use {exact}", scalar.name())
             }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoIntegral { .. } => f.write_str("drift is that of integrals, and the field claims none"),
-            Self::Orbit(why) => why.fmt(f),
+            Self::UnknownColumn { name, known } => {
+                write!(f, "{}: there is no column `{name}`; ", named("color"))?;
+                match nearest(name, known) {
+                    Some(near) => write!(f, "did you mean `{near}`?"),
+                    None => write!(f, "there is {}", known.join(", ")),
+                }
+            }
+            Self::Orbit(why) => why.tell(f, spelling),
             Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
             Self::TooLong { cells } => write!(
                 f,
@@ -347,7 +388,10 @@ impl fmt::Display for StudyError {
                  or show a family of the same equations at fewer sites"
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
-            Self::Trade { system, why } => write!(f, "{system}: {why}"),
+            Self::Trade { system, why } => {
+                write!(f, "{system}: ")?;
+                why.tell(f, spelling)
+            }
             Self::CoefficientsOfEps { system } => write!(
                 f,
                 "the coefficients of {system} depend on eps, and arrays hold numbers; write the field as text"

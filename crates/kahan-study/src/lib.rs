@@ -44,6 +44,7 @@ mod range;
 pub mod reference;
 mod relations;
 mod rows;
+mod shade;
 mod shown_orbit;
 mod study;
 mod subject;
@@ -53,7 +54,7 @@ pub mod trade;
 #[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use count::Count;
-pub use error::StudyError;
+pub use error::{Spelling, StudyError};
 #[cfg(feature = "toml")]
 pub use from_toml::{TomlDocument, from_toml};
 pub use kahan_core::observe::Direction;
@@ -69,6 +70,7 @@ pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use relations::RelationErrors;
 pub use rows::{Cell, Column, Ending, Exact, Kept, MOST_CELLS, Rows, Table, Values, free_name};
+pub use shade::Shade;
 pub use shown_orbit::ShownOrbit;
 pub use study::{MOST_VARIABLES, NoStep, Study};
 pub use subject::{Catalog, Named, Subject};

@@ -158,6 +158,12 @@ impl RelationFound {
     /// The fate along the orbit in words: `kept exactly: …`, `bounded`, `decays at the rate …`.
     #[must_use]
     pub fn verdict(&self) -> String {
+        self.verdict_asking("give a first point")
+    }
+
+    /// The fate in words; where there is none for want of a first point, `for_point` asks for one.
+    #[must_use]
+    pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
         match (self.along, &self.formula) {
             (_, Some(formula)) => format!("kept exactly: {formula}"),
@@ -166,7 +172,7 @@ impl RelationFound {
             (Some(Fate::Decays), _) => format!("decays{rate}"),
             (Some(Fate::Drifts), _) => "drifts".to_owned(),
             (Some(Fate::Grows), _) => format!("grows{rate}"),
-            (None, _) => "not followed: give a first point, and a value to each parameter".to_owned(),
+            (None, _) => format!("not followed: {for_point}, and a value to each parameter"),
         }
     }
 }

@@ -9,6 +9,7 @@ use kahan_runtime::{End, Fraction};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
+use crate::error::{Spelling, by_name};
 use crate::numbers::Number;
 
 /// The most cells that an answer keeps in memory.
@@ -218,9 +219,25 @@ pub struct Ending {
     pub end: End,
     /// The steps to the last point: all, where the orbit is complete.
     pub step: u64,
-    /// Why no step leads on, where that is, and what else could be tried, in a sentence; `None` of
-    /// an orbit that is complete or was stopped.
+    /// Why no step leads on, where that is, in a sentence; `None` of an orbit that is complete or was
+    /// stopped.
     pub why: Option<String>,
+    /// The part of the question, and its value, that could be tried instead.
+    pub instead: Option<[&'static str; 2]>,
+}
+
+impl Ending {
+    /// An end that has no reason.
+    pub(crate) fn plain(end: End, step: u64) -> Self {
+        Ending { end, step, why: None, instead: None }
+    }
+
+    /// Returns the reason with what else could be tried, whose part the spelling tells.
+    #[must_use]
+    pub fn in_words(&self, spelling: Spelling) -> Option<String> {
+        let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));
+        Some(self.why.clone()? + &instead.unwrap_or_default())
+    }
 }
 
 /// Its name, the step, and the reason.
@@ -229,7 +246,7 @@ impl Serialize for Ending {
         let mut object = serializer.serialize_struct("Ending", 3)?;
         object.serialize_field("ended", self.end.name())?;
         object.serialize_field("ended_step", &self.step)?;
-        object.serialize_field("stopped", &self.why)?;
+        object.serialize_field("stopped", &self.in_words(by_name))?;
         object.end()
     }
 }

@@ -4,17 +4,19 @@
 mod rows;
 
 use std::collections::HashMap;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Args, Command};
 use kahan_draw::picture::{Chart as Shown, Look, chart};
-use kahan_study::{Axis, Observable, Observe, Over, Question, Study, StudyError};
+use kahan_study::{Axis, Observable, Observe, Over, Question, Shade, Study, StudyError};
 use serde_json::{Value, json};
 
 use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::{Answer, Prompt, Refusal, csv};
 use crate::reading::{self, Start, Stepping, observable, whole};
 
 use rows::Rows;
@@ -76,9 +78,9 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS), default_value = "1000")]
     steps: u64,
 
-    /// The color: chaos has small sali, large fli, megno, lyapunov.
-    #[arg(long, default_value = "sali", value_parser = observable(colours()))]
-    color: Observable,
+    /// The color, or a column as rotation_x.
+    #[arg(long, default_value = "sali", value_parser = Colours)]
+    color: Shade,
 
     /// End the orbit, as escaped, where a variable is larger than R in size.
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
@@ -103,9 +105,26 @@ pub(crate) struct Chart {
 const OF_ORBITS: [&str; 11] =
     ["system", "field", "file", "sites", "parameters", "eps", "dt", "at", "steps", "escape", "reembed"];
 
-/// Returns the observables that a cell can show.
-fn colours() -> impl Iterator<Item = &'static Observable> {
-    Observable::ALL.iter().filter(|one| one.label().is_some())
+/// Reads what a cell can show: an observable with one number, or a column, which is not listed.
+#[derive(Clone, Copy)]
+struct Colours;
+
+impl TypedValueParser for Colours {
+    type Value = Shade;
+
+    fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Shade, clap::Error> {
+        // Of the listed names each is a shade, so that a name that is none is refused.
+        let refused = |()| listed().parse_ref(cmd, arg, value).map(|of| Shade::named(of.name()).expect("listed"));
+        value.to_str().and_then(Shade::named).ok_or(()).or_else(refused)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        listed().possible_values().map(|values| Box::new(values.collect::<Vec<_>>().into_iter()) as _)
+    }
+}
+
+fn listed() -> impl TypedValueParser<Value = Observable> {
+    observable(Observable::ALL.iter().filter(|one| one.label().is_some()))
 }
 
 /// The most steps of each orbit.
@@ -122,7 +141,7 @@ impl Asking for Chart {
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let observe = Observe {
             escape: self.escape,
-            observe: vec![self.color],
+            observe: vec![self.color.observable],
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
@@ -180,13 +199,13 @@ impl Asking for Chart {
 impl Chart {
     fn of_orbits(&self) -> Result<Shown, Refusal> {
         let (study, asked) = self.asked()?;
-        asked.has_integrals(&study)?;
+        let shade = Shade::read(&self.color.column, &study)?;
         let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
-        Ok(Shown::of(&asked, &found))
+        Ok(Shown::of(&asked, &found, &shade))
     }
 
     fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
-        let column = self.column.clone().unwrap_or_else(|| self.color.key().to_owned());
+        let column = self.column.clone().unwrap_or_else(|| self.color.column.clone());
         let rows = Rows { from, over: &self.over, column: column.clone(), chosen: &self.chosen };
         let (axes, values) = rows.cells(Shown::scale(&column))?;
         Ok(Shown::of_column(from.display().to_string(), axes, column, values))
@@ -196,21 +215,22 @@ impl Chart {
 /// A row an orbit, and the names of what is in it; the first range runs fastest.
 fn table(shown: &Shown) -> String {
     let floats = |axis: &Axis| axis.range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
-    let names: Vec<&str> = shown.axes.iter().map(|axis| axis.name.as_str()).collect();
     let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };
-    let ended = if shown.ended.is_empty() { "" } else { ",ended,ended_step" };
-    let mut text = format!("{},{log}{}{ended}\n", names.join(","), shown.column);
-    for (index, value) in shown.values.iter().enumerate() {
-        let places = [index % along[0].len(), index / along[0].len()];
-        along.iter().zip(places).for_each(|(along, place)| text += &format!("{:?},", along[place]));
-        if value.is_finite() {
-            text += &format!("{value:?}");
-        }
-        if let Some((ended, step)) = shown.ended.get(index) {
-            text += &format!(",{ended},{step}");
-        }
-        text.push('\n');
+    let mut headings: Vec<String> = shown.axes.iter().map(|axis| axis.name.clone()).collect();
+    headings.push(format!("{log}{}", shown.column));
+    if !shown.ended.is_empty() {
+        headings.extend(["ended", "ended_step"].map(str::to_owned));
     }
-    text
+    let rows = shown.values.iter().enumerate().map(|(index, value)| {
+        let places = [index % along[0].len(), index / along[0].len()];
+        let mut row: Vec<String> =
+            along.iter().zip(places).map(|(along, place)| format!("{:?}", along[place])).collect();
+        row.push(if value.is_finite() { format!("{value:?}") } else { String::new() });
+        row.extend(
+            shown.ended.get(index).into_iter().flat_map(|(ended, step)| [ended.clone(), step.to_string()]),
+        );
+        row
+    });
+    csv(&[headings].into_iter().chain(rows).collect::<Vec<_>>())
 }

@@ -192,7 +192,7 @@ fn latex(found: &Discovered) -> String {
         states.zip(&values).map(|(left, right)| breaking::equation(&left, right, PAGE_WIDTH)).collect(),
     ));
     for claim in &system.claims {
-        page.claim(&ClaimShown::of(&system, claim, Some(notation)));
+        page.claim(&ClaimShown::of(&system, claim, notation));
     }
     for hamiltonian in found.report.compact() {
         page.line(&format!("% modified Hamiltonian{}", condition(found)));

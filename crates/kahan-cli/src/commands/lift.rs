@@ -96,7 +96,7 @@ impl Lift {
 
 /// A relation and its fate.
 fn relation(found: &LiftFound, relation: &RelationFound) -> String {
-    let verdict = relation.verdict().replace("give a first point", "give --at");
+    let verdict = relation.verdict_asking("give --at");
     format!("{}: {verdict}", found.equation(relation))
 }
 
@@ -154,7 +154,7 @@ fn latex(study: &Study, found: &LiftFound) -> String {
         page.display(&aligned(new));
     }
     for claim in &system.claims {
-        page.claim(&ClaimShown::of(system, claim, Some(&Latex)));
+        page.claim(&ClaimShown::of(system, claim, &Latex));
     }
     page.text
 }

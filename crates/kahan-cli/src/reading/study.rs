@@ -7,7 +7,6 @@ use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, System
 use super::block::Block;
 use super::points::{first_point, only, point, points};
 use super::source::{Source, Start};
-use super::values::refused;
 use crate::printing::{Refusal, warn};
 
 impl Source {
@@ -91,6 +90,11 @@ impl Start {
     }
 }
 
+/// Spells a part of a question as the option that has its name.
+pub(crate) fn option(name: &str, value: &str) -> String {
+    format!("--{name} {value}").trim_end().to_owned()
+}
+
 impl From<StudyError> for Refusal {
     fn from(error: StudyError) -> Self {
         Refusal::new(match error {
@@ -102,14 +106,18 @@ impl From<StudyError> for Refusal {
                     "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."
                 )
             }
-            StudyError::NoFamily => format!("--sites: {error}").replacen(": sites are", " is", 1),
+            StudyError::NoFamily => {
+                "--sites is for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out"
+                    .to_owned()
+            }
             StudyError::ManySites { sites } => format!(
                 "--sites {sites}: the command writes a chain out, up to {MOST_VARIABLES} variables; longer ones are stepped by \
                  `kahan orbit --start …`, and by `kahan!` in a program, for any number of sites"
             ),
-            StudyError::LargeMatrices { .. } => {
-                format!("{error}").replace("ask for the block alone", "--macro shows the block alone")
-            }
+            StudyError::LargeMatrices { variables, most } => format!(
+                "the matrices of {variables} variables are not written out, which goes up to {most}; --macro shows the block alone, \
+                 or show a family of the same equations at fewer sites"
+            ),
             StudyError::UnknownParameter { .. } => format!("--param: {error}"),
             StudyError::ParameterTwice { name } => format!("--param: `{name}` is given twice"),
             StudyError::MissingParameters { system, names } => {
@@ -117,7 +125,7 @@ impl From<StudyError> for Refusal {
                 format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
             }
             StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
-            StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
+            error @ StudyError::Formula { .. } => return Refusal::reports(error.spelled(option)),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"
@@ -126,30 +134,11 @@ impl From<StudyError> for Refusal {
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"
                 .to_owned(),
-            StudyError::Coordinates { .. } | StudyError::OutOfRange { .. } | StudyError::NotPositive { .. } => {
-                format!("--{error}")
-            }
-            StudyError::BeyondRange { .. } => format!("--{error}").replace("use scalar", "use --scalar"),
             StudyError::NoIntegral { system } => format!(
                 "--color drift: {system} claims no integral that could drift; claim one in the field (`integral H = …;`), as `kahan \
                  discover` prints them"
             ),
-            StudyError::Orbit(_) => {
-                let options = ["scalar", "order", "method"].into_iter();
-                let words = options.flat_map(|name| ["; use", ", or", "; leave"].map(|word| (word, name)));
-                words.fold(format!("--{error}"), |said, (word, name)| {
-                    said.replace(&format!("{word} {name}"), &format!("{word} --{name}"))
-                })
-            }
-            StudyError::Degree { .. } => {
-                format!("--degree: {error}").replace("ask for none", "leave --degree out")
-            }
-            StudyError::Trade { .. } => {
-                let said = error.to_string().replace("more `seconds`", "more --seconds");
-                said.replace("the need `integrals`", "--need integrals")
-                    .replace("the need `trajectory`", "--need trajectory")
-            }
-            other => other.to_string(),
+            other => other.spelled(option),
         })
     }
 }

@@ -95,6 +95,6 @@ pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(S
     formula::formulas(text, known).map_err(|why| refused(&why, option))
 }
 
-pub(super) fn refused(why: &NoFormula, option: &str) -> Refusal {
+fn refused(why: &NoFormula, option: &str) -> Refusal {
     Refusal::reports(why.report(option))
 }

@@ -25,7 +25,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
                 sup { "−" (ERROR_EXPONENT) } ", and at an exact one."
             }
             @for one in &claimed.claims {
-                (claim(&ClaimShown::of(claimed, one, Some(&Latex)), report.variables.len(), &html! {}))
+                (claim(&ClaimShown::of(claimed, one, &Latex), report.variables.len(), &html! {}))
             }
         }
         @if !report.structure.hamiltonians.is_empty() {

@@ -1,7 +1,7 @@
 //! What an observer says of orbits over one range, as a curve, or over two, in colours.
 
 use kahan_latex::symbol;
-use kahan_study::{Axis, Kept, Observable, Observe, Over, OverFound, Question, Through, Varied};
+use kahan_study::{Axis, Kept, Observable, Over, OverFound, Question, Shade, Through, Varied};
 
 use super::{Look, Picture};
 use crate::plot::{Grid, Mark, Marks, NumberLine, Plot, Series};
@@ -33,23 +33,28 @@ fn logarithm(value: f64) -> f64 {
 }
 
 impl Chart {
-    /// What the first observable of [`Observe`] says of orbits over one or two ranges, the last
-    /// axis of the question to the right. A cell is empty where its orbit leaves the range of
-    /// doubles or escapes, and under `escape` where it does neither.
+    /// A column of the one observable of [`Observe`](kahan_study::Observe) over one or two ranges,
+    /// the last axis of the question to the right. A cell is empty where its orbit leaves the range
+    /// of doubles or escapes, and under `escape` where it does neither.
     ///
     /// # Panics
     /// If the question is another, or something goes through other values than a range's.
     #[must_use]
-    pub fn of(asked: &Over, found: &OverFound) -> Self {
+    pub fn of(asked: &Over, found: &OverFound, shade: &Shade) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
         let axis = |axis: &Varied| match &axis.through {
             Through::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
             other => panic!("a chart goes through ranges, and not {other:?}"),
         };
         let axes: Vec<Axis> = asked.over.iter().rev().map(axis).collect();
-        let column = observe.observe[0].name();
-        let (values, ended) = values(observe, axes.len(), found);
-        let values = values.into_iter().map(Self::scale(column)).collect();
+        let is_key = shade.column == shade.observable.key();
+        let column = if is_key { shade.observable.name() } else { &shade.column };
+        let values = shade.values(&found.rows).into_iter().map(Self::scale(column)).collect();
+        let ends = &found.rows.values[1 + axes.len()..];
+        let [Kept::Text(ended), Kept::Integer(steps), ..] = ends else {
+            unreachable!("how an orbit ended is a word and a count")
+        };
+        let ended = ended.iter().cloned().zip(steps.iter().copied()).collect();
         let bounds = found.columns.iter().position(|name| name == "passed_poles_lower_bound");
         let is_lower_bound = match bounds.map(|place| &found.rows.values[place]) {
             Some(Kept::F64(bounds)) => bounds.contains(&1.0),
@@ -154,35 +159,6 @@ impl Chart {
 fn quantity(column: &str) -> String {
     let observable = Observable::of_column(column).filter(|one| [one.name(), one.key()].contains(&column));
     observable.and_then(Observable::label).map_or_else(|| symbol(column), str::to_owned)
-}
-
-/// What each cell shows, row by row from below, not a number where it is empty; and how its orbit
-/// ended after how many steps.
-fn values(asked: &Observe, axes: usize, found: &OverFound) -> (Vec<f64>, Vec<(String, i64)>) {
-    let first = 1 + axes;
-    let [Kept::Text(ended), Kept::Integer(steps)] = &found.rows.values[first..first + 2] else {
-        unreachable!("how an orbit ended is a word and a count")
-    };
-    let columns: Vec<&Vec<f64>> = found.rows.values[first + 2..]
-        .iter()
-        .map(|kept| match kept {
-            Kept::F64(numbers) => numbers,
-            other => unreachable!("what is observed is a number, and not {other:?}"),
-        })
-        .collect();
-    let value = |cell: usize| match asked.observe[0] {
-        // An orbit that leaves the range is beyond any size; without a step there is no orbit.
-        Observable::Escape if ended[cell] == "range" && steps[cell] > 0 => (steps[cell] + 1) as f64,
-        Observable::Escape => columns[0][cell],
-        // Of each integral the greatest, and behind it the last.
-        Observable::Drift if ended[cell] == "complete" => {
-            columns.iter().step_by(2).map(|column| column[cell]).fold(0.0, f64::max)
-        }
-        _ if ended[cell] == "complete" => columns[0][cell],
-        _ => f64::NAN,
-    };
-    let values = (0..steps.len()).map(value).collect();
-    (values, ended.iter().cloned().zip(steps.iter().copied()).collect())
 }
 
 /// A chart over one range or two.

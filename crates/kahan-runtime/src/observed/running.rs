@@ -139,7 +139,7 @@ observables! {
         MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report()),
         About::new("log_det", Of::Orbit, &[
             ("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
-        ]).of_tangent_vectors().usual();
+        ]).of_tangent_vectors().usual().colour("sum of all exponents per unit of t");
     Fli, "The fast Lyapunov indicator.",
         Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => Seen::Number(one.report()),
         About::new("fli", Of::Orbit, &[("fli", "fast Lyapunov indicator")])

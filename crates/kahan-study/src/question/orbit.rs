@@ -20,13 +20,13 @@ use kahan_runtime::End;
 use kahan_runtime::interpreted::UnsupportedDimension;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::error::StudyError;
+use crate::error::{Spelling, StudyError};
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
 use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, Values, free_name};
 use crate::study::Study;
 
-use super::{one, usual_order};
+use super::{Observable, one, usual_order};
 
 pub use chain::{Chain, ChainHead};
 use maps::Moving;
@@ -132,39 +132,54 @@ pub enum NoOrbit {
     Flow(UnsupportedDimension),
 }
 
-impl fmt::Display for NoOrbit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl NoOrbit {
+    pub(crate) fn tell(self, f: &mut fmt::Formatter<'_>, set: Spelling) -> fmt::Result {
+        let [projective, reembed, order] = ["projective", "reembed", "order"].map(|name| set(name, ""));
         match self {
-            Self::Irrational(order) => write!(
-                f,
-                "order {order} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
-                 scalar f64, or order 2, which is exact"
-            ),
+            Self::Irrational(asked) => {
+                let (asked, f64, kahan) = (set("order", &asked.to_string()), set("scalar", "f64"), set("order", "2"));
+                write!(
+                    f,
+                    "{asked} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
+                     {f64}, or {kahan}, which is exact"
+                )
+            }
             Self::ProjectiveOrder => {
-                f.write_str("projective follows Kahan's map itself, not compositions; leave order out")
+                write!(f, "{projective} follows Kahan's map itself, not compositions; leave {order} out")
             }
             Self::ProjectiveMethod => {
-                f.write_str("projective follows Kahan's map itself, not other methods; leave method out")
+                let method = set("method", "");
+                write!(f, "{projective} follows Kahan's map itself, not other methods; leave {method} out")
             }
-            Self::OwnOrder(method) => write!(
-                f,
-                "method {} has an order of its own, and order is of compositions of Kahan's map; leave order out",
-                method.name()
-            ),
+            Self::OwnOrder(method) => {
+                let method = set("method", method.name());
+                write!(
+                    f,
+                    "{method} has an order of its own, and order is of compositions of Kahan's map; leave {order} out"
+                )
+            }
             Self::ExactFlow => {
-                f.write_str("method flow is a series, whose sum is no exact number; use scalar dd")
+                let (flow, dd) = (set("method", "flow"), set("scalar", "dd"));
+                write!(f, "{flow} is a series, whose sum is no exact number; use {dd}")
             }
-            Self::Reembed => f.write_str(
-                "reembed projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
-                 projective, method and scalar out",
-            ),
-            Self::OfTheMap(name) => write!(
+            Self::Reembed => write!(
                 f,
-                "reembed projects steps onto the relations of a lifted field, and {name} is of the map without that: of its \
-                 derivative or its poles; leave reembed out, or observe final, drift, extrema, rotation or escape alone"
+                "{reembed} projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, \
+                 and leave projective, method and scalar out"
             ),
-            Self::Projective(why) => write!(f, "projective: {why}"),
-            Self::Flow(why) => write!(f, "method flow: {why}"),
+            Self::OfTheMap(name) => {
+                let of_points = Observable::ALL.iter().filter(|one| one.is_of_points()).map(|one| one.name());
+                let of_points: Vec<&str> = of_points.collect();
+                let (last, others) = of_points.split_last().expect("there are some");
+                let others = others.join(", ");
+                write!(
+                    f,
+                    "{reembed} projects steps onto the relations of a lifted field, and {name} is of the map without that: of \
+                     its derivative or its poles; leave {reembed} out, or observe {others} or {last} alone"
+                )
+            }
+            Self::Projective(why) => write!(f, "{projective}: {why}"),
+            Self::Flow(why) => write!(f, "{}: {why}", set("method", "flow")),
         }
     }
 }
@@ -370,8 +385,8 @@ impl Orbit {
             let course = Course { arithmetic, columns: &all, eps, steps: self.steps, every: self.every };
             let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
             match course.hand_on(&mut *points, range, &mut chosen, watch) {
-                Ok(()) => Ending { end: End::Complete, step: self.steps, why: None },
-                Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
+                Ok(()) => Ending::plain(End::Complete, self.steps),
+                Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
             }
         };

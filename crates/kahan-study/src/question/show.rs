@@ -8,6 +8,7 @@ use kahan_algebra::render::{
     Formulas, MatrixText, Notation, Text, claim_statement, claim_text, condition_note, condition_statement,
     condition_text, macro_block,
 };
+use kahan_algebra::syntax::ClaimBody;
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::Watch;
 use kahan_latex::Latex;
@@ -132,10 +133,13 @@ pub struct ClaimShown {
     pub nonzero: String,
     /// Where the catalog has it from.
     pub source: Option<&'static str>,
-    /// In another notation its formulas, left and right side; none in the language of `kahan!`.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    /// Its formulas in the notation of the sheet, left and right side: a function; of a drift the
+    /// function and its next value; of a bracket an entry for each of [`pairs`](Self::pairs).
     pub equations: Vec<(String, String)>,
-    /// In another notation the relations under which it is made.
+    /// Of a bracket the two variables of each equation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<[String; 2]>,
+    /// The relations under which it is made, in the notation of the sheet.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub condition: String,
 }
@@ -170,10 +174,9 @@ impl Show {
         let at_zero = system.field.depends_on_eps().then(|| system.at_eps(&Rational::ZERO)).flatten();
         let flow = at_zero.as_ref().map_or(&system.field, |at_zero| &at_zero.field);
         let of_flow = Formulas { field: flow, map: None, notation };
-        let of_claims = Some(notation).filter(|_| self.form != Form::Text);
         let claims = system.claims.iter().map(|claim| ClaimShown {
             source: study.source(&claim.name.text),
-            ..ClaimShown::of(&system, claim, of_claims)
+            ..ClaimShown::of(&system, claim, notation)
         });
         let mut sheet = Sheet {
             system: study.name().to_owned(),
@@ -200,9 +203,15 @@ impl Show {
 }
 
 impl ClaimShown {
-    /// A claim of a system, its formulas in another notation than the language of `kahan!`, too.
+    /// A claim of a system, its formulas in a notation.
     #[must_use]
-    pub fn of(system: &System, claim: &Claim, notation: Option<&dyn Notation>) -> Self {
+    pub fn of(system: &System, claim: &Claim, notation: &dyn Notation) -> Self {
+        let pairs = match &claim.body {
+            ClaimBody::Tensor(entries) => {
+                entries.iter().map(|entry| [&entry.row, &entry.column].map(|name| name.text.clone())).collect()
+            }
+            _ => Vec::new(),
+        };
         ClaimShown {
             name: claim.name.text.clone(),
             kind: claim.kind.keyword(),
@@ -210,10 +219,9 @@ impl ClaimShown {
             when: condition_text(system, claim),
             nonzero: condition_note(system, claim),
             source: None,
-            equations: notation.map(|notation| claim_statement(claim, notation)).unwrap_or_default(),
-            condition: notation
-                .map(|notation| condition_statement(system, claim, notation))
-                .unwrap_or_default(),
+            equations: claim_statement(claim, notation),
+            pairs,
+            condition: condition_statement(system, claim, notation),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Why there is no reference, in words.
 
 use super::PART_OF_TOLERANCE;
+use crate::error::{Spelling, by_name};
 
 /// Why there is no reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +34,12 @@ pub enum NoReference {
 
 impl core::fmt::Display for NoReference {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.tell(f, by_name)
+    }
+}
+
+impl NoReference {
+    pub(crate) fn tell(&self, f: &mut core::fmt::Formatter<'_>, spelling: Spelling) -> core::fmt::Result {
         match self {
             Self::Escapes { time } => write!(
                 f,
@@ -43,14 +50,16 @@ impl core::fmt::Display for NoReference {
             Self::TooLong { reached } => write!(
                 f,
                 "the horizon is too long for a reference trajectory: a Taylor series has filled a gibibyte when it reaches \
-                 t = {}; choose a shorter horizon, or ask for the need `integrals`, which takes no reference",
-                Time(*reached, 4)
+                 t = {}; choose a shorter horizon, or ask for {}, which takes no reference",
+                Time(*reached, 4),
+                spelling("need", "integrals")
             ),
             Self::NoTime { reached } => write!(
                 f,
                 "a reference trajectory takes longer than there is time: the series came to t = {}, and a second method has to \
-                 agree with it; give more `seconds`, or choose a shorter horizon",
-                Time(*reached, 4)
+                 agree with it; give more {}, or choose a shorter horizon",
+                Time(*reached, 4),
+                spelling("seconds", "")
             ),
             Self::Disagree { difference, allowed, .. } if *difference < LEAST_DIFFERENCE => write!(
                 f,

@@ -27,7 +27,7 @@ use kahan_dynamics::search::Search;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};
 use serde::{Deserialize, Serialize};
 
-use crate::error::StudyError;
+use crate::error::{Spelling, StudyError, by_name};
 pub use crate::map::CannotRun;
 use crate::map::rate;
 use crate::named::Names;
@@ -155,12 +155,20 @@ pub enum CannotTrade {
 
 impl core::fmt::Display for CannotTrade {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.tell(f, by_name)
+    }
+}
+
+impl CannotTrade {
+    pub(crate) fn tell(&self, f: &mut core::fmt::Formatter<'_>, spelling: Spelling) -> core::fmt::Result {
         match self {
-            Self::CannotRun(why) => why.fmt(f),
-            Self::Reference(why) => why.fmt(f),
-            Self::NoIntegrals => f.write_str(
+            Self::CannotRun(why) => core::fmt::Display::fmt(why, f),
+            Self::Reference(why) => why.tell(f, spelling),
+            Self::NoIntegrals => write!(
+                f,
                 "no integral is claimed without `when`, so there is none to keep; claim one in the field (`integral H = …;`), \
-                 or ask for the need `trajectory`",
+                 or ask for {}",
+                spelling("need", "trajectory")
             ),
         }
     }

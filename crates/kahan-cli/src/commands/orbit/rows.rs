@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Orbit, is_array};
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
+use crate::reading::option;
 
 impl Orbit {
     /// Opens the table, lets it be filled orbit by orbit, closes it.
@@ -59,10 +60,9 @@ impl Orbit {
         let are_several = orbits.len() > 1;
         for (index, orbit) in orbits.into_iter().enumerate() {
             table.begin_orbit(are_several.then_some(index));
-            let mut ending = fill(orbit, &mut table, &prompt)?;
+            let ending = fill(orbit, &mut table, &prompt)?;
             table.written()?;
             prompt.done(self.steps);
-            ending.why = ending.why.map(|why| why.replace("; try ", "; try --"));
             stops.push(ending);
         }
         table.end(&ended(&stops))?;
@@ -81,21 +81,21 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     let entries = [
         ("ended", of_all(|ending| json!(ending.end.name()))),
         ("ended_step", of_all(|ending| json!(ending.step))),
-        ("stopped", of_all(|ending| json!(ending.why))),
+        ("stopped", of_all(|ending| json!(ending.in_words(option)))),
     ];
     entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }
 
 /// The same for standard error: of several orbits, how many ended early, and why the first of them.
 fn complaint(endings: &[Ending]) -> Option<String> {
-    let early = endings.iter().enumerate().filter_map(|(orbit, ending)| Some((orbit, ending.why.as_ref()?)));
-    let mut early = early.peekable();
-    let (orbit, why) = *early.peek()?;
+    let early = endings.iter().enumerate();
+    let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));
+    let (orbit, why) = early.next()?;
     Some(match endings.len() {
-        1 => why.clone(),
+        1 => why,
         count => format!(
             "{} of {count} orbits end early, the first of them is orbit {orbit}: {why}",
-            early.count()
+            1 + early.count()
         ),
     })
 }

@@ -8,7 +8,7 @@ use kahan_draw::answer;
 use kahan_draw::picture::{Chart, Look, Visits, chart};
 use kahan_study::trade::Trade;
 use kahan_study::{
-    Answer, Axis, Discover, Form, Observable, Observe, Over, Poles, Question, Range, Show, ShownOrbit, Study,
+    Answer, Axis, Discover, Form, Observe, Over, Poles, Question, Range, Shade, Show, ShownOrbit, Study,
     StudyError,
 };
 use maud::{Markup, html};
@@ -151,8 +151,9 @@ impl Subject<'_> {
             let range = range.expect("printed numbers make a range");
             Axis { name: name.to_owned(), range }.into()
         });
+        let shade = Shade::named("fli").expect("an observable");
         let observe = Observe::new(eps.clone(), start.clone(), 1000);
-        let observe = Question::Observe(Observe { observe: vec![Observable::Fli], ..observe });
+        let observe = Question::Observe(Observe { observe: vec![shade.observable], ..observe });
         let asked = Over::new(observe, axes.into());
         let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
         let drawn = found.map(|found| {
@@ -160,7 +161,7 @@ impl Subject<'_> {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
             };
-            (chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing, Vec::new(), words)
+            (chart(&Chart::of(&asked, &found, &shade), &Look::on(picture_sheet())).drawing, Vec::new(), words)
         });
         let line = Line::asking(&self.valued.words, &Question::Over(asked));
         figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))

@@ -108,8 +108,8 @@ impl Chain {
         let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps, every };
         let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
         match course.hand_on(&mut points, range, rows, watch) {
-            Ok(()) => Ending { end: End::Complete, step: steps, why: None },
-            Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
+            Ok(()) => Ending::plain(End::Complete, steps),
+            Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
             Err(Halt::Ended(step, _)) => Ending {
                 end: End::Range(step),
                 step,
@@ -119,6 +119,7 @@ impl Chain {
                     self.name,
                     step + 1
                 )),
+                instead: None,
             },
         }
     }

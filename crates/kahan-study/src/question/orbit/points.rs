@@ -239,7 +239,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         }
         Why::StagePole => format!(
             "ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it is {point}; \
-             {kept}; try order 2, which takes no step back"
+             {kept}"
         ),
         Why::NoLimit(singular) => {
             let singular = singular.map_or_else(String::new, |why| format!(": {why}"));
@@ -247,7 +247,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         }
         Why::Range => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} det A = 0 nearly or the numbers are too large. The point \
-             is {point}; {kept}; try scalar exact"
+             is {point}; {kept}"
         ),
         Why::TooLarge => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {point}; {kept}"
@@ -265,5 +265,10 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         Why::Lift(LiftEnds::NotReembedded) => End::Reembed(n),
         _ => End::Range(n),
     };
-    Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")) }
+    let instead = match why {
+        Why::StagePole => Some(["order", "2, which takes no step back"]),
+        Why::Range => Some(["scalar", "exact"]),
+        _ => None,
+    };
+    Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")), instead }
 }

@@ -1,0 +1,93 @@
+//! The number of each orbit that a chart shows.
+//!
+//! In: the name that a front calls a color, and a table with an orbit a row. Out: a number a row. It
+//! must not know pictures.
+
+use kahan_runtime::Observable;
+
+use crate::error::StudyError;
+use crate::question::Observe;
+use crate::rows::{Kept, Table};
+use crate::study::Study;
+
+/// An observable that has one number, or a column of an observable.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shade {
+    /// The observable.
+    pub observable: Observable,
+    /// The name of the column. That of [`Observable::Drift`] itself means the largest of all drifts.
+    pub column: String,
+}
+
+impl Shade {
+    /// Returns the observable of this name that has one number, or the column of this name.
+    /// Whether a field has that column, [`read`](Self::read) knows.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let observable = Observable::of_column(name)?;
+        let column = match observable.label() {
+            _ if name != observable.name() => name,
+            label => label.map(|_| observable.key())?,
+        };
+        Some(Shade { observable, column: column.to_owned() })
+    }
+
+    /// Reads the name of an observable that has one number, or of a column that a field has.
+    ///
+    /// # Errors
+    /// [`StudyError::UnknownColumn`], and [`StudyError::NoIntegral`] for drifts of a field without
+    /// integrals.
+    pub fn read(name: &str, study: &Study) -> Result<Self, StudyError> {
+        let names = |of: Observe| of.columns(study).into_iter().map(|column| column.name).collect::<Vec<_>>();
+        if let Some(shade) = Self::named(name) {
+            let alone = Observe::of(vec![shade.observable], 0);
+            alone.has_integrals(study)?;
+            if shade.is_of_all() || names(alone).contains(&shade.column) {
+                return Ok(shade);
+            }
+        }
+        let known = names(Observe::of(Observable::ALL.to_vec(), 0));
+        Err(StudyError::UnknownColumn { name: name.to_owned(), known })
+    }
+
+    /// Whether it is the largest drift of all integrals.
+    fn is_of_all(&self) -> bool {
+        self.observable == Observable::Drift && self.column == self.observable.name()
+    }
+
+    /// Returns a number for each row of a table in which the observable alone is observed; not a
+    /// number where the orbit ended early. Under [`Observable::Escape`] that is where no variable is
+    /// beyond the size.
+    ///
+    /// # Panics
+    /// If the table is another.
+    #[must_use]
+    pub fn values<'a>(&self, table: &'a Table) -> Vec<f64> {
+        let floats = |kept: &'a Kept| match kept {
+            Kept::F64(numbers) => numbers,
+            other => unreachable!("what is observed is a number, and not {other:?}"),
+        };
+        // A parameter that is gone through may have that name, too.
+        let is_word = |place: &usize| matches!(table.values[*place], Kept::Text(_));
+        let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
+        let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");
+        let [Kept::Text(ended), Kept::Integer(steps), seen @ ..] = &table.values[place_of_end..] else {
+            unreachable!("how an orbit ended is a word and a count")
+        };
+        if self.is_of_all() {
+            // Of each integral the largest drift, and behind it the last.
+            let drifts: Vec<&Vec<f64>> = seen.iter().step_by(2).map(floats).collect();
+            let largest = |row: usize| drifts.iter().map(|drifts| drifts[row]).fold(f64::NAN, f64::max);
+            return (0..ended.len()).map(largest).collect();
+        }
+        let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
+        let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
+        if self.observable == Observable::Escape {
+            // An orbit that leaves the range is beyond any size; without a step there is no orbit.
+            for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
+                values[row] = (steps[row] + 1) as f64;
+            }
+        }
+        values
+    }
+}
