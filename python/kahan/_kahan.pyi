@@ -111,7 +111,7 @@ class Field:
     ) -> tuple[list[str], _Array]: ...
     def _observed(
         self, points: Any, eps: Any, steps: int, of: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
-        every: int = 10, escape: float | None = None, reembed: bool = False, threads: int | None = None,
+        renormalize: int = 10, escape: float | None = None, reembed: bool = False, threads: int | None = None,
         listener: _Listener = None,
     ) -> tuple[list[str], _Array, _Ends]: ...
     def _table(

@@ -384,7 +384,7 @@ class System(Formulas):
         params: Any = None,
         observe: Sequence[str] = (),
         order: int = 2,
-        every: int = 10,
+        renormalize: int = 10,
         escape: float | None = None,
         reembed: bool = False,
         derivatives: Sequence[str] = (),
@@ -402,7 +402,7 @@ class System(Formulas):
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
         fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
-        ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``every``
+        ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``renormalize``
         steps. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
         ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
         NaN where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; drift, extrema,
@@ -457,7 +457,7 @@ class System(Formulas):
             raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
-                                            every=whole(every, "every"), escape=escape, reembed=reembed,
+                                            renormalize=whole(renormalize, "renormalize"), escape=escape, reembed=reembed,
                                             threads=threads, listener=listener(progress))
         count = len(self.variables)
         x = values[:, :count]
@@ -527,7 +527,7 @@ class System(Formulas):
 
     def observe(
         self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
-        observe: Sequence[str] | None = None, order: int = 2, every: int = 10, escape: float | None = None, reembed: bool = False, progress: bool = False,
+        observe: Sequence[str] | None = None, order: int = 2, renormalize: int = 10, escape: float | None = None, reembed: bool = False, progress: bool = False,
     ) -> Answer:
         """What the orbit of a point does; ``observe`` names what is seen, as in ``ensemble``, and nothing else is computed.
 
@@ -535,7 +535,7 @@ class System(Formulas):
         of shape (variables,), and ``mean_log_det`` is their sum. ``lyapunov_error`` and
         ``spectrum_errors`` say by how much each still changes; as far as that, ``lyapunov`` and the first of
         ``spectrum`` agree. Tangent vectors
-        are made orthogonal every ``every`` steps. Three indicators tell chaotic orbits from regular ones:
+        are made orthogonal every ``renormalize`` steps. Three indicators tell chaotic orbits from regular ones:
         ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
         to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
         ``rotation`` has for each variable the turns a step about the middle of its extremes, modulo 1,
@@ -556,7 +556,7 @@ class System(Formulas):
             observe = (observe,)
         of = None if observe is None else [choice(name, "observable") for name in observe]
         found = self._ask("observe", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
-                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, reembed=reembed, observe=of)
+                          order=whole(order, "order"), renormalize=whole(renormalize, "renormalize"), escape=escape, reembed=reembed, observe=of)
         names = [name for name in ("spectrum", "spectrum_errors") if name in found]
         spectrum = {name: np.array(found[name], dtype=float) for name in names}
         return Answer(found | spectrum)

@@ -48,7 +48,7 @@ impl Field {
 
     /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
     /// each orbit, how each ended, and after how many steps. `of` names observables.
-    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, reembed = false, threads = None, listener = None))]
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, renormalize = 10, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
         &self,
@@ -58,7 +58,7 @@ impl Field {
         of: Vec<String>,
         parameters: Vec<Option<Bound<'py, PyAny>>>,
         order: u32,
-        every: u64,
+        renormalize: u64,
         escape: Option<f64>,
         reembed: bool,
         threads: Option<usize>,
@@ -70,13 +70,13 @@ impl Field {
             Observable::named(name).ok_or_else(unknown)
         });
         let of = of.collect::<PyResult<Vec<_>>>()?;
-        if every == 0 {
-            return Err(PyValueError::new_err("every must be 1 or more"));
+        if renormalize == 0 {
+            return Err(PyValueError::new_err("renormalize must be 1 or more"));
         }
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
-        let observe = Observe { every, escape, reembed, ..Observe::of(of, steps) };
+        let observe = Observe { renormalize, escape, reembed, ..Observe::of(of, steps) };
         observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();

@@ -73,6 +73,7 @@ const WORDS: &[&str] = &[
     "\"escape\"",
     "\"rotation\"",
     "every = ",
+    "renormalize = ",
     "escape = ",
     "digits = ",
     "degree = ",

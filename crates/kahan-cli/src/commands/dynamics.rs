@@ -59,7 +59,7 @@ pub(crate) struct Dynamics {
 
     /// Tangent vectors are made orthogonal every M steps.
     #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
-    every: u64,
+    renormalize: u64,
 
     /// End the orbit, as escaped, where a variable is larger than R in size.
     ///
@@ -89,9 +89,9 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, every, escape, stepping, ref observe, .. } = *self;
+        let Dynamics { steps, order, renormalize, escape, stepping, ref observe, .. } = *self;
         let (reembed, observe) = (stepping.reembed, observe.clone());
-        Ok((study, Observe { eps, at, steps, order, every, escape, reembed, observe }))
+        Ok((study, Observe { eps, at, steps, order, renormalize, escape, reembed, observe }))
     }
 
     /// The answers; a complaint where the orbit ends early.

@@ -173,7 +173,7 @@ mod tests {
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([
-            Observe { order: 8, every: 3, escape: Some(12.5), reembed: true, observe: of, ..plain.clone() },
+            Observe { order: 8, renormalize: 3, escape: Some(12.5), reembed: true, observe: of, ..plain.clone() },
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];

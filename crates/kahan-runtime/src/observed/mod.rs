@@ -26,7 +26,7 @@ pub struct Observing<'a> {
     /// The most steps of each orbit.
     pub steps: u64,
     /// Steps between two times that tangent vectors are made orthogonal, at least 1.
-    pub every: u64,
+    pub renormalize: u64,
     /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
     /// The relations of a lifted field, whose tangent vectors are those of its original variables.

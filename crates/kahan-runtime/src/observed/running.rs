@@ -130,7 +130,7 @@ observables! {
             ("lyapunov_error", "how far the exponent has converged, per unit of time"),
         ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
     Spectrum, "All Lyapunov exponents in descending order, per unit of time.",
-        Spectrum<Carrier<'a, T>> = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.every),
+        Spectrum<Carrier<'a, T>> = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.renormalize),
         one => Seen::Spectrum(one.report()),
         About::new("spectrum", Of::Numbers, &[
             ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),

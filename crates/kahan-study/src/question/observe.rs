@@ -45,8 +45,8 @@ pub struct Observe {
     #[serde(default = "usual_order")]
     pub order: u32,
     /// Steps between two times that tangent vectors are made orthogonal.
-    #[serde(default = "usual_every")]
-    pub every: u64,
+    #[serde(default = "usual_renormalize")]
+    pub renormalize: u64,
     /// The size of a variable beyond which the orbit has escaped, and ends; `None` for no bound.
     /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
     #[serde(default)]
@@ -60,7 +60,7 @@ pub struct Observe {
     pub observe: Vec<Observable>,
 }
 
-fn usual_every() -> u64 {
+fn usual_renormalize() -> u64 {
     10
 }
 
@@ -99,8 +99,8 @@ impl Observe {
     /// is usual.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        let (order, every, observe) = (usual_order(), usual_every(), Observable::usual());
-        Observe { eps, at, steps, order, every, escape: None, reembed: false, observe }
+        let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
+        Observe { eps, at, steps, order, renormalize, escape: None, reembed: false, observe }
     }
 
     /// Observes so many steps of orbits whose first points and ε are given beside the question.
@@ -167,7 +167,7 @@ impl Observe {
     /// The same with what observers need to know.
     pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
         let relations = study.relations();
-        Observing { of, steps: self.steps, every: self.every, escape: self.escape, relations }
+        Observing { of, steps: self.steps, renormalize: self.renormalize, escape: self.escape, relations }
     }
 
     /// The columns of a table that hold what is observed in a field, an orbit a row.
@@ -279,8 +279,8 @@ impl Observe {
             let refused = self.observe.iter().find(|one| !one.is_of_points());
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
         }
-        if self.every == 0 {
-            return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
+        if self.renormalize == 0 {
+            return Err(StudyError::NotPositive { what: "renormalize", value: Rational::zero() });
         }
         Composition::of_order(self.order).ok_or(StudyError::Order(self.order))
     }
