@@ -67,6 +67,8 @@ pub enum NoPeriodicPoint {
         /// The largest |φ(xᵢ) − xᵢ₊₁| that was left.
         residual: f64,
     },
+    /// Cycles of the flow form a family here, so that ε does not follow from the number of steps.
+    Family,
 }
 
 impl fmt::Display for NoPeriodicPoint {
@@ -82,6 +84,10 @@ impl fmt::Display for NoPeriodicPoint {
                     "Newton's method comes no nearer to a cycle than {residual:.1e}; begin nearer to one"
                 )
             }
+            Self::Family => f.write_str(
+                "cycles of the flow form a family here, as those of conservative fields do, so that the number of \
+                 steps does not tell eps",
+            ),
         }
     }
 }
@@ -90,7 +96,7 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// What is left where a cycle is closed, relative to its size, or that of the point it was found
 /// from.
-const CLOSED: f64 = 1e-11;
+pub(super) const CLOSED: f64 = 1e-11;
 /// How far a multiplier of size 1 may be from it where the derivative is not large, as a double
 /// eigenvalue loses half the digits.
 const CIRCLE: f64 = 1e-6;

@@ -24,6 +24,7 @@
 mod branch;
 mod compiled;
 mod cycle;
+mod flow;
 mod newton;
 #[cfg(test)]
 mod tests;
@@ -36,6 +37,7 @@ use kahan_core::{Scalar, Step, Workspace};
 
 pub use branch::{Branch, BranchPoint, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
+pub use flow::{FlowCycle, flow_cycle};
 pub use turns::{Change, Turn};
 
 /// A map with its derivative.
