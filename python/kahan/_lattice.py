@@ -12,7 +12,7 @@ from ._arrays import named
 from ._errors import Named, needed, spelled
 from ._exact import Number, half_step, nearest, whole
 from ._kahan import Chain
-from ._orbit import Array, Frame, _end
+from ._orbit import Array, Frame, Stepped, _end
 from ._progress import listener
 
 if TYPE_CHECKING:
@@ -115,43 +115,25 @@ class Lattice(Chain):
 
 
 @spelled
-class LatticeOrbit(Frame):
-    """The states of an orbit of a lattice: ``x[k]`` is the state after ``n[k]`` steps, and ``x[k][..., i, :]`` its site i."""
+class LatticeOrbit(Frame, Stepped):  # type: ignore[misc]
+    """The states of an orbit of a lattice: ``x[k]`` is the state after ``n[k]`` steps, and ``x[k][..., i, :]`` its site i.
+
+    ``ended`` is ``"complete"`` where all steps were made, and ``"range"`` where the next state is not finite.
+    """
 
     system: Lattice
     """The lattice."""
     x: Array
     """The states, of shape (rows, sites) or (rows, sites, arrays); of arrays of states with their axes after the first."""
-    every: int
-    """Steps from row to row."""
-    steps: int
-    """The steps to the last state that is finite."""
-    ended: str
-    """``"complete"`` where all steps were made, and ``"range"`` where the next state is not finite."""
 
     def __init__(self, system: Lattice, x: Array, every: int, steps: int, ended: str) -> None:
         self.system, self.x, self.every, self.steps, self.ended = system, x, every, steps, ended
-
-    @property
-    def states(self) -> Array:
-        """The states, ``x``, which an array may be called, too."""
-        return self.x
-
-    @property
-    def n(self) -> Array:
-        """The number of steps that leads to each row."""
-        return self.every * np.arange(len(self.x))
 
     @property
     def t(self) -> Array:
         """The time of each row, 2 eps n."""
         times: Array = 2 * nearest(self.system._call[2], "eps") * self.n
         return times
-
-    @property
-    def ended_step(self) -> int:
-        """The steps to the last state, ``steps``."""
-        return self.steps
 
     @cached_property
     def invariants(self) -> dict[str, Array]:

@@ -138,8 +138,36 @@ class Frame(Table, dict[str, Array]):  # type: ignore[misc]
     __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _fixed
 
 
+class Stepped(Table):
+    """A table with a row after every so many steps of one orbit."""
+
+    x: Array
+    """The points or states, of which the first is the start."""
+    every: int
+    """Steps from row to row."""
+    steps: int
+    """The steps that were made; fewer than were asked where the orbit ends."""
+    ended: str
+    """Why it goes no further."""
+
+    @property
+    def states(self) -> Array:
+        """The points, ``x``, which a variable may be called, too."""
+        return self.x
+
+    @property
+    def n(self) -> Array:
+        """The number of steps that leads to each row."""
+        return self.every * np.arange(len(self.x))
+
+    @property
+    def ended_step(self) -> int:
+        """The steps to the last point, ``steps``."""
+        return self.steps
+
+
 @spelled
-class Orbit(Table):
+class Orbit(Stepped):
     """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
 
     ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
@@ -157,12 +185,6 @@ class Orbit(Table):
     """The points, of shape (rows, variables); the first is the start."""
     x_low: Array | None = None
     """What the points lack, where they are double-doubles: these are ``x + x_low``."""
-    every: int
-    """Steps from row to row."""
-    steps: int
-    """The steps that were made; fewer than were asked where the orbit ends."""
-    ended: str
-    """Why it goes no further."""
     why: str | None = None
     """The end in words, where a lifted field ends the orbit."""
     _order: int | None = None
@@ -177,16 +199,6 @@ class Orbit(Table):
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended, self.derivatives = steps, ended, in_order((), (), x)
         self._integrals, self._in_all = integrals, in_all
-
-    @property
-    def states(self) -> Array:
-        """The points, ``x``, which a variable may be called, too."""
-        return self.x
-
-    @property
-    def n(self) -> Array:
-        """The number of steps that leads to each row."""
-        return self.every * np.arange(len(self.x))
 
     @property
     def t(self) -> Array:
@@ -242,11 +254,6 @@ class Orbit(Table):
         found = dict(system._gradient(self.x[0], float(self.eps), given, every=self.every, order=self._order,
                                       listener=listener(progress)))
         return {name: found[name] for name in by}
-
-    @property
-    def ended_step(self) -> int:
-        """The steps to the last point, ``steps``."""
-        return self.steps
 
     def __repr__(self) -> str:
         end = _end(self.ended, self.steps) if self.why is None else f", {self.why}"

@@ -452,6 +452,9 @@ class System(Formulas):
             observe = (observe,)
         if out is not None and observe:
             raise ValueError("out is for ensembles without observers")
+        # An integral that is claimed under a condition may hold for some of the trajectories.
+        if "drift" in observe and not self.integrals:
+            raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
                                             every=whole(every, "every"), escape=escape, reembed=reembed,
@@ -500,8 +503,8 @@ class System(Formulas):
         """The answer to any question by its name, with its parts as in JSON: numbers, text, lists and dicts.
 
         >>> import kahan
-        >>> kahan.System("xdot = x^2;").ask("heights", eps="1/2", at=["1/3"], steps=2).variables
-        ['x']
+        >>> kahan.System("xdot = x^2;").ask("heights", eps="1/2", at=["1/3"], steps=2).steps
+        2
         """
         return Answer(self._ask(question, progress, **parts))
 
@@ -604,7 +607,7 @@ class System(Formulas):
         eps = half_step(eps, dt, is_needed="eps" not in over)
         seen, column = observable(color) or (None, color)
         if seen is None:
-            raise ValueError(f"color: {unknown('column', color, self._columns())}")
+            raise ValueError(f"color: {unknown('column', color, self._observable_columns())}")
         question = {"ask": "observe", "at": self._point(x), "steps": whole(steps, "steps"), "order": whole(order, "order"),
                     "escape": escape, "reembed": reembed, "observe": [seen], "over": axes}
         if eps is not None:
@@ -614,7 +617,7 @@ class System(Formulas):
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
-            raise ValueError(f"color: {unknown('column', color, self._columns())}")
+            raise ValueError(f"color: {unknown('column', color, self._observable_columns())}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
         along = {}

@@ -47,7 +47,7 @@ impl Field {
     }
 
     /// The names of all columns of observables.
-    #[pyo3(name = "_columns")]
+    #[pyo3(name = "_observable_columns")]
     fn observed_columns(&self) -> Vec<String> {
         let all = Observe::of(Observable::ALL.to_vec(), 0).columns(self.study());
         all.into_iter().map(|column| column.name).collect()
@@ -84,8 +84,7 @@ impl Field {
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
         let observe = Observe { every, escape, reembed, ..Observe::of(of, steps) };
-        let fits = observe.composition(self.study()).and_then(|_| observe.has_integrals(self.study()));
-        fits.map_err(|error| of_study(py, &error))?;
+        observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
         let (count, from) = (points.shape()[0], points.as_slice()?);

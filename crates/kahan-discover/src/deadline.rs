@@ -184,7 +184,9 @@ mod tests {
         assert!(far.passed() && far.has_stopped() && far.left() == 0.0);
         let ticks = clock.ticks();
         work.show(&Progress::stage("three"));
-        work.found(ClaimKind::Integral, "integral H = x;");
+        let tokens = kahan_algebra::lexer::lex("xdot = 0; integral H = x;").tokens;
+        let system = kahan_algebra::read_unproved(&tokens).system().expect("a system");
+        work.found(&system.claims[0], "integral H = x;");
         assert!(Deadline::after(&work, 1e9).passed());
         assert_eq!((clock.looks(), clock.ticks(), clock.findings()), (4, ticks, 0));
     }

@@ -2,9 +2,9 @@
 //! orbits close, how far it is from the solution of the equation.
 //!
 //! In: maps of `kahan-core`, or any [`Step`](kahan_core::Step) with its derivative. Out: a
-//! [`Setting`] for a [`Scene`], found by a [`search`] that takes other prices, too; cycles and their
-//! branches ([`periodic`]), a [`Flow`]. It must not know where a map comes from: texts, plans and
-//! machine code are `kahan-runtime`'s.
+//! [`Setting`] for a [`Scene`], found by a [`search`] that takes other prices, too; cycles and
+//! their branches ([`periodic`]), a [`Flow`]. It must not know where a map comes from: texts, plans
+//! and machine code are `kahan-runtime`'s.
 //!
 //! ```
 //! use kahan_core::prelude::*;

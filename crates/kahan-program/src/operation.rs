@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation on other operands, in a program that may have other inputs, constants and
-    /// functions. `None` for an input, a constant and a call.
+    /// Returns the operation on other operands, in a program that may have other inputs, constants
+    /// and functions. `None` for an input, a constant and a call.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,

@@ -153,8 +153,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances a state that fits, and its `carry` unless that is empty: by code, and by the
-    /// interpreter where there is none, or its guard refuses the steps.
+    /// Advances a state that fits, and its `carry` unless that is empty. Machine code makes the
+    /// steps; the interpreter makes them where there is no code or where its guard refuses them.
     fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);

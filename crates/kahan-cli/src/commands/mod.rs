@@ -10,9 +10,9 @@ use kahan_study::Question;
 use crate::printing::{Answer, Refusal};
 use line::{Asking, Line};
 
-/// Makes of the commands, each in a module of its name, what is common to all: the modules; `GROUPS`, the
-/// commands by what they are for, as `kahan --help` lists them; what clap reads; what runs, where
-/// `$whole` makes the command line; and the call that asks a question.
+/// Declares the commands, each in a module of its name. The macro writes `GROUPS`, the groups of
+/// commands as `kahan --help` lists them; the type that clap reads; the function that runs a
+/// command, where `$whole` makes the command line; and the call that asks a question.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident

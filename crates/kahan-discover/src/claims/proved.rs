@@ -1,8 +1,10 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
-//! What is printed is what was proved: the text of the claim is read as one about the field and goes
-//! through the prover of claims, or states exactly a formula that a theorem proves. A formula that
-//! does not pass is not returned. The claim that was read goes on as a value beside its text.
+//! Proofs of found formulas, so that every printed claim is a proved one.
+//!
+//! The text of a claim is read as one about the field and goes through the prover of claims, or it
+//! states exactly a formula that a theorem proves. A formula that does not pass is not returned.
+//! The claim that was read goes on as a value beside its text.
 
 use std::slice::from_ref;
 

@@ -161,8 +161,8 @@ impl Tables {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Brings a column of a matrix into the order of elimination, lets `solve` replace it, and takes
-    /// it back.
+    /// Brings a column of a matrix into the order of elimination, lets `solve` replace it, and
+    /// takes it back.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,

@@ -256,7 +256,7 @@ impl Engine {
         divides
     }
 
-    /// Runs so many steps of all stages, each in its own registers and by the kind of its form.
+    /// Runs `steps` steps of all stages, each in its own registers and by the kind of its form.
     #[inline(always)]
     pub(crate) fn run<V: Scalar + Copy>(
         &self,

@@ -141,8 +141,8 @@ impl Step {
         }
     }
 
-    /// Advances a state by a step of a kind. A `carry` that is not empty holds what the state lacks,
-    /// and is advanced by the operations of
+    /// Advances a state by a step of a kind. A `carry` that is not empty holds the rounding errors of
+    /// the state, and is advanced by the operations of
     /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
     /// each number once where a wider precision serves a state of single precision. A step that
     /// eliminates factors A(x,ε) by `factor`, which is [`Tables::factor`] in all but programs that

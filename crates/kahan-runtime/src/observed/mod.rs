@@ -45,9 +45,9 @@ impl Observing<'_> {
 
 /// A float of the machine whose orbits are observed.
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
-    /// What is seen of the orbit of `start`, which goes as far as its points are finite and within
-    /// the bound. It is made by `step`, or by the map where that is `None`; observers take what they
-    /// need from the map. `tell` hears of steps, and may stop the orbit.
+    /// Observes the orbit of `start`, which ends where its points are not finite or are beyond the
+    /// bound. `step` makes the orbit, or the map where that is `None`; observers always ask the map.
+    /// `tell` hears of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if the start has not an entry a variable.

@@ -154,7 +154,7 @@ fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, Study
 
 impl Discovered {
     /// The proved claims, each with its line: integrals, densities, brackets and drifts.
-    fn claims(&self) -> impl Iterator<Item = (&str, &Claim)> {
+    pub fn claims(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let Report { integrals, densities, brackets, drifts, .. } = &self.report;
         let formulas = integrals.iter().chain(densities).map(|formula| (&*formula.text, &formula.claim));
         let brackets = brackets.iter().map(|bracket| (&*bracket.text, &bracket.claim));

@@ -4,9 +4,9 @@
 //! reads itself from JSON, where `ask` names it: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
 //! 3]}`; a name that it does not have is a mistake.
 //!
-//! Each question has a file, with what is asked, what is answered, and `ask`, and where it can be
-//! asked over axes, what its row has there. Its line in the list below makes of it what is common to
-//! all, its module and public names among that.
+//! Each question has a file with its fields, its answer and `ask`, and with the entries of its row
+//! where it can be asked over axes. Its line in the list below declares the module, exports its
+//! public names, and adds it to [`Question`] and [`Answer`].
 
 mod over;
 

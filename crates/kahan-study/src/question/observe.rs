@@ -55,7 +55,7 @@ pub struct Observe {
     /// its variables.
     #[serde(default)]
     pub reembed: bool,
-    /// What is observed, and nothing else is computed, by default what is [usual](Observable::usual).
+    /// The observables, by default the [usual](Observable::usual) ones; no other is computed.
     #[serde(default = "Observable::usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub observe: Vec<Observable>,
 }

@@ -297,7 +297,7 @@ impl<'a> Ladders<'a> {
             let stand_in = Runner::stand_in(clock)?;
             Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
-        // What the reference may err by is not there to be used.
+        // The possible error of the reference is taken off the tolerance.
         let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
         let tolerance = scene.tolerance() - certified;
         let measuring = Measuring {

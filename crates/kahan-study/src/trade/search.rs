@@ -19,7 +19,7 @@ const UNEVEN: f64 = 1e-11;
 /// A search, and the schemes that cannot serve: their errors fall no further.
 pub(super) struct Ladders<'a> {
     pub(super) search: Search<Measuring<'a>>,
-    /// What a measured error may be.
+    /// The largest measured error that serves.
     pub(super) tolerance: f64,
     pub(super) stalled: Vec<Scheme>,
 }

@@ -29,7 +29,8 @@ macro_rules! machine {
         // SAFETY: the instructions exist here. Values and functions of a lane type are reached only
         // from `avx2`, `avx512`, `work_on_avx2` and `work_on_avx512`, which are called after the
         // processor was asked (see the module above), or are of SSE2, part of x86-64; the fused
-        // operations on SSE2 registers are compiled only where the whole program is compiled for FMA.
+        // operations on SSE2 registers are compiled only where the whole program is compiled for
+        // FMA.
         unsafe { $expression }
     };
 }

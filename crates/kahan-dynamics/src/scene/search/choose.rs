@@ -14,21 +14,20 @@ pub(super) const COUNTED: Rules = Rules {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // So that there is some time for what vouches.
+    // The trial that confirms the flow needs time, too.
     share: 0.45,
 };
-/// A trial vouches for the flow that comes so many times nearer to it than the tolerance: two
-/// methods that are independent, and agree.
+/// A trial in `Dd` confirms the reference flow if its error is smaller than the tolerance by this
+/// factor: two independent methods then agree.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
 /// The most rungs of a ladder that begins where another felt roundings.
 const MORE_RUNGS: usize = 5;
 
-/// What is tried first.
+/// The numbers of the first trials, plain `f64`.
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
 /// `Dd`, whose roundings are never seen.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// What a single orbit may be chosen to run in besides plain `f64`. Not `f32`, for which it waits
-/// as long.
+/// Numbers for a single orbit besides plain `f64`. `f32` is left out, since its steps take as long.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
 /// Those of them in `f64`.
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];

@@ -49,7 +49,7 @@ impl Gain {
     }
 }
 
-/// What a ladder has shown.
+/// The result of a ladder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Climb {
     /// Whether some rung gained as the law has it.

@@ -1,11 +1,11 @@
 //! A search for the cheapest setting, in as few trials as make the answer clear.
 //!
-//! In: [`Trials`], which tell the error of so many steps, and what a step of each scheme costs:
-//! operations counted by the plans ([`Scene::choose`](crate::Scene::choose)), or nanoseconds
-//! measured (`kahan trade`). Out: the cheapest setting that was seen to serve. A
-//! [ladder](Search::ladder) tries more and more steps of a scheme; [`refine`](Search::refine) looks
-//! between the last rung that fails and the first that serves, by the law error ∝ ε^order. The law
-//! says only what to try next: what is chosen has been tried.
+//! In: [`Trials`], which return the error of a setting and the price of a step: operations counted
+//! by the plans ([`Scene::choose`](crate::Scene::choose)), or nanoseconds measured (`kahan trade`).
+//! Out: the cheapest setting whose measured error serves. A [ladder](Search::ladder) tries more and
+//! more steps of a scheme. [`refine`](Search::refine) looks between its last rung that fails and
+//! the first that serves, by the law error ∝ ε^order. The law proposes trials; the chosen setting
+//! is always one that was tried.
 
 mod choose;
 mod ladder;
@@ -32,7 +32,7 @@ const TRIALS: usize = 5;
 
 /// Settings run, and the price of their steps.
 pub trait Trials {
-    /// The setting to take where about so many steps are wanted.
+    /// Returns the setting of a scheme with about this number of steps.
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
     /// The error of a setting; infinite where it is beyond use, `None` where finding out takes more
@@ -91,18 +91,18 @@ impl<L: Trials> Search<L> {
         Self { trials, tolerance, rules, tried: Vec::new(), is_rough: false }
     }
 
-    /// What runs the settings.
+    /// Returns the trials.
     #[must_use]
     pub const fn trials(&self) -> &L {
         &self.trials
     }
 
-    /// What runs the settings, to be changed.
+    /// Returns the trials, mutably.
     pub const fn trials_mut(&mut self) -> &mut L {
         &mut self.trials
     }
 
-    /// Gives back what ran the settings.
+    /// Returns the trials and ends the search.
     #[must_use]
     pub fn into_trials(self) -> L {
         self.trials
@@ -132,7 +132,7 @@ impl<L: Trials> Search<L> {
         self.rules.enough * self.tolerance
     }
 
-    /// Makes a trial of about so many steps, or remembers it.
+    /// Tries a setting with about this number of steps, or returns its earlier trial.
     fn trial(&mut self, scheme: Scheme, steps: u64, share: f64) -> Option<Setting> {
         let setting = self.trials.setting(scheme, steps);
         let known = self.tried.iter().find(|trial| trial.scheme == scheme && trial.steps == setting.steps);
