@@ -5,18 +5,19 @@
 //! hyperbolic cycle of the flow it has an invariant curve, on which it turns by an angle that
 //! depends on ε. The points close up at the ε whose angle is a full turn in N steps.
 
-use kahan_core::nalgebra::{DMatrix, DVector};
+use kahan_core::nalgebra::{Complex, DVector};
 
 use super::Parametric;
+use super::condensed::{Condensed, Solution, along};
 use super::cycle::{CLOSED, NoPeriodicPoint, PeriodicPoint};
-use super::newton::{NOTHING, defect, least_norm};
+use super::newton::defect;
 use super::unit::{self, InUnits, Unit};
 
 /// A cycle of the flow, followed by N steps of the map.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlowCycle {
-    /// The points, and their multipliers, one of which is that of the direction of the flow, 1.
+    /// The points, and their multipliers but for that of the direction of the flow, which is 1.
     pub cycle: PeriodicPoint,
     /// Half the time step at which N steps close up.
     pub eps: f64,
@@ -89,20 +90,12 @@ pub fn flow_cycle<M: Parametric>(
     Search::from(&map, points, eps)?.run()
 }
 
-/// Newton's method for the points, in units of their size, and ε.
+/// Newton's method for the points, in units of their size, and behind them ε, in units of the first.
 struct Search<'a, F> {
     map: &'a F,
     unit: Unit,
-    points: DVector<f64>,
     eps: f64,
-}
-
-/// A Newton step, and how far its equations are from having several solutions: the ratio of the
-/// smallest singular value to the largest.
-struct Correction {
-    points: DVector<f64>,
-    eps: f64,
-    rank: f64,
+    place: DVector<f64>,
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
@@ -111,79 +104,114 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
             return Err(NoPeriodicPoint::NotFinite);
         }
         let unit = Unit::of(unit::size(&points));
-        let points = DVector::from_iterator(points.len(), points.iter().map(|x| x / unit.length));
-        Ok(Search { map, unit, points, eps })
+        let place = points.iter().map(|x| x / unit.length).chain([1.0]).collect();
+        Ok(Search { map, unit, eps, place: DVector::from_vec(place) })
     }
 
-    fn map_at(&self, eps: f64) -> InUnits<M> {
-        InUnits { map: (self.map)(eps), unit: self.unit }
+    fn points(place: &DVector<f64>) -> &[f64] {
+        &place.as_slice()[..place.len() - 1]
+    }
+
+    fn map_at(&self, place: &DVector<f64>) -> InUnits<M> {
+        InUnits { map: (self.map)(self.eps * place[place.len() - 1]), unit: self.unit }
+    }
+
+    fn gaps(&self, place: &DVector<f64>) -> Option<DVector<f64>> {
+        // A step backwards would be another search.
+        let is_ahead = place[place.len() - 1] > 0.0;
+        is_ahead.then(|| defect(&self.map_at(place), Self::points(place)))?
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         /// Newton's method doubles digits: what does not converge in so many does not converge.
         const ROUNDS: usize = 60;
-        /// A smaller ratio of singular values is a family of cycles.
-        const FAMILY: f64 = 1e-7;
+        /// What is left, in units of the cycle's size, where one more step leaves roundings only.
+        const NEAR: f64 = 1e-13;
 
-        let mut gaps = defect(&self.map_at(self.eps), &self.points).ok_or(NoPeriodicPoint::NotFinite)?;
+        let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
         let mut rank = f64::INFINITY;
         for _ in 0..ROUNDS {
-            if gaps.amax() <= NOTHING {
-                break;
-            }
+            let is_near = gaps.amax() <= NEAR;
             let Some(correction) = self.correction(&gaps) else { break };
             rank = correction.rank;
             // Half the step, and half of that, until it is nearer.
-            let nearer = (0..30).find_map(|halvings| {
-                let part = 0.5f64.powi(halvings);
-                let (points, eps) = (&self.points + &correction.points * part, self.eps + correction.eps * part);
-                let is_ahead = eps * self.eps > 0.0;
-                let gaps_there = is_ahead.then(|| defect(&self.map_at(eps), &points)).flatten()?;
-                (gaps_there.amax() < gaps.amax()).then_some((points, eps, gaps_there))
+            let nearer = (0..if is_near { 1 } else { 24 }).find_map(|halvings| {
+                let place = &self.place + &correction.step * 0.5f64.powi(halvings);
+                let gaps_there = self.gaps(&place)?;
+                (gaps_there.amax() < gaps.amax()).then_some((place, gaps_there))
             });
-            let Some((points, eps, gaps_there)) = nearer else { break };
-            (self.points, self.eps, gaps) = (points, eps, gaps_there);
+            let Some((place, gaps_there)) = nearer else { break };
+            (self.place, gaps) = (place, gaps_there);
+            if is_near {
+                break;
+            }
         }
-        let residual = gaps.amax();
-        if residual > CLOSED * self.points.amax().max(self.unit.size) {
-            return Err(NoPeriodicPoint::NotFound { residual: residual * self.unit.length });
-        }
-        if rank < FAMILY {
-            return Err(NoPeriodicPoint::Family);
-        }
-        let cycle = PeriodicPoint::judged(&self.map_at(self.eps), &self.points, residual);
-        Ok(FlowCycle { cycle, eps: self.eps })
+        self.judged(gaps.amax(), rank)
     }
 
-    /// Solves dxᵢ₊₁ = Aᵢ dxᵢ + bᵢ dε + gᵢ around the cycle, Aᵢ and bᵢ the derivatives of the map and gᵢ
-    /// the gaps: all dxᵢ are affine functions of dx₀ and dε, of which the shortest solution is
-    /// taken, as the points may slide along the cycle.
-    fn correction(&self, gaps: &DVector<f64>) -> Option<Correction> {
-        let map = self.map_at(self.eps);
-        let n = map.dimension();
-        // dxᵢ = rows · (dx₀, dε/ε, 1)
-        let mut rows = DMatrix::zeros(n, n + 2);
-        rows.view_mut((0, 0), (n, n)).fill_with_identity();
-        let mut affine = Vec::with_capacity(self.points.len() / n + 1);
-        for (x, gap) in self.points.as_slice().chunks(n).zip(gaps.as_slice().chunks(n)) {
-            let mut next = map.derivative(x) * &rows;
-            for (k, (rate, gap)) in map.by_parameter(x).into_iter().zip(gap).enumerate() {
-                next[(k, n)] += rate * self.eps;
-                next[(k, n + 1)] += gap;
-            }
-            affine.push(std::mem::replace(&mut rows, next));
+    /// Newton's step, which does not slide along the cycle.
+    fn correction(&self, gaps: &DVector<f64>) -> Option<Solution> {
+        let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
+        let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
+        let equations = Condensed::of(&map, points, Some(gaps), 1, rates);
+        equations.solve(&[(&along(points, map.dimension(), 1), 0.0)])
+    }
+
+    /// The cycle that the search came to.
+    fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
+        /// A smaller ratio of singular values, with a second multiplier this near to 1, is a family
+        /// of cycles; where the map has none of its own, the ratio is a power of ε.
+        const FAMILY: f64 = 1e-7;
+        const NEARLY_FAMILY: f64 = 1e-4;
+        const ONE: f64 = 1e-3;
+        /// Points no further apart, in units of their size, stand still.
+        const STILL: f64 = 1e-6;
+
+        let map = self.map_at(&self.place);
+        let points = Self::points(&self.place);
+        let is_closed = residual <= CLOSED * unit::size(points).max(self.unit.size);
+        if !is_closed {
+            let residual = residual * self.unit.length;
+            let is_family = rank < NEARLY_FAMILY;
+            return Err(if is_family {
+                NoPeriodicPoint::Family
+            } else {
+                NoPeriodicPoint::NotFound { residual }
+            });
         }
-        // After the last step dx₀ comes again.
-        for k in 0..n {
-            rows[(k, k)] -= 1.0;
+        let apart = points.iter().skip(map.dimension()).zip(points).map(|(next, x)| (next - x).abs());
+        if apart.fold(0.0, f64::max) * (points.len() as f64) < STILL {
+            return Err(NoPeriodicPoint::Still);
         }
-        let matrix = rows.columns(0, n + 1).into_owned();
-        let right = -rows.column(n + 1).into_owned();
-        let singular = matrix.singular_values();
-        let first = least_norm(matrix, &right)?.push(1.0);
-        let points = affine.iter().flat_map(|rows| (rows * &first).as_slice().to_vec());
-        let points = DVector::from_iterator(self.points.len(), points);
-        let rank = singular.min() / singular.max();
-        points.iter().all(|x| x.is_finite()).then(|| Correction { points, eps: first[n] * self.eps, rank })
+        let cycle = PeriodicPoint::judged(&map, points, residual).of_flow();
+        let is_one = |one: &Complex<f64>| (one - Complex::new(1.0, 0.0)).norm_sqr() < ONE * ONE;
+        if rank < FAMILY && cycle.multipliers.iter().any(is_one) {
+            return Err(NoPeriodicPoint::Family);
+        }
+        Ok(FlowCycle { cycle, eps: self.eps * self.place[self.place.len() - 1] })
+    }
+}
+
+/// A number that depends on the number of steps N, at infinitely many.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Extrapolated {
+    /// The limit.
+    pub value: f64,
+    /// About how far it may be from the limit.
+    pub error: f64,
+}
+
+impl Extrapolated {
+    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε².
+    #[must_use]
+    pub fn of([coarse, middle, fine]: [f64; 3]) -> Self {
+        let [first, second] = [(coarse, middle), (middle, fine)].map(|(n, n2)| n2 + (n2 - n) / 3.0);
+        let value = second + (second - first) / 15.0;
+        // Where the error is not of order 2, nothing was gained.
+        let ratio = (middle - coarse) / (fine - middle);
+        let is_regular = (2.0..8.0).contains(&ratio) || fine == middle;
+        let error = if is_regular { (value - second).abs() } else { (value - fine).abs() };
+        Extrapolated { value, error: error.max(4.0 * f64::EPSILON * value.abs()) }
     }
 }
