@@ -203,7 +203,8 @@ pub struct Extrapolated {
 }
 
 impl Extrapolated {
-    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε².
+    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε². The
+    /// error that is told also holds where they have odd powers from ε³ on.
     #[must_use]
     pub fn of([coarse, middle, fine]: [f64; 3]) -> Self {
         let [first, second] = [(coarse, middle), (middle, fine)].map(|(n, n2)| n2 + (n2 - n) / 3.0);
@@ -211,7 +212,7 @@ impl Extrapolated {
         // Where the error is not of order 2, nothing was gained.
         let ratio = (middle - coarse) / (fine - middle);
         let is_regular = (2.0..8.0).contains(&ratio) || fine == middle;
-        let error = if is_regular { (value - second).abs() } else { (value - fine).abs() };
+        let error = if is_regular { 2.0 * (value - second).abs() } else { (value - fine).abs() };
         Extrapolated { value, error: error.max(4.0 * f64::EPSILON * value.abs()) }
     }
 }

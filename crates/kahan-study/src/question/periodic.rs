@@ -18,6 +18,10 @@ use crate::study::Study;
 
 use super::one;
 
+mod flow;
+
+pub use flow::FlowFound;
+
 /// The most unknowns of Newton's method: where it finds no cycle, sixty decompositions take some
 /// five seconds.
 const MOST_UNKNOWNS: usize = 250;
@@ -29,15 +33,31 @@ pub struct Periodic {
     /// ε, half the time step; the first value of `over` where that is of ε.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle, a coordinate for each variable.
-    #[serde(with = "exact")]
+    /// A point near the cycle, a coordinate for each variable; none for that of the text.
+    #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period.
+    /// A multiple of the period. Of a cycle of the flow, the number of steps, about those at `eps`;
+    /// 1 for as many as the orbit takes there.
     #[serde(default = "one")]
     pub period: usize,
+    /// The unknown besides the points: with ε, a cycle of the flow is looked for, whose period is
+    /// not known.
+    #[serde(default)]
+    pub free: Option<Free>,
+    /// The steps before an orbit is looked at that comes back close to itself, where ε is free.
+    #[serde(default)]
+    pub transient: u64,
     /// The parameter that changes along the branch, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
+}
+
+/// An unknown besides the points of a cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Free {
+    /// Half the time step.
+    Eps,
 }
 
 /// A cycle, and what becomes of it.
@@ -49,6 +69,8 @@ pub struct CycleFound {
     pub variables: Vec<String>,
     /// The cycle, in doubles.
     pub cycle: PeriodicPoint,
+    /// The period and more, where it is one of the flow.
+    pub flow: Option<FlowFound>,
     /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
     pub exact: Option<RationalCycle>,
     /// What changes along the branch, and the branch.
@@ -59,7 +81,12 @@ impl Periodic {
     /// Fixed points, with nothing that changes.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
-        Periodic { eps: Some(eps), at, period: one(), over: None }
+        Periodic { eps: Some(eps), at, period: one(), free: None, transient: 0, over: None }
+    }
+
+    /// The first value of what changes.
+    fn begin(&self) -> f64 {
+        self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
 
     /// Looks for the cycle of a system whose claims hold, by Newton's method. Costs at each of its
@@ -71,16 +98,29 @@ impl Periodic {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<CycleFound, StudyError> {
         study.proved()?;
         let family = Family::of(self, study)?;
-        let unknowns = self.period.saturating_mul(self.at.len());
+        let system = study.name().to_owned();
+        if self.free == Some(Free::Eps) {
+            let count = Count::new("cycles", 3 * self.over.as_ref().map_or(1, |axis| axis.range.count() as u64), watch);
+            let (cycle, flow, branch) = family.flow_found(self, &count)?;
+            return Ok(CycleFound {
+                system,
+                variables: study.coordinates().to_vec(),
+                cycle: cycle.cycle,
+                flow: Some(flow),
+                exact: None,
+                branch: self.over.as_ref().map(|axis| axis.name.clone()).zip(branch),
+            });
+        }
+        let unknowns = self.period.saturating_mul(family.start.len());
         if unknowns > MOST_UNKNOWNS {
             return Err(StudyError::LongCycle { unknowns, most: MOST_UNKNOWNS });
         }
-        let begin = self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64());
-        let cycle = periodic_point(&family.at(begin), &family.start, self.period);
-        let cycle = cycle.map_err(|why| StudyError::NoCycle { system: study.name().to_owned(), why })?;
+        let cycle = periodic_point(&family.at(self.begin()), &family.start, self.period);
+        let cycle = cycle.map_err(|why| StudyError::NoCycle { system: system.clone(), why })?;
         Ok(CycleFound {
-            system: study.name().to_owned(),
+            system,
             variables: study.variables().to_vec(),
+            flow: None,
             exact: family.exact(&cycle),
             branch: self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch))),
             cycle,
@@ -111,22 +151,29 @@ impl Family {
             _ => study.clone(),
         };
         // A mistake in what is given is told before the search.
-        let (_, start) = study.in_floats(&asked.at, &eps)?;
+        let own = || study.start().unwrap_or_default();
+        let at = if asked.at.is_empty() { own() } else { asked.at.clone() };
+        let (_, start) = study.in_floats(&at, &eps)?;
         Ok(Family { study, eps, start, parameter, changes: axis.is_some() })
+    }
+
+    /// The parameters where what changes has this value.
+    fn values_at(&self, value: f64) -> Vec<Rational> {
+        let mut parameters = self.own().parameters().to_vec();
+        if let Some(place) = self.parameter {
+            parameters[place] = Rational::from_f64(value).unwrap_or_default();
+        }
+        parameters
     }
 
     /// The map where what changes has this value; where the field divides by zero, that of no
     /// value.
     fn at(&self, value: f64) -> MapAt<f64> {
-        let mut parameters = self.own().parameters().to_vec();
-        if let Some(place) = self.parameter {
-            parameters[place] = Rational::from_f64(value).unwrap_or_default();
-        }
         let eps = match (self.changes, self.parameter) {
             (true, None) => value,
             _ => self.eps.to_f64(),
         };
-        match self.study.map_at(&parameters) {
+        match self.study.map_at(&self.values_at(value)) {
             Some(map) => map.at(eps),
             None => self.own().at(f64::NAN),
         }
@@ -183,18 +230,31 @@ impl Serialize for CycleFound {
         let place = |point: &BranchPoint| {
             let mut place = object_of(&point.cycle);
             place["parameter"] = json!(point.parameter);
+            if self.flow.is_some() {
+                place["eps"] = json!(point.eps);
+            }
             place
         };
-        let turn = |turn: &Turn| json!({"change": turn.change.to_string(), "parameter": turn.parameter});
+        let errors = self.flow.as_ref().and_then(|flow| flow.turns.as_deref());
+        let turn = |(k, turn): (usize, &Turn)| {
+            let mut turn = json!({"change": turn.change.to_string(), "parameter": turn.parameter});
+            if let Some(errors) = errors {
+                turn["error"] = json!(errors[k].error);
+            }
+            turn
+        };
         let mut object = object_of(&self.cycle);
         object["system"] = json!(self.system);
         object["variables"] = json!(self.variables);
         object["exact"] = self.exact.as_ref().map_or(Value::Null, exact);
+        if let Some(flow) = &self.flow {
+            object["flow"] = flow.object();
+        }
         if let Some((over, branch)) = &self.branch {
             object["branch"] = json!({
                 "over": over,
                 "points": branch.points.iter().map(place).collect::<Vec<_>>(),
-                "turns": branch.turns.iter().map(turn).collect::<Vec<_>>(),
+                "turns": branch.turns.iter().enumerate().map(turn).collect::<Vec<_>>(),
                 "cut": branch.is_cut,
             });
         }
