@@ -72,7 +72,7 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
+    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact, flow,
     /// branch.
     #[arg(long)]
     json: bool,

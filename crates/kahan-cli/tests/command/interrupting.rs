@@ -76,7 +76,7 @@ const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot =
 
 /// Calls that take minutes or more, one for each way to work long, as words of a line.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
-    const LINES: [&str; 21] = [
+    const LINES: [&str; 22] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1000 --out OUT/orbit.csv",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14 --order 8 --scalar dd",
