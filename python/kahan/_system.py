@@ -627,18 +627,28 @@ class System(Formulas):
         the catalog as it stands those of the paper about it."""
         return Answer(self._ask("verify", progress, mutate=False))
 
-    def periodic(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, period: int = 1,
-                 over: Mapping[str, Range] | None = None, hold: str | None = None) -> Answer:
+    def periodic(self, x: Any = None, eps: Number | None = None, *, dt: Number | None = None, period: int = 1, free: str | None = None,
+                 transient: int = 0, over: Mapping[str, Range] | None = None, hold: str | None = None, progress: bool = False) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps.
 
-        Without ``eps`` and ``period``: a steady state, with the ``eigenvalues`` of f'. Linear integrals keep
+        Without ``eps`` and ``period`` it is a steady state, with the ``eigenvalues`` of f'. Linear integrals keep
         their values at the point; with ``hold="none"`` they do not.
+
+        With ``free="eps"`` it is a limit cycle of the flow, of ``period`` steps (by default as many
+        as the orbit takes), found near ``x`` and near where the orbit of ``x`` comes back close to
+        itself after ``transient`` steps: ``flow`` has its period with an error, its eps and its
+        multipliers, extrapolated from three numbers of steps.
+
+        >>> import kahan
+        >>> lorenz = kahan.catalog.lorenz(s=10, r=28, b="8/3")
+        >>> round(lorenz.periodic([1, 2, 20], 0.0026, period=300, free="eps").flow["period"], 6)
+        1.558652
         """
         axes = axes_of(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", at=self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"), period=whole(period, "period"),
-                                over=axes, hold=hold))
+        return Answer(self._ask("periodic", progress, at=[] if x is None else self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
+                                period=whole(period, "period"), free=free, transient=whole(transient, "transient"), over=axes, hold=hold))
 
     def heights(self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
                 digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:

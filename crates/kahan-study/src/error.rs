@@ -170,6 +170,13 @@ pub enum StudyError {
         /// Why.
         why: NoPeriodicPoint,
     },
+    /// A cycle of the flow is asked for, and the field depends on t.
+    CycleOfTime {
+        /// The field.
+        system: String,
+    },
+    /// ε is found, and is to go through values, too.
+    FreeStepAlong,
     /// Nothing goes through values.
     NoAxis,
     /// A grid has more points than this.
@@ -351,6 +358,12 @@ impl StudyError {
                 "a cycle of {unknowns} numbers is beyond the {most} that Newton's method is given"
             ),
             Self::NoCycle { system, why } => write!(f, "{system}: no cycle was found: {why}"),
+            Self::CycleOfTime { system } => write!(
+                f,
+                "{system} depends on t, so that its cycles have multiples of the period of that: ask for K steps at the \
+                 fixed eps = T/(2K)"
+            ),
+            Self::FreeStepAlong => f.write_str("eps is found with the cycle, so that it cannot go through values"),
             Self::NoAxis => f.write_str("which values? give an axis to a parameter or to eps"),
             Self::ManyPoints { most } => {
                 write!(f, "the grid has more than {most} points; take larger steps")

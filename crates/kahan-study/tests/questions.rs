@@ -220,7 +220,10 @@ fn questions_that_do_not_fit_say_so() {
     let third = observe(json!({"order": 3}));
     assert!(matches!(error(Subject::named("lv"), third), StudyError::Order(3)));
     let never = observe(json!({"renormalize": 0}));
-    assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "renormalize", .. }));
+    assert!(matches!(
+        error(Subject::named("lv"), never),
+        StudyError::NotPositive { what: "renormalize", .. }
+    ));
     for (far, said) in [
         (json!({"eps": "1e400"}), "eps is beyond the range of f64"),
         (json!({"at": [1, "-1e400"]}), "at: the coordinate y is beyond the range of f64"),

@@ -173,7 +173,14 @@ mod tests {
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([
-            Observe { order: 8, renormalize: 3, escape: Some(12.5), reembed: true, observe: of, ..plain.clone() },
+            Observe {
+                order: 8,
+                renormalize: 3,
+                escape: Some(12.5),
+                reembed: true,
+                observe: of,
+                ..plain.clone()
+            },
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
@@ -202,7 +209,10 @@ mod tests {
         reads_back::<Discover>([other, study::Discover::default()]);
         let plain = study::Periodic::new(rational(1, 10), at.clone());
         let over = Some(through("eps", "1:-1:+-1/40"));
-        reads_back::<Periodic>([study::Periodic { eps: None, period: 3, over, ..plain.clone() }, plain]);
+        let free =
+            study::Periodic { free: Some(study::Free::Eps), transient: 9, period: 300, ..plain.clone() };
+        let along = study::Periodic { eps: None, period: 3, over, ..plain.clone() };
+        reads_back::<Periodic>([along, free, plain]);
         let plain = study::Scan::new(vec![through("eps", "-2:2:+1/4")]);
         reads_back::<Scan>([study::Scan { degree: Some(3), seconds: 2.0, ..plain.clone() }, plain]);
         let plain = trade::Trade::new(at.clone(), rational(25, 2));

@@ -4,11 +4,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::PossibleValue;
+use kahan_core::nalgebra::Complex;
 use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
-use kahan_core::nalgebra::Complex;
-use kahan_dynamics::periodic::Branch;
-use kahan_study::{CycleFound, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial};
+use kahan_dynamics::periodic::{Branch, Extrapolated};
+use kahan_study::{
+    CycleFound, Free, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial,
+};
 
 use super::line::Asking;
 use super::look::{OutFile, SheetOptions, usual};
@@ -33,6 +36,11 @@ use crate::reading::{Start, one_of, over, whole};
 /// multipliers go through the unit circle. The table has about as many rows as the range has
 /// values: more round a fold, fewer where points move far, and the last one may lie beyond the
 /// range. --out writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
+///
+/// --free eps looks for a limit cycle of the flow: K steps close up, and eps is found with them. The
+/// period and the changes on a branch are extrapolated from K, 2K and 4K steps. The cycle is looked
+/// for near --at, and near where its orbit comes back close to itself after --transient steps: after
+/// about the time 2*eps*K, or without --period after any.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -40,16 +48,25 @@ Examples:
   kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
   kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
-  kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg")]
+  kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg
+  kahan periodic --field 'xdot=-y-z; ydot=x+y/5; zdot=1/5+x*z-4*z;' --free eps --eps 0.01 --at 1,2,0")]
 // ε may be what changes.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,
 
-    /// A multiple of the period; the smallest period is told.
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, LONGEST_PERIOD))]
+    /// A multiple of the period; the smallest period is told. With --free eps: the steps of a cycle.
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS))]
     period: usize,
+
+    /// The unknown besides the points: eps, of a cycle of the flow.
+    #[arg(long, value_name = "WHAT", value_parser = one_of(&[Free::Eps], |_| PossibleValue::new("eps").help("half the time step")), hide_possible_values = true)]
+    free: Option<Free>,
+
+    /// With --free: the steps before an orbit is looked at that comes back close to itself.
+    #[arg(long, value_name = "N", default_value = "0", requires = "free", value_parser = whole(0, u64::MAX))]
+    transient: u64,
 
     /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
@@ -68,13 +85,14 @@ pub(crate) struct Periodic {
     look: SheetOptions,
 
     /// Print one JSON object: period, points, residual, multipliers, eigenvalues, stability, family,
-    /// held, exact, branch.
+    /// held, exact, flow, branch.
     #[arg(long)]
     json: bool,
 }
 
-/// The longest period that is looked for.
+/// The longest period that is looked for, and the most steps of a cycle of the flow.
 const LONGEST_PERIOD: usize = 200;
+const MOST_STEPS: usize = 1_000_000;
 
 impl Asking for Periodic {
     type Question = Question;
@@ -82,7 +100,14 @@ impl Asking for Periodic {
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let axis = self.over.as_deref().map(over).transpose()?;
         let (study, at, eps) = self.start.study_over(axis.as_slice())?;
-        Ok((study, Question { eps, at, period: self.period, over: axis, hold: self.hold }))
+        if self.free.is_none() && self.period > LONGEST_PERIOD {
+            let period = self.period;
+            return Err(Refusal::new(format!(
+                "--period {period}: a cycle of the map has at most {LONGEST_PERIOD} points; --free eps takes more steps"
+            )));
+        }
+        let (period, free, transient, hold) = (self.period, self.free, self.transient, self.hold);
+        Ok((study, Question { eps, at, period, free, transient, over: axis, hold }))
     }
 
     /// The cycle, and its branch.
@@ -116,17 +141,25 @@ fn text(found: &CycleFound) -> String {
         1 => "1 direction leads to neighbours of the same period".to_owned(),
         directions => format!("{directions} directions lead to neighbours of the same period"),
     };
+    let steps = cycle.points.len();
+    let blurred = if cycle.is_blurred() { BLURRED } else { "" };
+    let (period, multipliers) = match &found.flow {
+        Some(flow) => {
+            (format!("{}, in {steps} steps of eps = {:?}", with_error(&flow.period), found.eps), &flow.multipliers)
+        }
+        None => (steps.to_string(), &cycle.multipliers),
+    };
     let mut cycle_lines = vec![
-        format!("period       {}", cycle.points.len()),
-        format!("stability    {}{}", cycle.stability(), if cycle.is_blurred() { BLURRED } else { "" }),
-        format!("multipliers  {}", complex_numbers(&cycle.multipliers)),
-        format!("family       {family}"),
-        format!("residual     {:.1e}", cycle.residual),
+        format!("period       {period}"),
+        format!("stability    {}{blurred}", cycle.stability()),
+        format!("multipliers  {}", complex_numbers(multipliers)),
     ];
     let eigenvalues = found.eigenvalues(cycle, found.eps);
-    let eigenvalues = eigenvalues.map(|of| format!("eigenvalues  {} of f'", complex_numbers(&of)));
-    let held = (!found.held.is_empty()).then(|| format!("held         {}", joined(&found.held, ", ")));
-    cycle_lines.splice(3..3, eigenvalues.into_iter().chain(held));
+    cycle_lines.extend(eigenvalues.map(|of| format!("eigenvalues  {} of f'", complex_numbers(&of))));
+    cycle_lines
+        .extend((!found.held.is_empty()).then(|| format!("held         {}", joined(&found.held, ", "))));
+    cycle_lines.extend(found.flow.is_none().then(|| format!("family       {family}")));
+    cycle_lines.push(format!("residual     {:.1e}", cycle.residual));
     let points = cycle.points.iter().enumerate().map(|(n, point)| {
         [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
     });
@@ -140,8 +173,14 @@ fn text(found: &CycleFound) -> String {
         ]
     });
     let branch = found.branch.iter().flat_map(|(name, branch)| {
-        let turns = branch.turns.iter();
-        let turns = turns.map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, found.said(turn.change)));
+        let errors = found.flow.as_ref().and_then(|flow| flow.turns.as_deref());
+        let turns = branch.turns.iter().enumerate().map(|(k, turn)| {
+            let parameter = match errors {
+                Some(errors) => with_error(&errors[k]),
+                None => format!("{:.10}", turn.parameter),
+            };
+            format!("at {name} = {parameter}: {}", found.said(turn.change))
+        });
         let cut =
             "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
         let changes = turns.chain(branch.is_cut.then(|| cut.to_owned())).collect();
@@ -151,15 +190,25 @@ fn text(found: &CycleFound) -> String {
     paragraphs(groups.filter(|lines| !lines.is_empty()))
 }
 
+/// A number to one digit more than its error has, with that.
+fn with_error(found: &Extrapolated) -> String {
+    let digits = (1.0 - found.error.log10().floor()).clamp(1.0, 15.0);
+    format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)
+}
+
 /// A row a step of the branch.
 fn branch_rows(found: &CycleFound, name: &str, branch: &Branch) -> Rows {
+    let is_of_flow = found.flow.is_some();
     let rows = branch.points.iter().map(|point| {
         let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
+        let period = 2.0 * point.eps * point.cycle.points.len() as f64;
         let tail = [point.cycle.stability().to_string(), complex_numbers(&point.cycle.multipliers)];
-        [format!("{:.8}", point.parameter)].into_iter().chain(first).chain(tail).collect()
+        let head = [format!("{:.8}", point.parameter)].into_iter();
+        head.chain(is_of_flow.then(|| format!("{period:.8}"))).chain(first).chain(tail).collect()
     });
     let variables = found.variables.iter().map(String::as_str);
-    headed([name].into_iter().chain(variables).chain(["stability", "multipliers"]), rows)
+    let head = [name].into_iter().chain(is_of_flow.then_some("period"));
+    headed(head.chain(variables).chain(["stability", "multipliers"]), rows)
 }
 
 /// All points of each cycle of the branch, one behind the other.

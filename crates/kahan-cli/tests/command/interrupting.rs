@@ -76,7 +76,7 @@ const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot =
 
 /// Calls that take minutes or more, one for each way to work long, as words of a line.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
-    const LINES: [&str; 21] = [
+    const LINES: [&str; 22] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1000 --out OUT/orbit.csv",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14 --order 8 --scalar dd",
@@ -87,6 +87,8 @@ fn long_calls(folder: &Path) -> Vec<Vec<String>> {
         "dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e15",
         "section lv --eps 0.1 --at 0.6,1 --steps 1e15 --plane x+100",
         "periodic SQUARE --eps 0.1 --at 1 --over a=1:-1:100000",
+        "periodic lorenz --param s=10 --param b=8/3 --free eps --period 3000 --eps 0.00026 --at 1,2,20 \
+         --over r=28:30:100000",
         "chart lv --eps 0.1 --at 0.6,1 --over x=0.1:1:/30 --steps 1e10 --out OUT/chart.svg",
         "picture lv --at 1/2,1 --steps 100 --seconds 1e4 --transient 1e14 --axes x \
          --over eps=1/10:1:+1/400 --out OUT/over.svg",

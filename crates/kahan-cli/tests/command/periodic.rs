@@ -208,3 +208,83 @@ fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     assert_eq!(cycle("1/20", "0.41,0", "1")["stability"], "saddle");
     assert_eq!(cycle("1/20", "-0.41,0", "1")["stability"], "neutral");
 }
+
+/// Langford's field: r' = (z - b) r, z' = 3/5 + z - z^2 - r^2, a cycle of period 2π/3 at z = b, which
+/// a pair of multipliers leaves the circle of at b = 1/2.
+const TORUS: &str = "xdot = x*z - b*x - 3*y; ydot = 3*x + y*z - b*y; zdot = 3/5 + z - z^2 - x^2 - y^2;";
+
+fn number(value: &serde_json::Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
+}
+
+#[test]
+fn limit_cycles_of_the_flow_are_found_with_their_eps() {
+    let free = ["periodic", "--field", TORUS, "--param", "b=1", "--free", "eps", "--eps", "0.02"];
+    let period = 2.0 * std::f64::consts::PI / 3.0;
+    for more in [&["--at", "0.5,0,1"][..], &["--at", "0.5,0,1", "--transient", "500", "--period", "50"]] {
+        let found = object(&[&free[..], more, &["--json"]].concat());
+        let flow = &found["flow"];
+        let [value, error, eps] = ["period", "error", "eps"].map(|name| number(&flow[name]));
+        assert!((value - period).abs() < 1e-8 && error < 1e-5, "{flow}");
+        let steps = number(&found["period"]);
+        assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
+        assert_eq!(found["stability"], "attracting");
+        // Eigenvalues λ² + λ + 6/5 = 0 of the equations of r and z.
+        let size = flow["multipliers"].as_array().expect("multipliers").iter();
+        let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
+        assert!(
+            size.len() == 2 && size.iter().all(|size| (size - (-period / 2.0).exp()).abs() < 1e-5),
+            "{flow}"
+        );
+    }
+    let said = answer(&[&free[..], &["--at", "0.5,0,1"]].concat());
+    assert!(said.contains("period       2.0943951") && said.contains(" ± "), "{said}");
+}
+
+#[test]
+fn changes_of_limit_cycles_are_extrapolated() {
+    let line =
+        ["periodic", "--field", TORUS, "--free", "eps", "--eps", "0.02", "--at", "1,0,0.6", "--period", "52"];
+    let found = object(&[&line[..], &["--over", "b=0.6:0.4:5", "--json"]].concat());
+    let turns = found["branch"]["turns"].as_array().expect("turns");
+    assert_eq!(
+        (turns.len(), &turns[0]["change"]),
+        (1, &"a pair of multipliers goes through the unit circle".into())
+    );
+    assert!((number(&turns[0]["parameter"]) - 0.5).abs() < 1e-7, "{turns:?}");
+    assert!(number(&turns[0]["error"]) < 1e-5, "{turns:?}");
+    assert!(number(&found["branch"]["points"][0]["eps"]) > 0.0);
+}
+
+#[test]
+fn limit_cycles_of_lifted_fields_have_no_multipliers_of_relations() {
+    // Period and multiplier by shooting with DOP853 of SciPy, tolerance 1e-13.
+    let field = "xdot = y; ydot = m*(1 - x^2)*y - x;";
+    let line = ["periodic", "--field", field, "--param", "m=1", "--lift", "--free", "eps", "--eps", "0.01"];
+    let found = object(&[&line[..], &["--at", "2,0", "--json"]].concat());
+    let flow = &found["flow"];
+    assert!((number(&flow["period"]) - 6.663_286_859_323).abs() < 2e-5, "{flow}");
+    let multipliers = flow["multipliers"].as_array().expect("multipliers");
+    assert_eq!((multipliers.len(), &found["stability"]), (1, &"attracting".into()));
+    assert!((number(&multipliers[0][0]) - 8.597e-4).abs() < 1e-5, "{flow}");
+    assert_eq!(found["variables"], serde_json::json!(["x", "y"]));
+}
+
+#[test]
+fn families_and_what_no_step_belongs_to_are_said() {
+    let swing = ["periodic", "--field", "xdot = y; ydot = x^2 - x;", "--free", "eps", "--eps", "0.032"];
+    let output = kahan(&[&swing[..], &["--at", "0.3,0", "--period", "100"]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("eps = T/(2K)"), "{}", text(&output.stderr));
+    let torus = ["periodic", "--field", TORUS, "--free", "eps", "--at", "1,0,0.6"];
+    for (more, word) in [
+        (&["--param", "b=1", "--over", "eps=0.02:0.01:5"][..], "cannot go through values"),
+        (&["--param", "b=1", "--eps", "0.02", "--period", "1000000"], "beyond the"),
+        (&["--param", "b=1", "--eps", "0.02", "--free", "b"], "eps"),
+    ] {
+        let said = refusal(&[&torus[..], more].concat());
+        assert!(said.contains(word), "{word}: {said}");
+    }
+    let forced = ["periodic", "--field", "xdot = y; ydot = -x - y + cos(t);", "--lift", "--free", "eps"];
+    assert!(refusal(&[&forced[..], &["--eps", "0.02", "--at", "1,0"]].concat()).contains("depends on t"));
+}

@@ -34,15 +34,24 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// The first variable of each point of a cycle over what changes along its branch: stable cycles
-/// and others apart.
+/// The first variable of each point of a cycle over what changes along its branch, of a cycle of the
+/// flow its largest and smallest values: stable cycles and others apart.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &Look) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));
     let points = |is_wanted: &dyn Fn(Stability) -> bool| -> Vec<(f64, f64)> {
         let points = branch.into_iter().flat_map(|branch| &branch.points);
         let shown = points.filter(|point| is_wanted(point.cycle.stability()));
-        shown.flat_map(|point| point.cycle.points.iter().map(|x| (point.parameter, x[0]))).collect()
+        shown
+            .flat_map(|point| {
+                let values = point.cycle.points.iter().map(|x| x[0]);
+                let values: Vec<f64> = match found.flow {
+                    Some(_) => vec![values.clone().fold(f64::MIN, f64::max), values.fold(f64::MAX, f64::min)],
+                    None => values.collect(),
+                };
+                values.into_iter().map(|value| (point.parameter, value))
+            })
+            .collect()
     };
     let is_stable = |stability| matches!(stability, Stability::Attracting | Stability::Neutral);
     let series = vec![

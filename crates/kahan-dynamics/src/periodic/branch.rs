@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use kahan_core::Scalar;
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Parametric;
@@ -16,6 +17,8 @@ use super::unit::{self, InUnits, Unit};
 pub struct BranchPoint {
     /// The value of what changes.
     pub parameter: f64,
+    /// Half the time step there.
+    pub eps: f64,
     /// The cycle there.
     pub cycle: PeriodicPoint,
 }
@@ -72,12 +75,23 @@ pub fn branch<M: Parametric>(
     cycle: &PeriodicPoint,
     [from, to]: [f64; 2],
     steps: usize,
-    mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
+    see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let length = to - from;
     let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
     let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
-    let mut place: Place = DVector::from_vec(points.chain([0.0]).collect());
+    let place = DVector::from_vec(points.chain([0.0]).collect());
+    follow(&arc, place, [from, to], steps, see)
+}
+
+/// Follows a curve of cycles from a place on it.
+pub(super) fn follow(
+    arc: &impl Curve,
+    mut place: Place,
+    [from, to]: [f64; 2],
+    steps: usize,
+    mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
+) -> Branch {
     let mut ahead = DVector::zeros(place.len());
     ahead[place.len() - 1] = 1.0;
     let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: false };
@@ -106,7 +120,7 @@ pub fn branch<M: Parametric>(
         let there = arc.judged(&next);
         branch.is_cut = see(&there).is_break();
         let before = &branch.points[branch.points.len() - 1].cycle;
-        let whole = Stride { arc: &arc, place: &place, tangent: &tangent, length: stride };
+        let whole = Stride { arc, place: &place, tangent: &tangent, length: stride };
         let turns = whole.turns(before, (&next_tangent, &there.cycle)).into_iter();
         branch.turns.extend(turns.filter(|turn| (from.min(to)..=from.max(to)).contains(&turn.parameter)));
         branch.points.push(there);
@@ -132,8 +146,23 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
     if moved.is_finite() { moved } else { 0.0 }
 }
 
-/// The curve of cycles over the range.
-pub(super) struct Arc<F> {
+/// A curve of cycles over the range of a parameter.
+pub(super) trait Curve {
+    /// The value of the parameter at a place.
+    fn parameter(&self, place: &Place) -> f64;
+
+    /// The cycle at a place.
+    fn judged(&self, place: &Place) -> BranchPoint;
+
+    /// The direction of the curve that is nearest to another one, of length 1.
+    fn tangent(&self, place: &Place, near: &Place) -> Option<Place>;
+
+    /// The place on the curve a stride further on.
+    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place>;
+}
+
+/// The curve of cycles of a map.
+struct Arc<F> {
     map: F,
     unit: Unit,
     from: f64,
@@ -141,22 +170,12 @@ pub(super) struct Arc<F> {
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
-    pub(super) fn parameter(&self, place: &Place) -> f64 {
-        self.from + self.length * place[place.len() - 1]
-    }
-
     fn map(&self, place: &Place) -> InUnits<M> {
         InUnits { map: (self.map)(self.parameter(place)), unit: self.unit }
     }
 
     fn cycle(place: &Place) -> DVector<f64> {
         place.rows(0, place.len() - 1).into_owned()
-    }
-
-    pub(super) fn judged(&self, place: &Place) -> BranchPoint {
-        let (map, cycle) = (self.map(place), Self::cycle(place));
-        let residual = defect(&map, &cycle).map_or(f64::NAN, |gaps| gaps.amax());
-        BranchPoint { parameter: self.parameter(place), cycle: PeriodicPoint::judged(&map, &cycle, residual) }
     }
 
     /// The derivative of the defect: with respect to the points, then the parameter.
@@ -171,21 +190,32 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         }
         wide.iter().all(|entry| entry.is_finite()).then_some(wide)
     }
+}
 
-    /// The direction of the branch that is nearest to another one, of length 1.
-    pub(super) fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
+    fn parameter(&self, place: &Place) -> f64 {
+        self.from + self.length * place[place.len() - 1]
+    }
+
+    fn judged(&self, place: &Place) -> BranchPoint {
+        let (map, cycle) = (self.map(place), Self::cycle(place));
+        let residual = defect(&map, cycle.as_slice()).map_or(f64::NAN, |gaps| gaps.amax());
+        let cycle = PeriodicPoint::judged(&map, cycle.as_slice(), residual);
+        BranchPoint { parameter: self.parameter(place), eps: map.map.eps().approximate(), cycle }
+    }
+
+    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
         let wide = self.slope(place)?;
         // What the derivative does to the other direction is taken out of it.
         let out = least_norm(wide.clone(), &(&wide * near))?;
         (near - out).try_normalize(1e-8)
     }
 
-    /// The place on the branch a stride further on.
-    pub(super) fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
-        let gaps_at = |there: &Place| defect(&self.map(there), &Self::cycle(there));
+        let gaps_at = |there: &Place| defect(&self.map(there), Self::cycle(there).as_slice());
         let mut next = place + tangent * stride;
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;

@@ -67,6 +67,13 @@ pub enum NoPeriodicPoint {
         /// The largest |φ(xᵢ) − xᵢ₊₁| that was left.
         residual: f64,
     },
+    /// Cycles of the flow form a family here, so that ε does not follow from the number of steps.
+    Family,
+    /// The search for a cycle of the flow came to a point that stands still.
+    Still,
+    /// No orbit was found that comes back close to itself, and leads to a cycle of about the period
+    /// that was asked for.
+    NoReturn,
 }
 
 impl fmt::Display for NoPeriodicPoint {
@@ -82,6 +89,15 @@ impl fmt::Display for NoPeriodicPoint {
                     "Newton's method comes no nearer to a cycle than {residual:.1e}; begin nearer to one"
                 )
             }
+            Self::Family => f.write_str(
+                "cycles of the flow form a family here, as those of conservative fields do, each with a period of its \
+                 own; ask for a period T instead: K steps at the fixed eps = T/(2K)",
+            ),
+            Self::Still => f.write_str("the search ends at a steady state; begin nearer to a cycle"),
+            Self::NoReturn => f.write_str(
+                "the orbit does not come back close to itself after about the time that was asked for; begin elsewhere, \
+                 after a longer transient, or ask for another period",
+            ),
         }
     }
 }
@@ -90,7 +106,7 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// What is left where a cycle is closed, relative to its size, or that of the point it was found
 /// from.
-const CLOSED: f64 = 1e-11;
+pub(super) const CLOSED: f64 = 1e-11;
 /// How far a multiplier of size 1 may be from it where the derivative is not large, as a double
 /// eigenvalue loses half the digits.
 const CIRCLE: f64 = 1e-6;
@@ -144,16 +160,28 @@ impl PeriodicPoint {
 
     /// The cycle of these points, judged; in units in which the point it was found from has a size
     /// of about 1.
-    pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>, residual: f64) -> Self {
+    pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &[f64], residual: f64) -> Self {
         let n = map.dimension();
-        let largest = cycle.amax().max(map.unit.size);
-        let all: Vec<Vec<f64>> = cycle.as_slice().chunks(n).map(<[f64]>::to_vec).collect();
+        let largest = unit::size(cycle).max(map.unit.size);
+        let all: Vec<Vec<f64>> = cycle.chunks(n).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, largest);
         let factors: Vec<DMatrix<f64>> = all[..period].iter().map(|x| map.derivative(x)).collect();
         let points = all[..period].iter().map(|x| map.outside(x)).collect();
         let Linearized { multipliers, family, margins } = Linearized::of(&factors);
         let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
         PeriodicPoint { points, residual, multipliers, family, size, margins }
+    }
+
+    /// A cycle of a flow without the multiplier of the flow's own direction, that nearest to 1.
+    pub(super) fn of_flow(mut self) -> Self {
+        let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
+        let distances = self.multipliers.iter().map(distance).enumerate();
+        if let Some((place, _)) = distances.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            self.multipliers.remove(place);
+            self.margins.remove(place);
+        }
+        self.family = self.family.saturating_sub(1);
+        self
     }
 }
 
@@ -289,7 +317,7 @@ pub fn periodic_point<M: Differentiable>(
     if residual > CLOSED * cycle.amax().max(map.unit.size) {
         return Err(NoPeriodicPoint::NotFound { residual: residual * map.unit.length });
     }
-    Ok(PeriodicPoint::judged(&map, &cycle, residual))
+    Ok(PeriodicPoint::judged(&map, cycle.as_slice(), residual))
 }
 
 /// The smallest divisor of the number of points after which they come again.

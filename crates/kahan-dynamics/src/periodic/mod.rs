@@ -23,9 +23,15 @@
 
 mod branch;
 mod compiled;
+mod condensed;
 mod cycle;
+mod flow;
+mod flow_branch;
+#[cfg(test)]
+mod flow_tests;
 mod leaf;
 mod newton;
+mod returns;
 #[cfg(test)]
 mod tests;
 mod turns;
@@ -37,7 +43,10 @@ use kahan_core::{Scalar, Step, Workspace};
 
 pub use branch::{Branch, BranchPoint, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
+pub use flow::{Extrapolated, FlowCycle, flow_cycle};
+pub use flow_branch::flow_branch;
 pub use leaf::{Leaf, OnLeaf};
+pub use returns::{CloseReturn, close_returns};
 pub use turns::{Change, Turn};
 
 /// A map with its derivative.

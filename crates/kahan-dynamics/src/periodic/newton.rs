@@ -11,9 +11,9 @@ use super::unit::InUnits;
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// φ(xᵢ) − xᵢ₊₁, one behind the other, the last back to the first; `None` where it is not finite.
-pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Option<DVector<f64>> {
     let n = map.dimension();
-    let points = cycle.as_slice().chunks(n);
+    let points = cycle.chunks(n);
     let next = points.clone().cycle().skip(1);
     let gaps = points.zip(next).flat_map(|(x, next)| {
         let image = map.image(x);
@@ -64,7 +64,7 @@ pub(super) fn closed<M: Differentiable>(
     const ROUNDS: usize = 60;
 
     let mut cycle = cycle;
-    let mut gaps = defect(map, &cycle)?;
+    let mut gaps = defect(map, cycle.as_slice())?;
     for _ in 0..ROUNDS {
         if gaps.amax() <= NOTHING {
             break;
@@ -73,7 +73,7 @@ pub(super) fn closed<M: Differentiable>(
         // Half the step, and half of that, until it is nearer.
         let nearer = (0..30).find_map(|halvings| {
             let trial = &cycle - &step * 0.5f64.powi(halvings);
-            let gaps_there = defect(map, &trial)?;
+            let gaps_there = defect(map, trial.as_slice())?;
             (gaps_there.amax() < gaps.amax()).then_some((trial, gaps_there))
         });
         let Some((trial, gaps_there)) = nearer else { break };

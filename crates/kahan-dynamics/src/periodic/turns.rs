@@ -4,8 +4,7 @@
 use std::fmt;
 use std::iter::repeat_n;
 
-use super::Parametric;
-use super::branch::{Arc, Place};
+use super::branch::{Curve, Place};
 use super::cycle::{PeriodicPoint, size};
 
 /// What happens between two cycles of a branch.
@@ -45,8 +44,8 @@ pub struct Turn {
 }
 
 /// A way along the branch, ahead from a place.
-pub(super) struct Stride<'a, F> {
-    pub(super) arc: &'a Arc<F>,
+pub(super) struct Stride<'a, C> {
+    pub(super) arc: &'a C,
     pub(super) place: &'a Place,
     pub(super) tangent: &'a Place,
     pub(super) length: f64,
@@ -83,7 +82,7 @@ impl Post {
     }
 }
 
-impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
+impl<C: Curve> Stride<'_, C> {
     /// What happens from its first cycle to its last one, in order.
     pub(super) fn turns(
         &self,

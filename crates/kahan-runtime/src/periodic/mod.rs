@@ -50,6 +50,14 @@ impl MapAt<f64> {
     }
 }
 
+impl ParametricAt {
+    /// The place of the parameter that the derivative is by; that of ε is behind all parameters.
+    #[must_use]
+    pub fn place(&self) -> usize {
+        self.place
+    }
+}
+
 /// Steps are those of the map.
 impl Step for ParametricAt {
     type Scalar = f64;

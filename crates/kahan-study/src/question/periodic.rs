@@ -24,6 +24,10 @@ use crate::study::Study;
 
 use super::one;
 
+mod flow;
+
+pub use flow::FlowFound;
+
 /// The most unknowns of Newton's method: where it finds no cycle, sixty decompositions take some
 /// five seconds.
 const MOST_UNKNOWNS: usize = 250;
@@ -36,12 +40,20 @@ pub struct Periodic {
     /// same for each ε: where the period is 1, it is chosen by the field's rates if it is not given.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle, a coordinate for each variable.
-    #[serde(with = "exact")]
+    /// A point near the cycle, a coordinate for each variable; none for that of the text.
+    #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period.
+    /// A multiple of the period. Of a cycle of the flow, the number of steps, about those at `eps`;
+    /// 1 for as many as the orbit takes there.
     #[serde(default = "one")]
     pub period: usize,
+    /// The unknown besides the points: with ε, a cycle of the flow is looked for, whose period is
+    /// not known.
+    #[serde(default)]
+    pub free: Option<Free>,
+    /// The steps before an orbit is looked at that comes back close to itself, where ε is free.
+    #[serde(default)]
+    pub transient: u64,
     /// The parameter that changes along the branch, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
@@ -75,6 +87,14 @@ impl Hold {
     }
 }
 
+/// An unknown besides the points of a cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Free {
+    /// Half the time step.
+    Eps,
+}
+
 /// A cycle, and what becomes of it.
 #[derive(Clone, Debug)]
 pub struct CycleFound {
@@ -88,6 +108,8 @@ pub struct CycleFound {
     pub held: Vec<String>,
     /// ε at the cycle.
     pub eps: f64,
+    /// The period and more, where it is one of the flow.
+    pub flow: Option<FlowFound>,
     /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
     pub exact: Option<RationalCycle>,
     /// What changes along the branch, and the branch.
@@ -98,7 +120,13 @@ impl Periodic {
     /// Fixed points, with nothing that changes.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
-        Periodic { eps: Some(eps), at, period: one(), over: None, hold: Hold::default() }
+        let hold = Hold::default();
+        Periodic { eps: Some(eps), at, period: one(), free: None, transient: 0, over: None, hold }
+    }
+
+    /// The first value of what changes.
+    fn begin(&self) -> f64 {
+        self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
 
     /// Looks for the cycle of a system whose claims hold, by Newton's method. Costs at each of its
@@ -110,22 +138,37 @@ impl Periodic {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<CycleFound, StudyError> {
         study.proved()?;
         let family = Family::of(self, study)?;
-        let unknowns = self.period.saturating_mul(self.at.len());
+        let system = study.name().to_owned();
+        if self.free == Some(Free::Eps) {
+            let count = Count::new("cycles", 3 * self.over.as_ref().map_or(1, |axis| axis.range.count() as u64), watch);
+            let (cycle, flow, branch) = family.flow_found(self, &count)?;
+            return Ok(CycleFound {
+                system,
+                variables: study.coordinates().to_vec(),
+                held: family.equations(),
+                eps: cycle.eps,
+                cycle: cycle.cycle,
+                flow: Some(flow),
+                exact: None,
+                branch: self.over.as_ref().map(|axis| axis.name.clone()).zip(branch),
+            });
+        }
+        let unknowns = self.period.saturating_mul(family.start.len());
         if unknowns > MOST_UNKNOWNS {
             return Err(StudyError::LongCycle { unknowns, most: MOST_UNKNOWNS });
         }
-        let begin = self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64());
         let start = family.leaf.coordinates(&family.start);
-        let mut cycle = periodic_point(&family.on_leaf(begin), &start, self.period)
-            .map_err(|why| StudyError::NoCycle { system: study.name().to_owned(), why })?;
+        let mut cycle = periodic_point(&family.on_leaf(self.begin()), &start, self.period)
+            .map_err(|why| StudyError::NoCycle { system: system.clone(), why })?;
         let branch = self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch)));
         family.unfold(&mut cycle);
         Ok(CycleFound {
-            system: study.name().to_owned(),
+            system,
             variables: study.variables().to_vec(),
+            flow: None,
             exact: family.exact(&cycle),
-            held: family.held.iter().map(|integral| integral.equation(study)).collect(),
-            eps: family.eps_at(begin),
+            held: family.equations(),
+            eps: family.eps_at(self.begin()),
             branch,
             cycle,
         })
@@ -139,12 +182,6 @@ impl CycleFound {
     pub fn eigenvalues(&self, cycle: &PeriodicPoint, eps: f64) -> Option<Vec<Complex<f64>>> {
         let of = |multiplier: &Complex<f64>| (multiplier - 1.0) / (multiplier + 1.0) / eps;
         (cycle.points.len() == 1).then(|| cycle.multipliers.iter().map(of).collect())
-    }
-
-    /// ε at a cycle of the branch.
-    fn eps_of(&self, point: &BranchPoint) -> f64 {
-        let is_eps = self.branch.as_ref().is_some_and(|(over, _)| over == "eps");
-        if is_eps { point.parameter } else { self.eps }
     }
 
     /// A change on the branch in words: of steady states in those of the field.
@@ -212,20 +249,26 @@ impl Family {
             }
             _ => study.clone(),
         };
-        let point = study.point(&asked.at)?;
+        let own = || study.start().unwrap_or_default();
+        let point = study.point(&if asked.at.is_empty() { own() } else { asked.at.clone() })?;
         let given = asked.eps.clone().or(of_axis);
-        let eps = given.or_else(|| (asked.period == 1).then(|| step_for(study.map().ok()?, &point))?);
+        let is_steady = asked.period == 1 && asked.free.is_none();
+        let eps = given.or_else(|| is_steady.then(|| step_for(study.map().ok()?, &point))?);
         let eps = eps.ok_or(StudyError::MissingStep)?;
         // A mistake in what is given is told before the search.
-        let (_, start) = study.in_floats(&asked.at, &eps)?;
-        let integrals = match asked.hold {
+        let (_, start) = study.in_floats(&point, &eps)?;
+        let mut integrals = match asked.hold {
             Hold::Linear => integrals(&study, parameter, &start)?,
             Hold::None => Vec::new(),
         };
         let floats = |integral: &Vec<(usize, Rational)>| {
             integral.iter().map(|(k, c)| (*k, c.to_f64())).collect::<Vec<_>>()
         };
-        let leaf = Leaf::through(&start, &integrals.iter().map(floats).collect::<Vec<_>>());
+        // Cycles of the flow have the original variables of a lifted field.
+        let variables = if asked.free.is_some() { study.coordinates().len() } else { start.len() };
+        integrals.retain(|integral| integral.iter().all(|(k, _)| *k < variables));
+        let floats: Vec<_> = integrals.iter().map(floats).collect();
+        let leaf = Leaf::through(&start[..variables], &floats);
         let held = integrals.into_iter().map(|integral| Held::of(integral, &point)).collect();
         Ok(Family { study, eps, start, held, leaf, parameter, changes: axis.is_some() })
     }
@@ -236,6 +279,11 @@ impl Family {
             (true, None) => value,
             _ => self.eps.to_f64(),
         }
+    }
+
+    /// What is held, as equations.
+    fn equations(&self) -> Vec<String> {
+        self.held.iter().map(|integral| integral.equation(&self.study)).collect()
     }
 
     /// The map on the leaf.
@@ -250,14 +298,19 @@ impl Family {
         }
     }
 
-    /// The map where what changes has this value; where the field divides by zero, that of no
-    /// value.
-    fn at(&self, value: f64) -> MapAt<f64> {
+    /// The parameters where what changes has this value.
+    fn values_at(&self, value: f64) -> Vec<Rational> {
         let mut parameters = self.own().parameters().to_vec();
         if let Some(place) = self.parameter {
             parameters[place] = Rational::from_f64(value).unwrap_or_default();
         }
-        match self.study.map_at(&parameters) {
+        parameters
+    }
+
+    /// The map where what changes has this value; where the field divides by zero, that of no
+    /// value.
+    fn at(&self, value: f64) -> MapAt<f64> {
+        match self.study.map_at(&self.values_at(value)) {
             Some(map) => map.at(self.eps_at(value)),
             None => self.own().at(f64::NAN),
         }
@@ -365,21 +418,34 @@ impl Serialize for CycleFound {
             })
         };
         let place = |point: &BranchPoint| {
-            let mut place = object_of(self, &point.cycle, self.eps_of(point));
+            let mut place = object_of(self, &point.cycle, point.eps);
             place["parameter"] = json!(point.parameter);
+            if self.flow.is_some() {
+                place["eps"] = json!(point.eps);
+            }
             place
         };
-        let turn = |turn: &Turn| json!({"change": self.said(turn.change), "parameter": turn.parameter});
+        let errors = self.flow.as_ref().and_then(|flow| flow.turns.as_deref());
+        let turn = |(k, turn): (usize, &Turn)| {
+            let mut turn = json!({"change": self.said(turn.change), "parameter": turn.parameter});
+            if let Some(errors) = errors {
+                turn["error"] = json!(errors[k].error);
+            }
+            turn
+        };
         let mut object = object_of(self, &self.cycle, self.eps);
         object["system"] = json!(self.system);
         object["variables"] = json!(self.variables);
         object["held"] = json!(self.held);
         object["exact"] = self.exact.as_ref().map_or(Value::Null, exact);
+        if let Some(flow) = &self.flow {
+            object["flow"] = flow.object(self.eps);
+        }
         if let Some((over, branch)) = &self.branch {
             object["branch"] = json!({
                 "over": over,
                 "points": branch.points.iter().map(place).collect::<Vec<_>>(),
-                "turns": branch.turns.iter().map(turn).collect::<Vec<_>>(),
+                "turns": branch.turns.iter().enumerate().map(turn).collect::<Vec<_>>(),
                 "cut": branch.is_cut,
             });
         }

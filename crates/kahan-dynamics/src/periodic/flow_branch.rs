@@ -1,0 +1,148 @@
+//! Cycles of the flow as a parameter changes: ε is found with the points, as many steps always close
+//! up.
+
+use std::ops::ControlFlow;
+
+use kahan_core::nalgebra::DVector;
+
+use super::Parametric;
+use super::branch::{Branch, BranchPoint, Curve, Place, follow};
+use super::condensed::{Condensed, along};
+use super::cycle::PeriodicPoint;
+use super::flow::FlowCycle;
+use super::newton::defect;
+use super::unit::{self, InUnits, Unit};
+
+/// Follows a cycle of the flow from the value `from` of a parameter towards `to`, like
+/// [`branch`](super::branch()); each point of the branch has an ε of its own.
+///
+/// `map` makes the map at a value of the parameter and an ε twice: with its derivative by ε, and
+/// with that by the parameter.
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use kahan_core::Dual;
+/// use kahan_core::prelude::*;
+/// use kahan_dynamics::periodic::{flow_branch, flow_cycle};
+///
+/// kahan! {
+///     pub struct Rossler { a, b, c }
+///     xdot = -y - z;
+///     ydot = x + a*y;
+///     zdot = b + x*z - c*z;
+/// }
+///
+/// let (a, b) = (Dual::from_value(0.2), Dual::from_value(0.2));
+/// let map = |c, eps| {
+///     let by_eps = Rossler { a, b, c: Dual::from_value(c) }.at(Dual::coordinate(eps, 0));
+///     [by_eps, Rossler { a, b, c: Dual::coordinate(c, 0) }.at(Dual::from_value(eps))]
+/// };
+/// let first = |eps| { let [by_eps, _] = map(2.5, eps); by_eps };
+/// let cycle = flow_cycle(first, &[-3.5, 1.0, 0.03], 0.03, 100).unwrap();
+/// let branch = flow_branch(map, &cycle, [2.5, 3.0], 10, |_| ControlFlow::Continue(()));
+/// // The period doubles.
+/// assert!((branch.turns[0].parameter - 2.83).abs() < 0.01);
+/// ```
+///
+/// Cost: each step some rounds as those of [`flow_cycle`](super::flow_cycle), each change some
+/// hundred.
+pub fn flow_branch<M: Parametric>(
+    map: impl Fn(f64, f64) -> [M; 2],
+    cycle: &FlowCycle,
+    [from, to]: [f64; 2],
+    steps: usize,
+    see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
+) -> Branch {
+    let size = cycle.cycle.size();
+    let many = cycle.cycle.points.len() as f64;
+    let [unit, scaled] = [size, size * many.sqrt()].map(Unit::of);
+    let arc = FlowArc { map, unit, scaled, eps: cycle.eps, from, length: to - from };
+    let points = cycle.cycle.points.iter().flatten().map(|x| x / scaled.length);
+    let place = DVector::from_vec(points.chain([1.0, 0.0]).collect());
+    follow(&arc, place, [from, to], steps, see)
+}
+
+/// The curve of cycles of a flow. A place has the points, of which all together have a size of about
+/// 1, then ε in units of the first one, then the parameter in units of the range.
+struct FlowArc<F> {
+    map: F,
+    unit: Unit,
+    scaled: Unit,
+    eps: f64,
+    from: f64,
+    length: f64,
+}
+
+impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
+    fn points(place: &Place) -> &[f64] {
+        &place.as_slice()[..place.len() - 2]
+    }
+
+    fn eps(&self, place: &Place) -> f64 {
+        self.eps * place[place.len() - 2]
+    }
+
+    fn maps(&self, place: &Place) -> [InUnits<M>; 2] {
+        (self.map)(self.parameter(place), self.eps(place)).map(|map| InUnits { map, unit: self.scaled })
+    }
+
+    fn gaps(&self, place: &Place) -> Option<DVector<f64>> {
+        let [by_eps, _] = self.maps(place);
+        (place[place.len() - 2] > 0.0).then(|| defect(&by_eps, Self::points(place)))?
+    }
+
+    /// The equations at a place, and the direction along the cycle.
+    fn equations(&self, place: &Place, gaps: Option<&DVector<f64>>) -> (Condensed, Place) {
+        let (maps, points) = (self.maps(place), Self::points(place));
+        let units = [self.eps, self.length];
+        let rates = |x: &[f64], other: usize| {
+            maps[other].by_parameter(x).into_iter().map(|rate| rate * units[other]).collect()
+        };
+        (Condensed::of(&maps[0], points, gaps, 2, rates), along(points, maps[0].dimension(), 2))
+    }
+}
+
+impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
+    fn parameter(&self, place: &Place) -> f64 {
+        self.from + self.length * place[place.len() - 1]
+    }
+
+    fn judged(&self, place: &Place) -> BranchPoint {
+        let [map, _] = self.maps(place);
+        let ratio = self.scaled.length / self.unit.length;
+        let points: Vec<f64> = Self::points(place).iter().map(|x| x * ratio).collect();
+        let map = InUnits { map: map.map, unit: self.unit };
+        let residual = defect(&map, &points).map_or(f64::NAN, |gaps| unit::size(gaps.as_slice()));
+        let cycle = PeriodicPoint::judged(&map, &points, residual).of_flow();
+        BranchPoint { parameter: self.parameter(place), eps: self.eps(place), cycle }
+    }
+
+    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+        let (equations, along) = self.equations(place, None);
+        equations.solve(&[(&along, 0.0), (near, 1.0)])?.step.try_normalize(1e-8)
+    }
+
+    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+        const ROUNDS: usize = 12;
+        const CLOSED: f64 = 1e-12;
+
+        let mut next = place + tangent * stride;
+        let mut gaps = self.gaps(&next)?;
+        for _ in 0..ROUNDS {
+            // Across the direction, so that it does not slide back, nor along the cycle.
+            let (equations, along) = self.equations(&next, Some(&gaps));
+            let nearer = &next + equations.solve(&[(&along, 0.0), (tangent, 0.0)])?.step;
+            let gaps_there = self.gaps(&nearer)?;
+            let is_closed = gaps.amax() <= CLOSED;
+            if is_closed && gaps_there.amax() >= gaps.amax() {
+                return Some(next);
+            }
+            (next, gaps) = (nearer, gaps_there);
+            if is_closed {
+                return Some(next);
+            }
+        }
+        None
+    }
+}
