@@ -15,7 +15,7 @@ use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{self, Start, Stepping, observable, whole};
+use crate::reading::{self, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
 
@@ -76,6 +76,9 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS), default_value = "1000")]
     steps: u64,
 
+    #[command(flatten)]
+    before: Transient,
+
     /// The color: chaos has small sali, large fli, megno, lyapunov.
     #[arg(long, default_value = "sali", value_parser = observable(colours()))]
     color: Observable,
@@ -100,8 +103,20 @@ pub(crate) struct Chart {
 }
 
 /// What orbits need, and rows have in themselves.
-const OF_ORBITS: [&str; 11] =
-    ["system", "field", "file", "sites", "parameters", "eps", "dt", "at", "steps", "escape", "reembed"];
+const OF_ORBITS: [&str; 12] = [
+    "system",
+    "field",
+    "file",
+    "sites",
+    "parameters",
+    "eps",
+    "dt",
+    "at",
+    "transient",
+    "steps",
+    "escape",
+    "reembed",
+];
 
 /// Returns the observables that a cell can show.
 fn colours() -> impl Iterator<Item = &'static Observable> {
@@ -121,6 +136,7 @@ impl Asking for Chart {
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let observe = Observe {
+            transient: self.before.transient,
             escape: self.escape,
             observe: vec![self.color],
             reembed: self.stepping.reembed,
