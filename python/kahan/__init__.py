@@ -21,6 +21,7 @@ from ._kahan import __version__
 from ._lattice import Lattice, LatticeOrbit
 from ._lifted import Lifted
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
+from ._series import Series
 from ._sindy import from_sindy
 from ._system import System
 
@@ -38,6 +39,7 @@ __all__ = [
     "Mistake",
     "Orbit",
     "Section",
+    "Series",
     "SingularStep",
     "System",
     "Table",

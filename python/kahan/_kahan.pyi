@@ -89,7 +89,7 @@ class Field:
         self, x: Any, eps: Number | None = None, *, dt: Number | None = None, out: _Array | None = None
     ) -> _Array: ...
     def _points(
-        self, x: Any, eps: float, steps: int, *, every: int = 1, order: int = 2, compensated: bool = False,
+        self, x: Any, eps: float, steps: int, *, transient: int = 0, every: int = 1, order: int = 2, compensated: bool = False,
         reembed: bool = False, out: _Array | None = None, listener: _Listener = None,
     ) -> tuple[_Array, int, str, str | None]: ...
     def _gradient(
@@ -109,9 +109,13 @@ class Field:
         self, points: Any, eps: Any, steps: int, by: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
         threads: int | None = None, listener: _Listener = None,
     ) -> tuple[list[str], _Array]: ...
+    def _series(
+        self, points: Any, eps: Any, steps: int, *, every: int, transient: int = 0, parameters: Sequence[Any] = ..., order: int = 2,
+        reembed: bool = False, threads: int | None = None, listener: _Listener = None,
+    ) -> tuple[_Array, _Ends]: ...
     def _observed(
         self, points: Any, eps: Any, steps: int, of: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
-        renormalize: int = 10, escape: float | None = None, reembed: bool = False, threads: int | None = None,
+        transient: int = 0, renormalize: int = 10, spectrum: int | None = None, escape: float | None = None, reembed: bool = False, threads: int | None = None,
         listener: _Listener = None,
     ) -> tuple[list[str], _Array, _Ends]: ...
     def _table(

@@ -145,6 +145,8 @@ class Stepped(Table):
     """The points or states, of which the first is the start."""
     every: int
     """Steps from row to row."""
+    transient: int = 0
+    """Steps to the first row."""
     steps: int
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
@@ -158,7 +160,7 @@ class Stepped(Table):
     @property
     def n(self) -> Array:
         """The number of steps that leads to each row."""
-        return self.every * np.arange(len(self.x))
+        return self.transient + self.every * np.arange(len(self.x))
 
     @property
     def ended_step(self) -> int:
@@ -182,7 +184,7 @@ class Orbit(Stepped):
     eps: float | Fraction
     """Half the time step; of an exact orbit the fraction."""
     x: Array
-    """The points, of shape (rows, variables); the first is the start."""
+    """The points, of shape (rows, variables); the first is the start, or the point after the transient."""
     x_low: Array | None = None
     """What the points lack, where they are double-doubles: these are ``x + x_low``."""
     why: str | None = None
@@ -244,7 +246,7 @@ class Orbit(Stepped):
         """
         system = self.system
         if self._order is None:
-            raise ValueError("gradient is of orbits of Kahan's map in f64 or f32, without reembed and projective")
+            raise ValueError("gradient is of orbits of Kahan's map in f64 or f32, without transient, reembed and projective")
         by = differentiable(system, by, "by")
         given = np.asarray(weights, dtype=float)
         if given.shape != self.x.shape:

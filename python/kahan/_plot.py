@@ -14,8 +14,9 @@ if TYPE_CHECKING:
 
     from ._lattice import LatticeOrbit
     from ._orbit import Chart, Ensemble, Orbit, Section, Table
+    from ._series import Series
 
-__all__ = ["chart", "ensemble", "lattice", "orbit", "section"]
+__all__ = ["chart", "ensemble", "lattice", "orbit", "section", "series"]
 
 _DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
 _LINE: dict[str, Any] = {"linewidth": 0.7}
@@ -85,6 +86,15 @@ def ensemble(found: Ensemble, names: tuple[str, ...], color: str | None, ax: Axe
         return axes  # type: ignore[no-any-return]
     label, shown = _scaled(color, color, found[color])
     axes.figure.colorbar(axes.scatter(*columns, c=shown, **({"s": 2} | style)), ax=axes, label=label)
+    return axes  # type: ignore[no-any-return]
+
+
+def series(found: Series, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The orbits, each as a line."""
+    axes, columns = _over(found, names, ["t", *found.system.variables][:2], ax)
+    for lines in zip(*(column.reshape(found.steps.size, -1) for column in columns)):
+        axes.plot(*lines, **_styled(_LINE, style))
+    axes.set_title(f"{found.system.name}, {found.steps.size} orbits")
     return axes  # type: ignore[no-any-return]
 
 

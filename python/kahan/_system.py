@@ -8,7 +8,8 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any, cast
+from os import PathLike
+from typing import Any, cast, overload
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, FloatOrbit, Orbit, Section
 from ._progress import listener
+from ._series import Series
 from ._rhs import RightSide
 
 __all__ = ["Family", "System"]
@@ -286,6 +288,7 @@ class System(Formulas):
         steps: int | None = None,
         *,
         dt: Number | None = None,
+        transient: int = 0,
         every: int = 1,
         order: int = 2,
         scalar: str = "f64",
@@ -300,7 +303,8 @@ class System(Formulas):
         """The orbit of a point: its start, and every ``every``-th point after it.
 
         ``x`` has shape (variables,); without it the orbit begins at the ``start`` of the text. A step takes the time
-        ``dt`` = 2 eps; one of both is given. ``order`` 4, 6 and 8 compose steps
+        ``dt`` = 2 eps; one of both is given. ``transient`` steps are made before the first row, which then has their
+        number and time; ``steps`` counts those behind them. ``order`` 4, 6 and 8 compose steps
         of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
         (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
         doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
@@ -331,18 +335,19 @@ class System(Formulas):
         """
         eps = half_step(eps, dt)
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
+        transient = whole(transient, "transient")
         x = self._one(x)
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
         by = differentiable(self, derivatives, "derivatives")
-        if by and (scalar not in ("f64", "f32") or method != "kahan" or projective):
-            raise ValueError("derivatives are for orbits of Kahan's map in f64 and f32")
+        if by and (scalar not in ("f64", "f32") or method != "kahan" or projective or transient):
+            raise ValueError("derivatives are for orbits of Kahan's map in f64 and f32, without transient")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = nearest(eps, "eps")
             begun = self._in_all(x)
             self._has_values(begun)
             rows, made, ended, why = self._points(
-                begun, half, steps, every=every, order=order, compensated=compensated, reembed=reembed,
+                begun, half, steps, transient=transient, every=every, order=order, compensated=compensated, reembed=reembed,
                 out=out if self._lifting is None else None, listener=listener(progress)
             )
             if not reembed:
@@ -351,7 +356,7 @@ class System(Formulas):
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
             orbit: Orbit = FloatOrbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
             orbit.why = why
-            orbit._order = None if reembed else order
+            orbit._order, orbit.transient = None if reembed or transient else order, transient
             if by:
                 found = self._derivatives(rows, half, by, every=every, order=order, compensated=compensated,
                                           listener=listener(progress))
@@ -359,7 +364,7 @@ class System(Formulas):
             return orbit
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
-        question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
+        question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "transient": transient, "steps": steps, "every": every,
                     "scalar": scalar, "order": order, "method": method, "projective": projective, "reembed": reembed}
         columns, ended, last = self._table(json.dumps(question), listener=listener(progress))
         count = len(self.variables)
@@ -371,10 +376,23 @@ class System(Formulas):
         given = Fraction(exact(eps, "eps")) if scalar == "exact" else nearest(eps, "eps")
         kind = Orbit if scalar == "exact" else FloatOrbit
         orbit = kind(self, given, states if low is None else states[:, :, 0], every, last, ended, integrals)
-        orbit.x_low = low
+        orbit.x_low, orbit.transient = low, transient
         return orbit
 
+    @overload
     def ensemble(
+        self, points: Any = None, eps: Number | Array | None = None, steps: int | None = None, *, every: None = None, **rest: Any
+    ) -> Ensemble: ...
+    @overload
+    def ensemble(
+        self, points: Any = None, eps: Number | Array | None = None, steps: int | None = None, *, every: int, to: None = None, **rest: Any
+    ) -> Series: ...
+    @overload
+    def ensemble(
+        self, points: Any = None, eps: Number | Array | None = None, steps: int | None = None, *, every: int,
+        to: str | PathLike[str], **rest: Any
+    ) -> Ensemble: ...
+    def ensemble(  # type: ignore[misc]
         self,
         points: Any = None,
         eps: Number | Array | None = None,
@@ -382,17 +400,22 @@ class System(Formulas):
         *,
         dt: Number | Array | None = None,
         params: Any = None,
+        every: int | None = None,
+        columns: Sequence[str] | None = None,
+        transient: int = 0,
+        to: str | PathLike[str] | None = None,
         observe: Sequence[str] = (),
         order: int = 2,
         renormalize: int = 10,
+        spectrum: int | None = None,
         escape: float | None = None,
         reembed: bool = False,
         derivatives: Sequence[str] = (),
         threads: int | None = None,
         out: Array | None = None,
         progress: bool = False,
-    ) -> Ensemble:
-        """Many trajectories: their last points, and observables of their orbits.
+    ) -> Ensemble | Series:
+        """Many trajectories: their last points, and observables of their orbits; with ``every`` their points on the way.
 
         ``points`` has shape (trajectories, variables), or more axes, (40, 40, variables), which all arrays of the
         result keep. Or it is a table with a column for each variable: a ``DataFrame`` of pandas or polars, a table of
@@ -403,10 +426,16 @@ class System(Formulas):
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
         fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
         ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``renormalize``
-        steps. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
+        steps; ``spectrum=3`` leaves it at the three largest exponents. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
         ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
         NaN where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; drift, extrema,
         rotation and escape can be observed of them.
+
+        ``transient`` steps are made before those that are counted, shown or observed. With ``every`` the result is a
+        ``Series`` of shape (trajectories, 1 + steps // every, variables), whose rows have the bits of single orbits; with
+        ``columns`` it has these alone, as ``["t", "x", "H"]``, and takes less memory. ``to`` names a file, F.parquet or
+        F.arrow, to which the table is written while it is computed, in memory that does not grow with it; the result is
+        then the ensemble of the last points that it has. Needs pyarrow.
 
         ``derivatives`` has names of parameters, variables and ``"eps"``, as in ``orbit``. ``r.derivatives["a"]`` has
         shape (trajectories, variables): row k is the derivative of ``r.x[k]`` by the ``a`` of that trajectory, and NaN
@@ -432,13 +461,23 @@ class System(Formulas):
         threads = _whole(threads, "threads")
         begun = self._in_all(points, given)
         by = differentiable(self, derivatives, "derivatives")
-        if by and (observe or reembed):
-            raise ValueError("derivatives are for ensembles without observers and reembed")
+        transient = whole(transient, "transient")
+        if by and (observe or reembed or transient or every is not None):
+            raise ValueError("derivatives are for ensembles without observers, every, transient and reembed")
+        if every is not None:
+            if observe or out is not None:
+                raise ValueError("every shows points on the way; ask for observers, and for the last points in out, without it")
+            frame = Series(self, start, inputs, steps, whole(every, "every"), transient)
+            call = partial(self._series, steps=steps, every=frame.every, transient=transient, order=order, reembed=reembed, threads=threads)
+            return frame.filled(begun, eps, given, call, None if columns is None else [columns] if isinstance(columns, str) else list(columns),
+                                to, listener(progress))
+        if columns is not None or to is not None:
+            raise ValueError("columns and to are for points on the way; give every, the steps from one to the next")
         if not observe and not reembed:
             into = out
             if out is not None and start.ndim > 2 and out.shape == start.shape and out.flags.c_contiguous:
                 into = out.reshape(points.shape)
-            x, ends = self._advance(begun, eps, steps, parameters=given, order=order, threads=threads,
+            x, ends = self._advance(begun, eps, transient + steps, parameters=given, order=order, threads=threads,
                               out=into if self._lifting is None else None, listener=listener(progress))
             ensemble = Ensemble(self, start, inputs, self._out_of_all(x, into), ends, {})
             if by:
@@ -456,21 +495,21 @@ class System(Formulas):
         if "drift" in observe and not self.integrals:
             raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
-        seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
+        seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order, transient=transient, spectrum=_whole(spectrum, "spectrum"),
                                             renormalize=whole(renormalize, "renormalize"), escape=escape, reembed=reembed,
                                             threads=threads, listener=listener(progress))
         count = len(self.variables)
         x = values[:, :count]
         if out is not None:
             out[...], x = x.reshape(start.shape), out
-        columns: dict[str, Array] = {}
+        observed: dict[str, Array] = {}
         exponents = sum(name.startswith("spectrum_") for name in seen)
         for k, name in enumerate(seen[count:], count):
             if name == "spectrum_1":
-                columns["spectrum"] = values[:, k:k + exponents]
+                observed["spectrum"] = values[:, k:k + exponents]
             elif not name.startswith("spectrum_"):
-                columns[name] = values[:, k]
-        return Ensemble(self, start, inputs, x, ends, columns)
+                observed[name] = values[:, k]
+        return Ensemble(self, start, inputs, x, ends, observed)
 
     def rhs(self, *parameters: str) -> RightSide:
         """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
@@ -527,15 +566,17 @@ class System(Formulas):
 
     def observe(
         self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
-        observe: Sequence[str] | None = None, order: int = 2, renormalize: int = 10, escape: float | None = None, reembed: bool = False, progress: bool = False,
+        transient: int = 0, observe: Sequence[str] | None = None, order: int = 2, renormalize: int = 10, spectrum: int | None = None, escape: float | None = None, reembed: bool = False, progress: bool = False,
     ) -> Answer:
         """What the orbit of a point does; ``observe`` names what is seen, as in ``ensemble``, and nothing else is computed.
+
+        ``transient`` steps are made before the orbit is observed; ``steps`` of the answer counts them, too.
 
         Exponents are per unit of time: ``lyapunov`` is the largest, ``spectrum`` has all in descending order,
         of shape (variables,), and ``mean_log_det`` is their sum. ``lyapunov_error`` and
         ``spectrum_errors`` say by how much each still changes; as far as that, ``lyapunov`` and the first of
         ``spectrum`` agree. Tangent vectors
-        are made orthogonal every ``renormalize`` steps. Three indicators tell chaotic orbits from regular ones:
+        are made orthogonal every ``renormalize`` steps; ``spectrum=3`` leaves it at the three largest exponents. Three indicators tell chaotic orbits from regular ones:
         ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
         to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
         ``rotation`` has for each variable the turns a step about the middle of its extremes, modulo 1,
@@ -556,10 +597,9 @@ class System(Formulas):
             observe = (observe,)
         of = None if observe is None else [choice(name, "observable") for name in observe]
         found = self._ask("observe", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
-                          order=whole(order, "order"), renormalize=whole(renormalize, "renormalize"), escape=escape, reembed=reembed, observe=of)
+                          transient=whole(transient, "transient"), order=whole(order, "order"), renormalize=whole(renormalize, "renormalize"), spectrum=_whole(spectrum, "spectrum"), escape=escape, reembed=reembed, observe=of)
         names = [name for name in ("spectrum", "spectrum_errors") if name in found]
-        spectrum = {name: np.array(found[name], dtype=float) for name in names}
-        return Answer(found | spectrum)
+        return Answer(found | {name: np.array(found[name], dtype=float) for name in names})
 
     def section(
         self, x: Any, eps: Number | None = None, steps: int | None = None, plane: str | None = None, *,
@@ -584,7 +624,7 @@ class System(Formulas):
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *,
-        dt: Number | None = None, steps: int = 1000,
+        dt: Number | None = None, steps: int = 1000, transient: int = 0,
         color: str = "sali", order: int = 2, escape: float | None = None, reembed: bool = False,
         threads: int | None = None, progress: bool = False,
     ) -> Chart:
@@ -593,7 +633,7 @@ class System(Formulas):
         ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
         number: sali, fli, megno, lyapunov, log_det, drift, escape, passed_poles, or a column, as drift_H or
-        spectrum_2. Costs an orbit a cell, in lanes and on all threads.
+        spectrum_2. Costs an orbit a cell, in lanes and on all threads. ``transient`` steps are made before those that are observed.
 
         An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
         is beyond ``escape``, if that is given, and its cell is NaN. Some times the size of the region of
@@ -605,7 +645,7 @@ class System(Formulas):
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
-        question = {"ask": "observe", "at": self._point(x), "steps": whole(steps, "steps"), "order": whole(order, "order"),
+        question = {"ask": "observe", "at": self._point(x), "transient": whole(transient, "transient"), "steps": whole(steps, "steps"), "order": whole(order, "order"),
                     "escape": escape, "reembed": reembed, "over": axes}
         if eps is not None:
             question["eps"] = exact(eps, "eps")

@@ -1,6 +1,7 @@
 //! Many trajectories at once, over all processors.
 
 use std::mem::discriminant;
+use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
@@ -14,12 +15,16 @@ use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Caller, Listener, beside};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
-use crate::orbit::composition;
+use crate::orbit::{composition, stride, too_long};
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
+/// Those of which several points are stored, which should stay in the cache, too.
+const SHOWN_TOGETHER: usize = 128;
 /// Steps of all of them between two looks at signals.
 const AT_ONCE: u64 = 1 << 22;
+/// Steps of all of them that a caller is told of at once.
+const TOLD: u64 = 1 << 18;
 
 #[pymethods]
 impl Field {
@@ -46,9 +51,36 @@ impl Field {
         }
     }
 
+    /// Follows many trajectories. Returns the points of each after `transient` steps and after every
+    /// `every` of the `steps` behind them, of shape (trajectories, rows, variables), NaN behind an
+    /// early end; how each ended, and after how many steps in all.
+    #[pyo3(name = "_series", signature = (points, eps, steps, *, every, transient = 0, parameters = Vec::new(), order = 2, reembed = false, threads = None, listener = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    fn series<'py>(
+        &self,
+        points: &Bound<'py, PyAny>,
+        eps: &Bound<'py, PyAny>,
+        steps: u64,
+        every: u64,
+        transient: u64,
+        parameters: Vec<Option<Bound<'py, PyAny>>>,
+        order: u32,
+        reembed: bool,
+        threads: Option<usize>,
+        listener: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
+        let in_all = transient.saturating_add(steps);
+        let asked = Asked { eps, steps: in_all, parameters, order, threads, listener: Listener(listener) };
+        let every = stride(every)?;
+        match floats(points, "points")? {
+            Floats::Double(points) => self.shown(&points, &asked, transient, every, reembed),
+            Floats::Single(points) => self.shown(&points, &asked, transient, every, reembed),
+        }
+    }
+
     /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
     /// each orbit, how each ended, and after how many steps. `of` names observables.
-    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, renormalize = 10, escape = None, reembed = false, threads = None, listener = None))]
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
         &self,
@@ -58,7 +90,9 @@ impl Field {
         of: Vec<String>,
         parameters: Vec<Option<Bound<'py, PyAny>>>,
         order: u32,
+        transient: u64,
         renormalize: u64,
+        spectrum: Option<usize>,
         escape: Option<f64>,
         reembed: bool,
         threads: Option<usize>,
@@ -70,13 +104,14 @@ impl Field {
             Observable::named(name).ok_or_else(unknown)
         });
         let of = of.collect::<PyResult<Vec<_>>>()?;
-        if renormalize == 0 {
-            return Err(PyValueError::new_err("renormalize must be 1 or more"));
+        if renormalize == 0 || spectrum == Some(0) {
+            let name = if renormalize == 0 { "renormalize" } else { "spectrum" };
+            return Err(PyValueError::new_err(format!("{name} must be 1 or more")));
         }
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
-        let observe = Observe { renormalize, escape, reembed, ..Observe::of(of, steps) };
+        let observe = Observe { transient, renormalize, spectrum, escape, reembed, ..Observe::of(of, steps) };
         observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
@@ -85,7 +120,8 @@ impl Field {
             many.observed(from, self.study(), &observe, caller)
         })?;
         let seen = seen.map_err(|error| of_dimension(&error))?;
-        let ends = ends(py, steps, count, seen.iter().map(|followed| followed.end));
+        let in_all = transient.saturating_add(steps);
+        let ends = ends(py, in_all, count, seen.iter().map(|followed| followed.end));
         let numbers: Vec<f64> = seen.into_iter().flat_map(|followed| followed.report).collect();
         let numbers = PyArray1::from_vec(py, numbers).reshape([count, names.len()])?;
         Ok((names, numbers, ends))
@@ -161,6 +197,35 @@ impl Field {
             }
         };
         Ok((to, ends(py, asked.steps, shape[0], found.into_iter())))
+    }
+
+    fn shown<'py, T: Float>(
+        &self,
+        points: &Bound<'py, PyArrayDyn<T>>,
+        asked: &Asked<'_, 'py>,
+        transient: u64,
+        every: NonZeroU64,
+        reembed: bool,
+    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
+        let py = points.py();
+        let points = points.readonly();
+        let (many, shape) = (self.many::<T>(py, points.shape(), asked)?, points.shape());
+        let study = self.study();
+        study.can_reembed(reembed).map_err(|error| of_study(py, &error))?;
+        let count = (asked.steps - transient) / every;
+        let rows = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
+        let sizes = rows.and_then(|rows| Some((rows, rows.checked_mul(points.len())?)));
+        let (rows, length) = sizes.ok_or_else(|| too_long(count))?;
+        let mut to = Vec::new();
+        to.try_reserve_exact(length).map_err(|_| too_long(count))?;
+        to.resize(length, T::zero());
+        let (from, shown) = (points.as_slice()?, Stride { transient, every, rows, reembed });
+        let found = beside(py, asked.threads, &asked.listener, |caller| {
+            many.series(from, &mut to, study, &shown, caller)
+        })?
+        .map_err(|error| of_dimension(&error))?;
+        let series = PyArray1::from_vec(py, to).reshape([shape[0], rows, shape[1]])?;
+        Ok((series.into_any(), ends(py, asked.steps, shape[0], found.into_iter())))
     }
 }
 
@@ -247,6 +312,121 @@ impl<T: Float> Many<T> {
         first: usize,
         caller: &Caller,
     ) -> Result<Vec<End>, DimensionError> {
+        let mut piece = Piece::of(self, rows, width, first, caller);
+        piece.advance(self.steps)?;
+        piece.put(rows.chunks_exact_mut(width));
+        piece.ends()
+    }
+
+    /// Follows points that stand row by row in `from`, and writes some points of each trajectory, one
+    /// after the other, into `to`: NaN behind its end. Returns how each ended.
+    fn series(
+        &self,
+        from: &[T],
+        to: &mut [T],
+        study: &Study,
+        shown: &Stride,
+        caller: &Caller,
+    ) -> Result<Vec<End>, DimensionError> {
+        let width = study.variables().len().max(1);
+        let room = shown.rows * width;
+        let pieces: Vec<_> =
+            from.chunks(SHOWN_TOGETHER * width).zip(to.chunks_mut(SHOWN_TOGETHER * room)).collect();
+        let pieces: Vec<Mutex<_>> = pieces.into_iter().map(Mutex::new).collect();
+        let found = threads::map(pieces.len(), Some(caller.threads()), |index| {
+            let mut piece = pieces[index].lock().unwrap_or_else(PoisonError::into_inner);
+            let (from, to) = &mut *piece;
+            let first = index * SHOWN_TOGETHER;
+            if shown.reembed {
+                let one_by_one = from.chunks_exact(width).zip(to.chunks_exact_mut(room)).enumerate();
+                return one_by_one
+                    .map(|(k, (from, to))| self.alone(first + k, from, to, study, shown, caller))
+                    .collect();
+            }
+            let mut piece = Piece::of(self, from, width, first, caller);
+            piece.advance(shown.transient)?;
+            for row in 0..shown.rows {
+                piece.advance(if row == 0 { 0 } else { shown.every.get() })?;
+                piece.put(to.chunks_exact_mut(room).map(|rows| &mut rows[row * width..][..width]));
+            }
+            piece.advance(self.steps - piece.made)?;
+            let beyond = piece.beyond(study);
+            let mut ends = piece.ends()?;
+            for k in beyond {
+                ends[k] = self.alone(
+                    first + k,
+                    &from[k * width..][..width],
+                    &mut to[k * room..][..room],
+                    study,
+                    shown,
+                    caller,
+                )?;
+            }
+            Ok(ends)
+        });
+        Ok(found.into_iter().collect::<Result<Vec<Vec<End>>, _>>()?.concat())
+    }
+
+    /// The points of one trajectory of a lifted field, as far as it goes.
+    fn alone(
+        &self,
+        k: usize,
+        from: &[T],
+        to: &mut [T],
+        study: &Study,
+        shown: &Stride,
+        caller: &Caller,
+    ) -> Result<End, DimensionError> {
+        let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };
+        let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
+        let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
+        let step = study.steps(&maps[0], shown.reembed).expect("a field that was lifted");
+        let (mut x, tell) = (from.to_vec(), |steps| self.made(steps, 1, caller));
+        to.fill(T::near(f64::NAN));
+        let end = step.follow(&mut x, shown.transient, tell)?.end;
+        if end != End::Complete {
+            return Ok(step.end(end, &x));
+        }
+        let (row, rest) = to.split_at_mut(x.len());
+        row.copy_from_slice(&x);
+        let mut made = shown.transient;
+        let mut end = step.rows(&mut x, shown.every, rest, tell)?.end.after(made);
+        if end == End::Complete {
+            made += shown.every.get() * (shown.rows as u64 - 1);
+            end = step.follow(&mut x, self.steps - made, tell)?.end.after(made);
+        }
+        Ok(step.end(end, &x))
+    }
+}
+
+/// Which points of each trajectory are shown.
+pub(crate) struct Stride {
+    /// The steps to the first of them.
+    pub(crate) transient: u64,
+    /// The steps from one to the next.
+    pub(crate) every: NonZeroU64,
+    /// Their number.
+    pub(crate) rows: usize,
+    pub(crate) reembed: bool,
+}
+
+/// Trajectories that a thread has in columns.
+struct Piece<'a, T: Float> {
+    many: &'a Many<T>,
+    columns: Vec<Vec<T>>,
+    eps: &'a [T],
+    parameters: Vec<&'a [T]>,
+    caller: &'a Caller,
+    /// How each ended so far; empty before the first step.
+    ends: Vec<End>,
+    /// The steps that were made, and those of them that the caller was not told of.
+    made: u64,
+    untold: u64,
+}
+
+impl<'a, T: Float> Piece<'a, T> {
+    /// Trajectories that begin at these rows, the first of which has this number.
+    fn of(many: &'a Many<T>, rows: &[T], width: usize, first: usize, caller: &'a Caller) -> Self {
         let count = rows.len() / width;
         let mut columns = vec![vec![T::zero(); count]; width];
         for (k, row) in rows.chunks_exact(width).enumerate() {
@@ -255,28 +435,62 @@ impl<T: Float> Many<T> {
         let own = |values: &'_ [T]| -> std::ops::Range<usize> {
             if values.len() > 1 { first..first + count } else { 0..values.len() }
         };
-        let eps = &self.eps[own(&self.eps)];
-        let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
+        let eps = &many.eps[own(&many.eps)];
+        let parameters = many.constants.iter().map(|values| &values[own(values)]).collect();
+        Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
+    }
+
+    /// Goes so many steps on, or to where the caller wants no more.
+    fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
+        let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
-        let (mut left, mut ends) = (self.steps, Vec::new());
-        let mut flow = caller.goes_on();
-        while left > 0 && flow.is_continue() {
+        let mut left = steps;
+        while left > 0 && !self.caller.wants_no_more() {
             let steps = left.min(at_once);
-            let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-            let found = self.at.follow_columns(&mut slices, eps, &parameters, steps)?;
-            ends = together(&ends, found, self.steps - left);
+            self.follow(steps)?;
             left -= steps;
-            flow = self.made(steps, count, caller);
+            self.untold += steps;
+            if self.untold.saturating_mul(count as u64) >= TOLD {
+                let _ = self.many.made(std::mem::take(&mut self.untold), count, self.caller);
+            }
         }
-        for (k, row) in rows.chunks_exact_mut(width).enumerate() {
-            row.iter_mut().zip(&columns).for_each(|(x, column)| *x = column[k]);
+        Ok(())
+    }
+
+    fn follow(&mut self, steps: u64) -> Result<(), DimensionError> {
+        let mut slices: Vec<&mut [T]> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let found = self.many.at.follow_columns(&mut slices, self.eps, &self.parameters, steps)?;
+        self.ends = together(&self.ends, found, self.made);
+        self.made += steps;
+        Ok(())
+    }
+
+    /// Writes the points to these places, one for each trajectory.
+    fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
+    where
+        T: 'r,
+    {
+        for (k, row) in rows.enumerate() {
+            row.iter_mut().zip(&self.columns).for_each(|(x, column)| *x = column[k]);
         }
-        // Without a step each is complete, unless its start is not finite.
-        if self.steps == 0 {
-            let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-            ends = self.at.follow_columns(&mut slices, eps, &parameters, 0)?;
+    }
+
+    /// The trajectories of a lifted field that have gone beyond their ends.
+    fn beyond(&self, study: &Study) -> Vec<usize> {
+        let Some(step) = study.lifted_step(&self.many.at) else { return Vec::new() };
+        let count = self.columns.first().map_or(0, Vec::len);
+        let point = |k: usize| self.columns.iter().map(|column| column[k]).collect::<Vec<T>>();
+        (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
+    }
+
+    /// How each ended. Without a step each is complete, unless its start is not finite.
+    fn ends(mut self) -> Result<Vec<End>, DimensionError> {
+        if self.made == 0 {
+            self.follow(0)?;
         }
-        Ok(ends)
+        let count = self.columns.first().map_or(0, Vec::len);
+        let _ = self.many.made(self.untold, count, self.caller);
+        Ok(self.ends)
     }
 }
 
@@ -291,7 +505,7 @@ impl Many<f64> {
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
         // Few enough that all threads have some.
-        let together = (AT_ONCE / self.steps.max(1)).clamp(16, 256) as usize;
+        let together = (AT_ONCE / asked.steps_in_all().max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
             if caller.wants_no_more() {

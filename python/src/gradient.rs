@@ -1,7 +1,5 @@
 //! Gradients of a scalar of an orbit.
 
-use std::num::NonZeroU64;
-
 use kahan_runtime::End;
 use numpy::PyUntypedArrayMethods;
 use pyo3::exceptions::PyValueError;
@@ -11,7 +9,7 @@ use crate::arrays::doubles;
 use crate::beside::{Listener, beside};
 use crate::errors::of_dimension;
 use crate::field::Field;
-use crate::orbit::composition;
+use crate::orbit::{composition, stride};
 
 #[pymethods]
 impl Field {
@@ -31,7 +29,7 @@ impl Field {
     ) -> PyResult<Vec<(String, f64)>> {
         let (x, weights) = (doubles(x, "x")?, doubles(weights, "weights")?);
         let at = self.at::<f64>(py, eps)?.composed(composition(order)?);
-        let every = NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))?;
+        let every = stride(every)?;
         let steps = every.get().saturating_mul((weights.shape()[0] as u64).saturating_sub(1));
         let (start, weights) = (x.as_slice()?, weights.as_slice()?);
         let found = beside(py, Some(1), &Listener(listener), |caller| {

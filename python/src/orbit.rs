@@ -45,15 +45,16 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
-    /// Follows an orbit. Returns its rows, the number of steps, its end (complete, range or
+    /// Follows an orbit. Returns its rows, the first after `transient` steps, the number of all steps, its end (complete, range or
     /// reembed), and the reason for an end of a lifted field.
-    #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
+    #[pyo3(name = "_points", signature = (x, eps, steps, *, transient = 0, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
         &self,
         x: &Bound<'py, PyAny>,
         eps: f64,
         steps: u64,
+        transient: u64,
         every: u64,
         order: u32,
         compensated: bool,
@@ -61,7 +62,8 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Rows<'py>> {
-        let asked = Asked { eps, steps, every, order, compensated, reembed, listener: Listener(listener) };
+        let asked =
+            Asked { eps, steps, transient, every, order, compensated, reembed, listener: Listener(listener) };
         match floats(x, "x")? {
             Floats::Double(x) => self.rows(&x, &asked, out),
             Floats::Single(x) => self.rows(&x, &asked, out),
@@ -130,6 +132,7 @@ enum NoStep {
 struct Asked<'py> {
     eps: f64,
     steps: u64,
+    transient: u64,
     every: u64,
     order: u32,
     compensated: bool,
@@ -320,28 +323,35 @@ fn follow<'py, S>(
 where
     S: Follow<Scalar: Float> + Sync,
 {
-    let every =
-        NonZeroU64::new(asked.every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))?;
+    let every = stride(asked.every)?;
     let (width, steps) = (x.len(), asked.steps);
     let count = steps / every;
     let sizes = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
-    let too_long = || {
-        PyMemoryError::new_err(format!("{count} points do not fit into memory; choose every, or fewer steps"))
-    };
+    let too_long = || too_long(count);
     let rows = sizes.ok_or_else(too_long)?;
+    let transient = asked.transient;
+    let in_all = transient.saturating_add(steps);
+    // The report is the number of rows.
     let mut run = |all: &mut [S::Scalar]| -> PyResult<Followed<usize>> {
         let (first, rest) = all.split_at_mut(width);
-        first.copy_from_slice(&x);
-        let numbers = steps.saturating_mul(width as u64);
+        let numbers = in_all.saturating_mul(width as u64);
         beside_if_long(py, numbers, &asked.listener, |caller| {
-            let rows = at.rows(&mut x, every, rest, |made| caller.made(made, steps))?;
+            if transient > 0 {
+                let settled = at.follow(&mut x, transient, |made| caller.made(made, in_all))?;
+                if settled.end != End::Complete {
+                    return Ok(Followed { report: 0, end: settled.end });
+                }
+            }
+            first.copy_from_slice(&x);
+            let rows = at.rows(&mut x, every, rest, |made| caller.made(made, in_all))?;
+            let report = rows.report + 1;
             // The steps behind the last row show whether the orbit goes as far as it was asked.
             let left = steps % every.get();
             if rows.end != End::Complete || left == 0 {
-                return Ok(rows);
+                return Ok(Followed { report, end: rows.end.after(transient) });
             }
-            let end = at.follow(&mut x, left, |made| caller.made(made, steps))?;
-            Ok(Followed { report: rows.report, end: end.end.after(steps - left) })
+            let end = at.follow(&mut x, left, |made| caller.made(made, in_all))?;
+            Ok(Followed { report, end: end.end.after(in_all - left) })
         })?
         .map_err(|error| of_dimension(&error))
     };
@@ -361,13 +371,23 @@ where
             (array.into_any(), followed)
         }
     };
-    let made = followed.report + 1;
+    let made = followed.report;
     let array = if made == rows {
         array
     } else {
         array.get_item(pyo3::types::PySlice::new(py, 0, made as isize, 1))?
     };
-    Ok((array, x, followed.end, steps))
+    Ok((array, x, followed.end, in_all))
+}
+
+/// The steps from one point that is shown to the next.
+pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
+    NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
+}
+
+/// More points than memory holds.
+pub(crate) fn too_long(points: u64) -> PyErr {
+    PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }
 
 /// The composition of an order.

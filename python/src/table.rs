@@ -34,7 +34,7 @@ impl Field {
         {
             observe.observe = vec![shade.observable];
         }
-        let asked = if let Question::Orbit(orbit) = &question { orbit.steps } else { 0 };
+        let asked = if let Question::Orbit(orbit) = &question { orbit.steps_in_all() } else { 0 };
         let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
             let end = study.rows(&question, 0..u64::MAX, &mut table, caller);

@@ -23,6 +23,9 @@ LONG = [
     "while True: s.step(many, 0.01)",
     "while True: s.try_step(many, 0.01)",
     "s.ensemble(many, 0.001, 10**9)",
+    "s.ensemble(many, 0.001, 10**6, every=10**5)",
+    "s.ensemble(many[:1000], 0.001, 10**5, every=10, columns=['x'], transient=10**8)",
+    "s.orbit([1, 2, 3], 0.01, 10, transient=10**12)",
     *(
         f"s.ensemble(many, 0.001, 10**6, observe=['{of}'])"
         for of in ["drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape"]

@@ -58,16 +58,22 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
         assert_eq!(json!(section)["ended"], end.name());
 
         let plain = Observe::new(eps.clone(), at.clone(), steps);
-        for of in [&Observable::usual()[..], &[Observable::Last]] {
-            let asked = Observe { observe: of.to_vec(), ..plain.clone() };
+        let late = |transient: u64| Observe { transient, steps: steps - transient, ..plain.clone() };
+        for (of, plain) in [
+            (&Observable::usual()[..], plain.clone()),
+            (&[Observable::Last], plain.clone()),
+            (&[Observable::Last], late(5)),
+            (&Observable::usual()[..], late(steps - 1)),
+        ] {
+            let asked = Observe { observe: of.to_vec(), ..plain };
             let observed = asked.ask(&study, &Unwatched).expect("observations");
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
         }
         // Alone in a table, beside others, and where nothing but the last point is asked for.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
-            for count in [1, 3] {
-                let asked = Observe { observe: of.clone(), ..plain.clone() };
+            for (count, transient) in [(1, 0), (3, 0), (1, 7), (3, 7), (3, steps - 1)] {
+                let asked = Observe { observe: of.clone(), ..late(transient) };
                 for (ended, step, last) in over(&study, asked, &vec![&at; count]) {
                     assert_eq!((&*ended, step as u64), (end.name(), end.steps(steps)), "{text}");
                     assert_eq!(last.is_nan(), end != End::Complete, "{text}: {last}");
@@ -119,6 +125,82 @@ fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     }
     let observed = asked.ask(&study, &Unwatched).expect("observations");
     assert_eq!((observed.end, &json!(observed)["escaped"]), (End::Complete, &json!(13)));
+}
+
+/// Behind a transient an orbit has the numbers of the orbit from the point where the transient ends.
+#[test]
+fn a_transient_is_not_observed() {
+    let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
+    let (eps, at) = (number("1/20"), vec![number("1/4"), number("0")]);
+    let before = Orbit::new(eps.clone(), at.clone(), 40).ask(&study, &Unwatched).expect("an orbit");
+    let settled = before.rows.values[2..].iter().map(|kept| match kept {
+        Kept::F64(list) => Rational::from_f64(list[40]).expect("a point"),
+        other => panic!("{other:?}"),
+    });
+    let mut of = Observable::usual();
+    of.push(Observable::Last);
+    let plain = Observe { observe: of, ..Observe::new(eps, settled.collect(), 1000) };
+    let late = Observe { at: at.clone(), transient: 40, ..plain.clone() };
+    let [plain, mut found] = [&plain, &late].map(|asked| json!(asked.ask(&study, &Unwatched).expect("seen")));
+    assert_eq!(found["steps"], 1040);
+    (found["steps"], found["ended_step"]) = (json!(1000), json!(1000));
+    assert_eq!(found, plain);
+    for count in [1, 3] {
+        let asked = Observe { observe: vec![Observable::Last, Observable::Sali], ..late.clone() };
+        for (ended, step, last) in over(&study, asked, &vec![&at; count]) {
+            assert!((&*ended, step) == ("complete", 1040) && plain["final"]["x"] == json!(last));
+        }
+    }
+    // 3ⁿ > 10⁶ from n = 13 on, counted from the start.
+    let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
+    for (transient, bound, end) in
+        [(10, None, End::Complete), (10, Some(1e6), End::Escaped(13)), (20, Some(1e6), End::Escaped(13))]
+    {
+        let asked =
+            Observe { escape: bound, transient, ..Observe::new(number("1/2"), vec![number("1")], 100) };
+        let asked = Observe { observe: vec![Observable::Escape], ..asked };
+        let observed = asked.ask(&study, &Unwatched).expect("observations");
+        assert_eq!((observed.end, &json!(observed)["escaped"]), (end, &json!(13)), "{transient} {bound:?}");
+    }
+}
+
+/// The first exponents are those of all of them, as far as both have converged; alone and beside others.
+#[test]
+fn a_spectrum_may_have_its_first_exponents_alone() {
+    let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";
+    let study = Subject::text(text).study(&Systems).expect("a field");
+    let at = vec![number("1"), number("1"), number("20")];
+    let all = Observe {
+        observe: vec![Observable::Last, Observable::Spectrum],
+        transient: 2000,
+        ..Observe::new(number("1/400"), at.clone(), 40_000)
+    };
+    let exponents = |asked: &Observe| -> Vec<f64> {
+        let seen = json!(asked.ask(&study, &Unwatched).expect("exponents"));
+        seen["spectrum"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|one| one.as_f64().expect("a number"))
+            .collect()
+    };
+    let whole = exponents(&all);
+    assert!(whole.len() == 3 && (whole[0] - 0.9).abs() < 0.1, "{whole:?}");
+    for count in [1, 2, 3, 7] {
+        let some = Observe { spectrum: Some(count), ..all.clone() };
+        let found = exponents(&some);
+        assert_eq!(found.len(), count.min(3));
+        let columns = some.columns(&study).len();
+        assert_eq!(columns, 3 + found.len());
+        assert!(found.iter().zip(&whole).all(|(a, b)| (a - b).abs() < 0.05), "{found:?} {whole:?}");
+        let mut asked = Over::new(Question::Observe(some), Vec::<Varied>::new());
+        asked.starts = vec![at.clone(); 3];
+        let Answer::Over(cells) = study.ask(&Question::Over(asked), &Unwatched).expect("cells") else {
+            unreachable!("the answer to this question")
+        };
+        let Kept::F64(last) = cells.rows.values.last().expect("a column") else { panic!("numbers") };
+        assert_eq!(last[2], found[found.len() - 1]);
+    }
 }
 
 #[test]

@@ -149,6 +149,34 @@ impl Watch for Impatient {
     }
 }
 
+/// Rows behind a transient are those of the whole orbit, with their true step numbers and times.
+#[test]
+fn a_transient_is_not_shown() {
+    for plain in every_sort(9) {
+        let whole = rows(&lv(), &plain, 0..u64::MAX);
+        let late = Orbit { transient: 3, steps: 6, every: 2, ..plain.clone() };
+        let found = answer(&lv(), &late);
+        let cells = |table: &Table, row: usize| -> Vec<String> {
+            let all = table.values.iter().map(|kept| kept.values().cell(row).to_string());
+            // The series of the flow begin anew behind the transient: the last of 32 digits may differ.
+            let digits = if plain.method == Method::Flow { 30 } else { usize::MAX };
+            all.map(|cell| cell.chars().take(digits).collect()).collect()
+        };
+        assert_eq!(found.rows.count(), 4, "{late:?}");
+        for row in 0..4 {
+            assert_eq!(cells(&found.rows, row), cells(&whole, 3 + 2 * row), "{late:?}");
+        }
+        assert_eq!((found.head.transient, found.ending.step), (3, 9));
+        let part = rows(&lv(), &late, 1..3);
+        assert_eq!(cells(&part, 0), cells(&whole, 5), "{late:?}");
+    }
+    // x' = x^2 from 1 ends in its transient: nothing is shown, and the end has its true step.
+    let study = Subject::text("xdot = x^2;").study(&Systems).unwrap();
+    let orbit = Orbit { transient: 20, ..Orbit::new(rational(1, 20), vec![rational(1, 1)], 5) };
+    let found = orbit.ask(&study, &Unwatched).unwrap();
+    assert_eq!((found.rows.count(), found.ending.end.name(), found.ending.step), (0, "range", 9));
+}
+
 #[test]
 fn a_watch_that_breaks_leaves_what_is_known() {
     for orbit in every_sort(1_000_000) {

@@ -38,10 +38,10 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "digits": 99, "seconds": 0.5}),
         json!({
-            "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
+            "ask": "orbit", "eps": "-1/10", "at": ["1"], "transient": 4, "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
             "projective": false, "reembed": false,
         }),
-        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "renormalize": 3, "escape": 2.5, "reembed": false, "observe": ["final", "fli"]}),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "transient": 4, "steps": 9, "order": 4, "renormalize": 3, "spectrum": 2, "escape": 2.5, "reembed": false, "observe": ["final", "fli"]}),
         json!({
             "ask": "diagram", "eps": null, "at": ["1"], "over": {"eps": "1:0:/5"}, "variable": "x",
             "transient": 7, "steps": 3, "reembed": false,
@@ -59,7 +59,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "starts": [["1", "2/3"], ["0", "1"]], "draws": 7, "seed": 3,
         }),
         json!({
-            "ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "renormalize": 3, "escape": null, "reembed": false,
+            "ask": "observe", "eps": "1/10", "at": ["1"], "transient": 0, "steps": 9, "order": 4, "renormalize": 3, "spectrum": null, "escape": null, "reembed": false,
             "observe": ["fli"], "over": {"scalar": ["f32", "f64"], "order": ["2", "8"]}, "starts": [], "draws": 1, "seed": 1,
         }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
@@ -224,6 +224,8 @@ fn questions_that_do_not_fit_say_so() {
         error(Subject::named("lv"), never),
         StudyError::NotPositive { what: "renormalize", .. }
     ));
+    let none = observe(json!({"spectrum": 0}));
+    assert!(matches!(error(Subject::named("lv"), none), StudyError::NotPositive { what: "spectrum", .. }));
     for (far, said) in [
         (json!({"eps": "1e400"}), "eps is beyond the range of f64"),
         (json!({"at": [1, "-1e400"]}), "at: the coordinate y is beyond the range of f64"),

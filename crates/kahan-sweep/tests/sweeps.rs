@@ -323,7 +323,7 @@ fn a_plan_has_one_form_in_its_own_words() {
     };
     assert_eq!(
         question(PLAN),
-        r#"{"ask":"observe","steps":50,"order":2,"renormalize":10,"escape":null,"reembed":false,"observe":["final","drift","extrema","lyapunov","spectrum","log_det","fli","megno","sali","rotation","escape","passed_poles"],"over":{"x":{"draw":"sobol","low":"1/10","high":"1"},"y":{"draw":"uniform","low":"1/10","high":"1"},"z":["1/2"],"a3":["1","2"],"eps":"1/100:1/20:5","order":["2","4"],"scalar":["f64","f32"]},"starts":[],"draws":40,"seed":3}"#
+        r#"{"ask":"observe","transient":0,"steps":50,"order":2,"renormalize":10,"spectrum":null,"escape":null,"reembed":false,"observe":["final","drift","extrema","lyapunov","spectrum","log_det","fli","megno","sali","rotation","escape","passed_poles"],"over":{"x":{"draw":"sobol","low":"1/10","high":"1"},"y":{"draw":"uniform","low":"1/10","high":"1"},"z":["1/2"],"a3":["1","2"],"eps":"1/100:1/20:5","order":["2","4"],"scalar":["f64","f32"]},"starts":[],"draws":40,"seed":3}"#
     );
     let plan = |question: &str| format!("[subject]\nname = \"lv\"\n[question]\n{question}");
     assert_eq!(

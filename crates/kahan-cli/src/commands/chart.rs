@@ -17,7 +17,7 @@ use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::{Answer, Prompt, Refusal, csv};
-use crate::reading::{self, Start, Stepping, observable, whole};
+use crate::reading::{self, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
 
@@ -78,6 +78,9 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS), default_value = "1000")]
     steps: u64,
 
+    #[command(flatten)]
+    before: Transient,
+
     /// The color, or a column as rotation_x.
     #[arg(long, default_value = "sali", value_parser = Colours)]
     color: Shade,
@@ -102,8 +105,20 @@ pub(crate) struct Chart {
 }
 
 /// What orbits need, and rows have in themselves.
-const OF_ORBITS: [&str; 11] =
-    ["system", "field", "file", "sites", "parameters", "eps", "dt", "at", "steps", "escape", "reembed"];
+const OF_ORBITS: [&str; 12] = [
+    "system",
+    "field",
+    "file",
+    "sites",
+    "parameters",
+    "eps",
+    "dt",
+    "at",
+    "transient",
+    "steps",
+    "escape",
+    "reembed",
+];
 
 /// Reads what a cell can show: an observable with one number, or a column, which is not listed.
 #[derive(Clone, Copy)]
@@ -140,6 +155,7 @@ impl Asking for Chart {
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let observe = Observe {
+            transient: self.before.transient,
             escape: self.escape,
             observe: vec![self.color.observable],
             reembed: self.stepping.reembed,

@@ -8,7 +8,7 @@ use kahan_study::{Observable, Observe, Observed, Seen, Study};
 use super::line::Asking;
 use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{MOST_OBSERVED, Start, Stepping, observable, order, whole};
+use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, observable, order, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -53,6 +53,9 @@ pub(crate) struct Dynamics {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     steps: u64,
 
+    #[command(flatten)]
+    before: Transient,
+
     /// The order of the method: 2 is Kahan's map, the others compose steps of it.
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
@@ -60,6 +63,10 @@ pub(crate) struct Dynamics {
     /// Tangent vectors are made orthogonal every M steps.
     #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     renormalize: u64,
+
+    /// Compute the K largest of all exponents only, in any number of variables.
+    #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = whole(1, usize::MAX))]
+    spectrum: Option<usize>,
 
     /// End the orbit, as escaped, where a variable is larger than R in size.
     ///
@@ -89,9 +96,9 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, renormalize, escape, stepping, ref observe, .. } = *self;
-        let (reembed, observe) = (stepping.reembed, observe.clone());
-        Ok((study, Observe { eps, at, steps, order, renormalize, escape, reembed, observe }))
+        let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } = *self;
+        let (transient, reembed, observe) = (before.transient, stepping.reembed, observe.clone());
+        Ok((study, Observe { eps, at, transient, steps, order, renormalize, spectrum, escape, reembed, observe }))
     }
 
     /// The answers; a complaint where the orbit ends early.

@@ -166,7 +166,7 @@ mod tests {
         let (every, scalar, method) = (7, ScalarKind::F32, Method::Rk4);
         reads_back::<Orbit>([
             study::Orbit { every, scalar, method, ..plain.clone() },
-            study::Orbit { order: 4, projective: true, ..plain.clone() },
+            study::Orbit { order: 4, projective: true, transient: 5, ..plain.clone() },
             study::Orbit { order: 8, reembed: true, ..plain.clone() },
             plain,
         ]);
@@ -176,6 +176,8 @@ mod tests {
             Observe {
                 order: 8,
                 renormalize: 3,
+                spectrum: Some(2),
+                transient: 11,
                 escape: Some(12.5),
                 reembed: true,
                 observe: of,
@@ -185,7 +187,8 @@ mod tests {
         ]);
         let of = vec![Observable::Escape];
         // Where eps is gone through, its first value stands in the question.
-        let asked = Observe { observe: of, escape: Some(12.5), eps: rational(1, 1), ..plain.clone() };
+        let asked =
+            Observe { observe: of, escape: Some(12.5), transient: 9, eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
         let two = study::Over::new(Question::Observe(asked), axes.clone());
         let plain = Observe { observe: vec![Observable::Sali], ..plain };

@@ -3,6 +3,7 @@
 //! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
 //! memory.
 
+mod over;
 mod rows;
 
 use std::ops::ControlFlow;
@@ -12,18 +13,18 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{MOST_VARIABLES, Method, Orbit as Question, Study};
+use kahan_study::{Kept, MOST_VARIABLES, Method, Orbit as Question, Study};
 use serde_json::json;
 
 use super::line::Asking;
 use crate::printing::{Answer, Npy, Refusal, Sink};
-use crate::reading::{Start, Stepping, one_of, order, scalar, whole};
+use crate::reading::{Start, Stepping, Transient, one_of, order, scalar, whole};
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
 /// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
-/// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends
-/// alone.
+/// after orbit, and a first column `start` says which, 0, 1, and so on. With --over each start has
+/// an orbit for each value, which stands in a column behind it. An orbit that ends early ends alone.
 ///
 /// The integrals are those of the block without `when`, and those `when` what holds for the orbit.
 /// A cell is empty where an integral is undefined, or beyond the range of the scalar. Floats are
@@ -38,7 +39,10 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --dt 0.02 --at 0,1 --steps 100
+  kahan orbit lorenz --param s=10 --param b=8/3 --over r=20:28:5 --eps .01 --at 1,1,1 --steps 99
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
+// ε may be gone through.
+#[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,
@@ -53,9 +57,19 @@ pub(crate) struct Orbit {
     #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed"], requires = "sites")]
     begin: Option<String>,
 
+    /// Follow an orbit for each value of a parameter, eps or a coordinate, NAME=FROM:TO:COUNT; may
+    /// be repeated.
+    ///
+    /// All combinations are followed, the last range running fastest.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "begin")]
+    over: Vec<String>,
+
     /// The number of steps; 0 prints the first point.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MOST))]
     steps: u64,
+
+    #[command(flatten)]
+    before: Transient,
 
     /// The kind of number.
     #[arg(long, value_parser = scalar(), default_value = "f64")]
@@ -91,7 +105,7 @@ pub(crate) struct Orbit {
     #[command(flatten)]
     stepping: Stepping,
 
-    /// Print every K-th point only: n = 0, K, 2K, ….
+    /// Print every K-th point only: n = 0, K, 2K, …; with --transient N it begins at n = N.
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 
@@ -133,21 +147,28 @@ impl Asking for Orbit {
                 "--out F.npy is for the states of a chain, with --start; write --out F.csv",
             ));
         }
+        if !self.over.is_empty() {
+            return self.over();
+        }
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&study)?;
         // Nothing is written before all of them have begun.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
-        self.write(head, begun, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
+        let (names, has_places) = (["start".to_owned()], begun.len() > 1);
+        let place = |start: usize| has_places.then(|| Kept::Integer(vec![start as i64])).into_iter().collect();
+        let orbits = begun.into_iter().enumerate().map(|(start, orbit)| (place(start), orbit)).collect();
+        let names = if has_places { &names[..] } else { &[] };
+        self.write(head, names, orbits, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
     }
 }
 
 impl Orbit {
     fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
-        let Orbit { steps, every, scalar, order, method, projective, stepping, .. } = *self;
-        let reembed = stepping.reembed;
-        Question { eps, at, steps, every, scalar, order, method, projective, reembed }
+        let Orbit { before, steps, every, scalar, order, method, projective, stepping, .. } = *self;
+        let (transient, reembed) = (before.transient, stepping.reembed);
+        Question { eps, at, transient, steps, every, scalar, order, method, projective, reembed }
     }
 
     /// The orbit of a chain that begins with what `--start` says.
@@ -167,8 +188,9 @@ impl Orbit {
         let sizes = if arrays == 1 { vec![chain.sites] } else { vec![chain.sites, arrays] };
         let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
         let mut array = array.transpose()?;
-        let head = chain.head(self.steps, self.every);
-        self.write(json!(head), vec![&mut chain], |chain, table, watch| {
+        let paces = [self.before.transient, self.steps, self.every];
+        let head = chain.head(paces);
+        self.write(json!(head), &[], vec![(Vec::new(), &mut chain)], |chain, table, watch| {
             // The file is wanted even where nobody reads the table.
             table.outlive_reader(array.is_some());
             let mut written = Ok(());
@@ -176,7 +198,7 @@ impl Orbit {
                 written = array.as_mut().map_or(Ok(()), |array| array.row(state));
                 if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
             };
-            let end = chain.rows([self.steps, self.every], 0..u64::MAX, table, see, watch);
+            let end = chain.rows(paces, 0..u64::MAX, table, see, watch);
             written?;
             array.take().map_or(Ok(()), Npy::finish)?;
             Ok(end)

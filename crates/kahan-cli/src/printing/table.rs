@@ -7,7 +7,7 @@
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-use kahan_study::{Cell, Column, Rows, Values};
+use kahan_study::{Cell, Column, Kept, Rows, Values};
 use serde_json::{Map, Value};
 
 use super::layout::{after_commas, terminal_width};
@@ -28,8 +28,8 @@ pub(crate) enum Format {
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
-    /// Which of several orbits the rows are of: their first cell.
-    orbit: Option<usize>,
+    /// The first cells of all rows of an orbit, which say where it is among several; one value each.
+    place: Vec<Kept>,
     /// The row being written, kept so that its memory is.
     line: String,
     has_rows: bool,
@@ -58,16 +58,16 @@ impl Table {
                 format!("{{\n{}  \"rows\": [", entries.collect::<String>())
             }
         };
-        let (line, orbit, broken) = (String::new(), None, None);
+        let (line, place, broken) = (String::new(), Vec::new(), None);
         let mut table =
-            Table { sink, format, orbit, line, has_rows: false, width, broken, outlives_reader: false };
+            Table { sink, format, place, line, has_rows: false, width, broken, outlives_reader: false };
         table.sink.write(&text)?;
         Ok(table)
     }
 
-    /// Of several orbits, numbered from 0, the one that the next rows are of.
-    pub(crate) fn begin_orbit(&mut self, orbit: Option<usize>) {
-        self.orbit = orbit;
+    /// Begins an orbit, all rows of which have these first cells.
+    pub(crate) fn begin_orbit(&mut self, place: Vec<Kept>) {
+        self.place = place;
     }
 
     /// Lets rows be made even where nobody reads them any more.
@@ -77,8 +77,6 @@ impl Table {
 
     /// Writes a row.
     fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), Broken> {
-        let orbit = self.orbit.map(|orbit| Cell::Integer(orbit as i64));
-        let cells = orbit.into_iter().chain(cells);
         self.line.clear();
         match self.format {
             Format::Csv => {
@@ -123,7 +121,12 @@ impl Table {
 impl Rows for Table {
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
         let count = values.first().map_or(0, Values::count);
-        let written = (0..count).try_for_each(|row| self.row(values.iter().map(|values| values.cell(row))));
+        let place = std::mem::take(&mut self.place);
+        let written = (0..count).try_for_each(|row| {
+            let first = place.iter().map(|kept| kept.values().cell(0));
+            self.row(first.chain(values.iter().map(|values| values.cell(row))))
+        });
+        self.place = place;
         match written {
             Err(Broken::ReaderGone) if self.outlives_reader => ControlFlow::Continue(()),
             Err(broken) => {

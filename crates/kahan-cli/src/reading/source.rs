@@ -12,6 +12,7 @@ use kahan_study::{Axis, Catalog, Lifting, StudyError, Subject, Systems, Which};
 
 use crate::printing::{Refusal, joined, warn};
 
+use super::MOST_OBSERVED;
 use super::block::{Block, chosen, read_file};
 use super::values::{named, number, one_of, whole};
 
@@ -140,6 +141,14 @@ pub(crate) struct Stepping {
     /// ends.
     #[arg(long)]
     pub(crate) reembed: bool,
+}
+
+/// Steps that are made and not shown.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct Transient {
+    /// Make N steps before the first that is shown or observed; --steps counts those behind them.
+    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, allow_hyphen_values = true, value_parser = whole(0, MOST_OBSERVED))]
+    pub(crate) transient: u64,
 }
 
 impl Source {

@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::points::{first_point, only, point, points};
+use super::points::{first_point, only, points};
 use super::source::{Source, Start};
 use crate::printing::{Refusal, warn};
 
@@ -83,10 +83,18 @@ impl Start {
         &self,
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
+        let (study, starts, eps) = self.starts_over(axes)?;
+        Ok((study, only(starts, self.at.as_deref())?, eps))
+    }
+
+    /// The same with all first points.
+    pub(crate) fn starts_over(
+        &self,
+        axes: &[Axis],
+    ) -> Result<(Study, Vec<Vec<Rational>>, Option<Rational>), Refusal> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;
-        let at = point(self.at.as_deref(), &study)?;
-        Ok((study, at, self.step.half()?))
+        Ok((study.clone(), points(self.at.as_deref(), &study)?, self.step.half()?))
     }
 }
 

@@ -76,12 +76,14 @@ const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot =
 
 /// Calls that take minutes or more, one for each way to work long, as words of a line.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
-    const LINES: [&str; 22] = [
+    const LINES: [&str; 24] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1000 --out OUT/orbit.csv",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14 --order 8 --scalar dd",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14 --method flow",
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14 --projective",
+        "orbit lv --over eps=0.1:0.2:9 --at 0.6,1 --steps 1e15 --every 1000 --out OUT/orbits.csv",
+        "orbit lv --eps 0.1 --at 0.6,1 --transient 1e15 --steps 9",
         "orbit lv --eps 9/14 --at 1/2,5/3 --steps 99 --scalar exact",
         "orbit volterra-chain --sites 1000 --start x=1 --eps 0.01 --steps 1e12 --every 1e12",
         "dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e15",

@@ -27,6 +27,8 @@ pub struct Observing<'a> {
     pub steps: u64,
     /// Steps between two times that tangent vectors are made orthogonal, at least 1.
     pub renormalize: u64,
+    /// The number of exponents in the spectrum, at least 1, if it has so many: the largest.
+    pub exponents: usize,
     /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
     /// The relations of a lifted field, whose tangent vectors are those of its original variables.

@@ -129,8 +129,11 @@ observables! {
             ("lyapunov", "largest Lyapunov exponent, per unit of time"),
             ("lyapunov_error", "how far the exponent has converged, per unit of time"),
         ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
-    Spectrum, "All Lyapunov exponents in descending order, per unit of time.",
-        Spectrum<Carrier<'a, T>> = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.renormalize),
+    Spectrum, "All Lyapunov exponents in descending order, or the first of them, per unit of time.",
+        Spectrum<Carrier<'a, T>> = {
+            let exponents = asked.exponents.min(Step::dimension(carrier));
+            Spectrum::new(carrier.clone(), exponents, asked.renormalize)
+        },
         one => Seen::Spectrum(one.report()),
         About::new("spectrum", Of::Numbers, &[
             ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),

@@ -242,7 +242,8 @@ fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
 #[test]
 fn orbits_side_by_side_are_counted_as_each_is_alone() {
     let of = [Observable::PassedPoles, Observable::Last];
-    let asked = Observing { of: &of, steps: 40, renormalize: 10, escape: None, relations: None };
+    let asked =
+        Observing { of: &of, steps: 40, renormalize: 10, exponents: 1, escape: None, relations: None };
     let go_on = |_| ControlFlow::Continue(());
     for (name, _) in EXACT {
         let at = of_name(name, 0.4);

@@ -28,6 +28,7 @@ pub use kahan_runtime::{Observable, Seen};
 
 /// Why calls of a map are not refused.
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
+const LAST: &str = "the last point was asked for";
 
 /// Asks what the orbit of a point does, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,6 +40,9 @@ pub struct Observe {
     /// The first point, a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
+    /// The steps before the orbit is observed, behind which the others are counted.
+    #[serde(default)]
+    pub transient: u64,
     /// The number of steps.
     pub steps: u64,
     /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose steps of it.
@@ -47,6 +51,9 @@ pub struct Observe {
     /// Steps between two times that tangent vectors are made orthogonal.
     #[serde(default = "usual_renormalize")]
     pub renormalize: u64,
+    /// The number of exponents in the spectrum, the largest ones; `None` for all.
+    #[serde(default)]
+    pub spectrum: Option<usize>,
     /// The size of a variable beyond which the orbit has escaped, and ends; `None` for no bound.
     /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
     #[serde(default)]
@@ -84,7 +91,8 @@ pub struct Observed {
     pub variables: Vec<String>,
     /// The integrals that are claimed without `when`.
     pub integrals: Vec<String>,
-    /// The steps that were made: fewer than asked where the orbit ended before.
+    /// The steps that were made, the transient among them: fewer than asked where the orbit ended
+    /// before.
     pub steps: u64,
     /// How the orbit ended.
     pub end: End,
@@ -100,7 +108,7 @@ impl Observe {
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
-        Observe { eps, at, steps, order, renormalize, escape: None, reembed: false, observe }
+        Observe { eps, at, transient: 0, steps, order, renormalize, spectrum: None, escape: None, reembed: false, observe }
     }
 
     /// Observes so many steps of orbits whose first points and ε are given beside the question.
@@ -124,16 +132,17 @@ impl Observe {
         let tell = &|steps| count.tell(steps);
         let (Followed { report, end }, ends) = self.alone(study, &at, &start, &of, tell);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
+        let steps = end.steps(self.transient.saturating_add(self.steps));
         Ok(Observed {
             system: study.name().to_owned(),
             variables: study.shown().to_vec(),
             integrals: integrals.collect(),
-            steps: end.steps(self.steps),
+            steps,
             end,
-            why: ends.map(|ends| ends.in_words(study, end.steps(self.steps))),
+            why: ends.map(|ends| ends.in_words(study, steps)),
             seen: of
                 .into_iter()
-                .zip(report.into_iter().map(|seen| after(end.steps(self.steps), shown(study, seen))))
+                .zip(report.into_iter().map(|seen| after(steps > self.transient, shown(study, seen))))
                 .collect(),
         })
     }
@@ -142,7 +151,7 @@ impl Observe {
     #[must_use]
     pub fn steps_in_all(&self) -> u64 {
         let runs = self.observe.iter().map(|one| one.runs()).max();
-        self.steps.saturating_mul(runs.unwrap_or(1))
+        self.steps.saturating_mul(runs.unwrap_or(1)).saturating_add(self.transient)
     }
 
     /// Refuses drifts that are asked for by name where the field claims no integral.
@@ -167,7 +176,15 @@ impl Observe {
     /// The same with what observers need to know.
     pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
         let relations = study.relations();
-        Observing { of, steps: self.steps, renormalize: self.renormalize, escape: self.escape, relations }
+        let exponents = self.spectrum.unwrap_or(usize::MAX);
+        Observing {
+            of,
+            steps: self.steps,
+            renormalize: self.renormalize,
+            exponents,
+            escape: self.escape,
+            relations,
+        }
     }
 
     /// The columns of a table that hold what is observed in a field, an orbit a row.
@@ -177,7 +194,11 @@ impl Observe {
         let columns = self.observables().into_iter().flat_map(|one| {
             // A lifted field has the exponents of its original variables.
             let of_vectors = one.is_of_tangent_vectors();
-            one.columns(if of_vectors { study.coordinates() } else { study.shown() }, integrals)
+            let mut variables = if of_vectors { study.coordinates() } else { study.shown() };
+            if one == Observable::Spectrum {
+                variables = &variables[..variables.len().min(self.spectrum.unwrap_or(usize::MAX))];
+            }
+            one.columns(variables, integrals)
         });
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
@@ -204,7 +225,8 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit, whose steps end where those of a lifted field do; with the reason.
+    /// Observes one orbit behind its transient. Steps end where those of a lifted field do; with the
+    /// reason.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -213,19 +235,21 @@ impl Observe {
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
-        let Some(step) = study.steps(at, self.reembed) else {
-            return (T::alone(None, at, start, &self.observing(study, of), tell).expect(FITTING), None);
-        };
-        let of = with_last(of);
-        let mut found = T::alone(Some(&step), at, start, &self.observing(study, &of), tell).expect(FITTING);
-        let last = found.report.pop().and_then(last_point::<T>).expect("the last point was asked for");
-        let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
-        found.end = step.end(found.end, &last);
-        (found, ends)
+        let asked = self.observing(study, of);
+        if self.transient == 0 {
+            return self.one(study, at, start, &asked, tell);
+        }
+        let transient = Observing { of: &[Observable::Last], steps: self.transient, ..asked };
+        let (mut before, why) = self.one(study, at, start, &transient, tell);
+        let settled = before.report.pop().and_then(last_point::<T>).expect(LAST);
+        let steps = if before.end == End::Complete { self.steps } else { 0 };
+        let (found, ends) = self.one(study, at, &settled, &Observing { steps, ..asked }, tell);
+        let found = later(found, before.end.steps(self.transient));
+        if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
-    /// Observes many orbits, side by side where there is code for that. An orbit of a lifted
-    /// field whose last point is beyond its end is followed once more, to the end.
+    /// Observes many orbits behind their transients, side by side where there is code for that. An
+    /// orbit that ends in its transient is followed once more, to its end.
     pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -234,20 +258,69 @@ impl Observe {
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<Seen>>> {
-        let alone = |orbit: usize| {
-            let start: Vec<T> = starts.iter().map(|column| column[orbit]).collect();
-            self.alone(study, maps[orbit], &start, of, tell).0
-        };
+        let alone = |orbit: usize| self.alone(study, maps[orbit], &start_of(starts, orbit), of, tell).0;
         if self.reembed {
             return (0..maps.len()).map(alone).collect();
         }
+        let asked = self.observing(study, of);
+        if self.transient == 0 {
+            return self.side_by_side(study, maps, starts, &asked, tell);
+        }
+        let transient = Observing { of: &[Observable::Last], steps: self.transient, ..asked };
+        let mut settled = starts.to_vec();
+        let before = self.side_by_side(study, maps, starts, &transient, tell).into_iter().enumerate();
+        let ends: Vec<End> = before
+            .map(|(orbit, mut found)| {
+                let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
+                settled.iter_mut().zip(last).for_each(|(column, x)| column[orbit] = x);
+                found.end
+            })
+            .collect();
+        let found = self.side_by_side(study, maps, &settled, &asked, tell).into_iter().zip(ends).enumerate();
+        let found = found.map(|(orbit, (found, before))| match before {
+            End::Complete => later(found, self.transient),
+            _ => alone(orbit),
+        });
+        found.collect()
+    }
+
+    /// Observes one orbit from its start on, as far as a lifted field goes; with the reason.
+    fn one<T: ObservedFloat + EmbedScalar>(
+        &self,
+        study: &Study,
+        at: &MapAt<T>,
+        start: &[T],
+        asked: &Observing<'_>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
+        let Some(step) = study.steps(at, self.reembed) else {
+            return (T::alone(None, at, start, asked, tell).expect(FITTING), None);
+        };
+        let with_last = Observing { of: &with_last(asked.of), ..*asked };
+        let mut found = T::alone(Some(&step), at, start, &with_last, tell).expect(FITTING);
+        let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
+        let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
+        found.end = step.end(found.end, &last);
+        (found, ends)
+    }
+
+    /// Observes many orbits from their starts on. An orbit of a lifted field whose last point is
+    /// beyond its end is followed once more, to the end.
+    fn side_by_side<T: ObservedFloat + EmbedScalar>(
+        &self,
+        study: &Study,
+        maps: &[&MapAt<T>],
+        starts: &[Vec<T>],
+        asked: &Observing<'_>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Vec<Followed<Vec<Seen>>> {
         let is_lifted = maps.first().is_some_and(|at| study.lifted_step(at).is_some());
-        let with_last = if is_lifted { with_last(of) } else { of.to_vec() };
-        let mut found = T::abreast(maps, starts, &self.observing(study, &with_last), tell).expect(FITTING);
+        let of = if is_lifted { with_last(asked.of) } else { asked.of.to_vec() };
+        let mut found = T::abreast(maps, starts, &Observing { of: &of, ..*asked }, tell).expect(FITTING);
         for (orbit, found) in found.iter_mut().enumerate().filter(|_| is_lifted) {
-            let last = found.report.pop().and_then(last_point::<T>).expect("the last point was asked for");
+            let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
             if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
-                *found = alone(orbit);
+                *found = self.one(study, maps[orbit], &start_of(starts, orbit), asked, tell).0;
             }
         }
         found
@@ -279,8 +352,11 @@ impl Observe {
             let refused = self.observe.iter().find(|one| !one.is_of_points());
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
         }
-        if self.renormalize == 0 {
-            return Err(StudyError::NotPositive { what: "renormalize", value: Rational::zero() });
+        for (what, count) in [("renormalize", self.renormalize), ("spectrum", self.spectrum.map_or(1, |k| k as u64))]
+        {
+            if count == 0 {
+                return Err(StudyError::NotPositive { what, value: Rational::zero() });
+            }
         }
         Composition::of_order(self.order).ok_or(StudyError::Order(self.order))
     }
@@ -299,6 +375,19 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
 
+/// What is seen of an orbit that is observed behind so many steps of it.
+fn later(found: Followed<Vec<Seen>>, before: u64) -> Followed<Vec<Seen>> {
+    let later = |seen| match seen {
+        Seen::Step(step) => Seen::Step(step.map(|step| step + before)),
+        seen => seen,
+    };
+    Followed { report: found.report.into_iter().map(later).collect(), end: found.end.after(before) }
+}
+
+fn start_of<T: Copy>(starts: &[Vec<T>], orbit: usize) -> Vec<T> {
+    starts.iter().map(|column| column[orbit]).collect()
+}
+
 fn last_point<T: EmbedScalar>(seen: Seen) -> Option<Vec<T>> {
     let Seen::Point(point) = seen else { return None };
     Some(point.into_iter().map(T::narrowed).collect())
@@ -314,10 +403,10 @@ pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
     }
 }
 
-/// Replaces indicators by NaN where no step was made, as they say nothing of the orbit then.
-fn after(steps: u64, seen: Seen) -> Seen {
+/// Replaces indicators by NaN where no step was observed, as they say nothing of the orbit then.
+fn after(has_steps: bool, seen: Seen) -> Seen {
     match seen {
-        Seen::Number(_) if steps == 0 => Seen::Number(f64::NAN),
+        Seen::Number(_) if !has_steps => Seen::Number(f64::NAN),
         seen => seen,
     }
 }

@@ -44,9 +44,12 @@ pub struct Orbit {
     /// The first point, a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
+    /// The steps to the first row; those of [`steps`](Self::steps) come after them.
+    #[serde(default)]
+    pub transient: u64,
     /// The number of steps.
     pub steps: u64,
-    /// Every so many steps a point becomes a row, the first point first.
+    /// Every so many steps a point becomes a row, the first point behind the transient first.
     #[serde(default = "one")]
     pub every: u64,
     /// The numbers to compute with.
@@ -204,7 +207,10 @@ pub struct OrbitHead {
     /// The order of Kahan's map or its composition; other methods have their own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<u32>,
-    /// The number of steps.
+    /// The steps to the first row.
+    #[serde(skip_serializing_if = "is_none")]
+    pub transient: u64,
+    /// The number of steps behind them.
     pub steps: u64,
     /// The steps from row to row.
     pub every: u64,
@@ -222,6 +228,11 @@ pub struct OrbitHead {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands on a reference")]
 fn is_kahans(method: &Method) -> bool {
     *method == Method::Kahan
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands on a reference")]
+fn is_none(transient: &u64) -> bool {
+    *transient == 0
 }
 
 fn names<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok, S::Error> {
@@ -251,7 +262,8 @@ pub struct Begun<'a> {
 type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
 impl Begun<'_> {
-    /// Hands on rows by their numbers: row k is the point after k times `every` steps. Costs the
+    /// Hands on rows by their numbers: row k is the point after `transient` and k times `every`
+    /// steps. Costs the
     /// steps to the last of them, from the first point on; integrals are computed in rows only.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
@@ -265,6 +277,7 @@ impl Orbit {
         Orbit {
             eps,
             at,
+            transient: 0,
             steps,
             every: one(),
             scalar: ScalarKind::default(),
@@ -273,6 +286,17 @@ impl Orbit {
             projective: false,
             reembed: false,
         }
+    }
+
+    /// The steps to the first row, those behind them, and those from row to row.
+    fn paces(&self) -> [u64; 3] {
+        [self.transient, self.steps, self.every]
+    }
+
+    /// The steps to the last row, the transient among them.
+    #[must_use]
+    pub fn steps_in_all(&self) -> u64 {
+        self.transient.saturating_add(self.steps)
     }
 
     /// The study with the integrals that the orbit keeps without a condition.
@@ -374,6 +398,7 @@ impl Orbit {
             scalar: self.scalar,
             method: self.method,
             order: (self.method == Method::Kahan).then_some(self.order),
+            transient: self.transient,
             steps: self.steps,
             every: self.every,
             columns: columns(study.shown(), map.field().integrals()),
@@ -382,10 +407,10 @@ impl Orbit {
         };
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
-            let course = Course { arithmetic, columns: &all, eps, steps: self.steps, every: self.every };
+            let course = Course { arithmetic, columns: &all, eps, steps: self.paces() };
             let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
             match course.hand_on(&mut *points, range, &mut chosen, watch) {
-                Ok(()) => Ending::plain(End::Complete, self.steps),
+                Ok(()) => Ending::plain(End::Complete, self.steps_in_all()),
                 Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
             }

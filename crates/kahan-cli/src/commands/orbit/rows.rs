@@ -1,9 +1,9 @@
 //! The table of orbits: where it goes, and what becomes of an orbit that ends early.
 //!
-//! In: what is known before the first row, and who hands on the rows of each orbit. Out: the table,
-//! and an answer that says why orbits ended. What a step is, this module must not know.
+//! In: what is known before the first row, where each orbit is among several, and who hands on its
+//! rows. Out: the table, and an answer that says why orbits ended. What a step is, this module must not know.
 
-use kahan_study::Ending;
+use kahan_study::{Ending, Kept};
 use serde_json::{Map, Value, json};
 
 use super::{Orbit, is_array};
@@ -11,19 +11,19 @@ use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
 use crate::reading::option;
 
 impl Orbit {
-    /// Opens the table, lets it be filled orbit by orbit, closes it.
+    /// Opens the table, lets it be filled orbit by orbit, closes it. `places` are the names of the
+    /// first columns, which each orbit has the cells of.
     pub(super) fn write<O>(
         &self,
         head: Value,
-        orbits: Vec<O>,
+        places: &[String],
+        orbits: Vec<(Vec<Kept>, O)>,
         fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
     ) -> Result<Answer, Refusal> {
         let Value::Object(mut head) = head else { unreachable!("a head is an object") };
-        if orbits.len() > 1 {
-            let columns = head["columns"].as_array_mut().expect("columns have names");
-            let names: Vec<&str> = columns.iter().filter_map(Value::as_str).collect();
-            columns.insert(0, json!(kahan_study::free_name(&names, "orbit")));
-        }
+        let columns = head["columns"].as_array_mut().expect("columns have names");
+        let names: Vec<String> = columns.iter().filter_map(Value::as_str).map(str::to_owned).collect();
+        columns.splice(0..0, places.iter().map(|place| json!(kahan_study::free_name(&names, place))));
         let file = self.out.as_deref().filter(|path| !is_array(path));
         let sink = file.map_or_else(|| Ok(Sink::standard()), Sink::table)?;
         let stops = match self.write_into(sink, &head, orbits, fill) {
@@ -49,20 +49,19 @@ impl Orbit {
         &self,
         sink: Sink,
         head: &Map<String, Value>,
-        orbits: Vec<O>,
+        orbits: Vec<(Vec<Kept>, O)>,
         mut fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
     ) -> Result<Vec<Ending>, Broken> {
-        let steps = self.steps.saturating_mul(orbits.len() as u64);
-        let prompt = Prompt::beside_rows(!sink.is_standard(), steps);
+        let steps = self.before.transient.saturating_add(self.steps);
+        let prompt = Prompt::beside_rows(!sink.is_standard(), steps.saturating_mul(orbits.len() as u64));
         let format = if self.json && sink.is_standard() { Format::Json } else { Format::Csv };
         let mut table = Table::begin(sink, format, head)?;
         let mut stops = Vec::new();
-        let are_several = orbits.len() > 1;
-        for (index, orbit) in orbits.into_iter().enumerate() {
-            table.begin_orbit(are_several.then_some(index));
+        for (place, orbit) in orbits {
+            table.begin_orbit(place);
             let ending = fill(orbit, &mut table, &prompt)?;
             table.written()?;
-            prompt.done(self.steps);
+            prompt.done(steps);
             stops.push(ending);
         }
         table.end(&ended(&stops))?;

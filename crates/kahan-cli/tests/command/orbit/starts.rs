@@ -91,7 +91,7 @@ fn of_several_rows_each_begins_an_orbit() {
         let mut expected = Vec::new();
         for (index, start) in starts.iter().enumerate() {
             let (own_names, own) = table(&answer(&orbits(start, further)));
-            assert_eq!(names, [&["orbit".to_owned()], &own_names[..]].concat());
+            assert_eq!(names, [&["start".to_owned()], &own_names[..]].concat());
             expected.extend(own.into_iter().map(|row| [vec![index.to_string()], row].concat()));
         }
         assert_eq!(rows, expected, "{further:?}");
@@ -231,4 +231,62 @@ fn other_commands_take_a_file_of_one_row_and_pictures_several() {
         fs::read_to_string(&out).expect("a picture")
     };
     assert_eq!(picture(&[&several]), picture(&["1/3,2", "1,2"]));
+}
+
+/// Every start has an orbit for each value: the rows of the single calls, behind their places.
+#[test]
+fn ranges_give_an_orbit_for_each_value_and_start() {
+    let folder = folder();
+    let path = file(&folder, "x,y\n1/3,1/2\n1/5,2\n");
+    let field = ["--field", "xdot = a*x*(1 - y); ydot = y*(x - b);", "--steps", "6", "--every", "3"];
+    for further in
+        [&[][..], &["--scalar", "exact"], &["--transient", "2", "--order", "4"], &["--method", "rk4"]]
+    {
+        let with = |more: &[&str]| table(&answer(&[&field[..], further, more].concat()));
+        let (names, rows) =
+            with(&["--at", &path, "--param", "b=1", "--over", "a=1:2:+1/2", "--over", "eps=1/8:1/4:2"]);
+        let mut expected = Vec::new();
+        for (index, start) in ["1/3,1/2", "1/5,2"].iter().enumerate() {
+            for (a, eps) in ["1", "3/2", "2"].into_iter().flat_map(|a| ["1/8", "1/4"].map(|eps| (a, eps))) {
+                let (own_names, own) =
+                    with(&["--at", start, "--param", "b=1", "--param", &format!("a={a}"), "--eps", eps]);
+                assert_eq!(names, [&["start", "a", "eps"].map(str::to_owned)[..], &own_names].concat());
+                let shown = |text: &str| match (further.contains(&"exact"), text) {
+                    (true, text) => text.to_owned(),
+                    (_, "3/2") => "1.5".to_owned(),
+                    (_, "1/8") => "0.125".to_owned(),
+                    (_, "1/4") => "0.25".to_owned(),
+                    (_, text) => text.to_owned(),
+                };
+                let place = [index.to_string(), shown(a), shown(eps)];
+                expected.extend(own.into_iter().map(|row| [&place[..], &row].concat()));
+            }
+        }
+        assert_eq!(rows, expected, "{further:?}");
+    }
+    // A coordinate may be gone through, too, and the object has the columns and how each ended.
+    let line = [&field[..], &["--at", "1,2", "--param", "a=1", "--param", "b=1", "--eps", "1/8", "--json"]];
+    let object = |more: &[&str]| -> Value {
+        serde_json::from_str(&answer(&[&line.concat(), more].concat())).expect("JSON")
+    };
+    let object = object(&["--over", "y=1:3:3"]);
+    assert_eq!(object["columns"], json!(["start", "y_", "n", "t", "x", "y"]));
+    assert_eq!(object["ended"], json!(["complete", "complete", "complete"]));
+    for (more, said) in [
+        (&["--over", "c=0:1:2"][..], "--over: "),
+        (&["--over", "y=0:1:2", "--over", "y=0:1:2"], "--over: "),
+        (&["--over", "a=0:1:2"], "--over goes through values of a; leave --param a out"),
+        (&["--over", "y"], "write NAME=FROM:TO:COUNT"),
+    ] {
+        let refused = running::refusal(&[&["orbit"], &line.concat()[..], more].concat());
+        assert!(refused.contains(said), "{refused}");
+    }
+}
+
+#[test]
+fn a_transient_is_not_printed() {
+    let (_, whole) = table(&answer(&["lv", "--eps", "1/7", "--at", "1/3,0.1", "--steps", "9"]));
+    let late = ["lv", "--eps", "1/7", "--at", "1/3,0.1", "--steps", "6", "--transient", "3", "--every", "2"];
+    let (_, rows) = table(&answer(&late));
+    assert_eq!(rows, whole.iter().skip(3).step_by(2).cloned().collect::<Vec<_>>());
 }

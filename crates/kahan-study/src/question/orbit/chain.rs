@@ -17,7 +17,7 @@ use crate::numbers::ScalarKind;
 use crate::rows::{Column, Ending, Rows};
 
 use super::points::{Course, Halt, Points, Why, moment};
-use super::{columns, names};
+use super::{columns, is_none, names};
 
 /// A chain, ready to step.
 #[derive(Debug)]
@@ -58,7 +58,10 @@ pub struct ChainHead {
     pub scalar: ScalarKind,
     /// The order of the method.
     pub order: u32,
-    /// The number of steps.
+    /// The steps to the first row.
+    #[serde(skip_serializing_if = "is_none")]
+    pub transient: u64,
+    /// The number of steps behind them.
     pub steps: u64,
     /// The steps from row to row.
     pub every: u64,
@@ -68,9 +71,10 @@ pub struct ChainHead {
 }
 
 impl Chain {
-    /// What is known before so many steps, each so many of which a point becomes a row.
+    /// What is known beforehand of the steps to the first row, those behind them, and those from row
+    /// to row.
     #[must_use]
-    pub fn head(&self, steps: u64, every: u64) -> ChainHead {
+    pub fn head(&self, [transient, steps, every]: [u64; 3]) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
         let range = |array: &String| [format!("{array}_min"), format!("{array}_max")];
         let states = match &self.variables[..] {
@@ -88,27 +92,28 @@ impl Chain {
             eps: *eps,
             scalar: ScalarKind::F64,
             order: 2,
+            transient,
             steps,
             every,
             columns: columns(&states, &sums),
         }
     }
 
-    /// Makes so many steps from the state. Hands on rows as an [`Orbit`](super::Orbit) does, and
+    /// Makes the steps that [`head`](Self::head) describes from the state. Hands on rows as an [`Orbit`](super::Orbit) does, and
     /// shows `see` the state of each before, which ends the work by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
-        [steps, every]: [u64; 2],
+        paces: [u64; 3],
         range: Range<u64>,
         rows: &mut dyn Rows,
         see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
         watch: &dyn Watch,
     ) -> Ending {
-        let columns = &self.head(steps, every).columns;
-        let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps, every };
+        let columns = &self.head(paces).columns;
+        let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps: paces };
         let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
         match course.hand_on(&mut points, range, rows, watch) {
-            Ok(()) => Ending::plain(End::Complete, steps),
+            Ok(()) => Ending::plain(End::Complete, paces[0] + paces[1]),
             Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
             Err(Halt::Ended(step, _)) => Ending {
                 end: End::Range(step),

@@ -71,7 +71,7 @@ impl<'a> Orbits<'a> {
     /// How many cells should be done at once, at least and at most: enough to fill registers, and
     /// few enough that they are done in a moment.
     pub(super) fn at_once(&self) -> [u64; 2] {
-        [LANES, (AT_ONCE / self.asked.steps.max(1)).clamp(LANES, 256)]
+        [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
 
     /// The rows of cells that follow each other; none where `tell`, which hears that steps were
@@ -96,7 +96,7 @@ impl<'a> Orbits<'a> {
                 // Where the field is not defined no point follows the start.
                 let end = found.as_ref().map_or(End::Range(0), |found| found.end);
                 row.push(Entry::Text(end.name().to_owned()));
-                row.push(Entry::Integer(end.steps(self.asked.steps) as i64));
+                row.push(Entry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
                 let numbers = found.as_ref().map_or_else(Vec::new, Observe::numbers).into_iter();
                 let numbers = numbers.chain(std::iter::repeat(f64::NAN));
                 row.extend(numbers.take(self.numbers).map(Entry::Float));
@@ -176,7 +176,7 @@ impl<'a> Orbits<'a> {
         mut columns: Vec<Vec<T>>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<Seen>>> {
-        let steps = self.asked.steps;
+        let steps = self.asked.transient + self.asked.steps;
         let is_short = steps <= AT_ONCE / LANES;
         let mut found = Vec::with_capacity(maps.len());
         for same in maps.chunk_by(|a, b| std::ptr::eq(*a, *b)) {

@@ -1,0 +1,266 @@
+"""The points of many orbits on their way, as one table or as a file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import Named, needed, spelled, unknown
+from ._orbit import Array, Ensemble, Frame
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._system import System
+
+__all__ = ["Series"]
+
+_AT_ONCE = 1 << 22
+"""Numbers that are in memory at once, where a table is reduced or written while it is computed."""
+
+Ends = tuple[list[str], Array, Array]
+
+
+@spelled
+class Series(Frame):
+    """Points of many orbits, ``x[i, k]`` that of start ``i`` after ``n[k]`` steps: one table, orbit after orbit.
+
+    ``ended`` says of each how it ended, as ``Orbit.ended`` says of one, and ``steps`` after how many steps. Behind an
+    early end the points are NaN. Columns are those of the table, ``r["x"]``; ``r.by_start("x")[i, k]`` has the shape of points.
+    """
+
+    system: System
+    """The field, with its parameters."""
+    start: Array
+    """The first points, of shape (starts, variables) or with the axes that were given."""
+    given: dict[str, Array]
+    """``eps`` and what was given as ``params``, by name: one number, or one a start."""
+    x: Array
+    """The points, of shape (starts, rows, variables); of chosen columns those variables alone that were chosen."""
+    every: int
+    """Steps from row to row."""
+    transient: int
+    """Steps to the first row."""
+    steps: Array
+    """The steps that each made, those of the transient among them."""
+
+    def __init__(self, system: System, start: Array, given: dict[str, Array], asked: int, every: int, transient: int) -> None:
+        self.system, self.start, self.given, self.every, self.transient = system, start, given, every, transient
+        self._rows, self._names = asked // max(every, 1) + 1, None
+
+    def filled(self, begun: Array, eps: Array, given: list[Any], call: Callable[..., Any], names: list[str] | None, to: Any,
+               hear: Any) -> Series | Ensemble:
+        """This series with its points; those of ``names`` alone, or written to a file as they are computed."""
+        if names is None and to is None or np.ndim(begun) != 2:
+            return self._with(*call(begun, eps, parameters=given, listener=hear))
+        parts = self._parts(np.asarray(begun), eps, given, call, names, hear)
+        if to is not None:
+            return _written(self, parts, Path(to))
+        # Other columns are made when they are asked for.
+        kept = [name for name in names or () if name in self.system.variables or name not in self._plain()]
+        ends: list[Ends] = []
+        found: list[list[Array]] = []
+        for part in parts:
+            ends.append(part._ends)
+            found.append([part._flat(name).reshape(-1, self._rows) for name in kept])
+        self._end(_joined(ends))
+        shape = (*self.start.shape[:-1], self._rows)
+        self._taken = {name: np.concatenate(columns).reshape(shape) for name, columns in zip(kept, zip(*found))}
+        variables = [self._taken[name] for name in kept if name in self.system.variables]
+        self.x, self._names = np.stack(variables, axis=-1) if variables else np.empty((*shape, 0)), names
+        return self
+
+    def _parts(self, begun: Array, eps: Array, given: list[Any], call: Callable[..., Any], names: list[str] | None,
+               hear: Any) -> Iterator[Series]:
+        """The series of some starts after the other, as many as are in memory at once."""
+        count, size = len(begun), max(1, _AT_ONCE // (self._rows * begun.shape[1]))
+        start = self.start.reshape(count, -1)
+        for first in range(0, max(count, 1), size):
+            own = slice(first, first + size)
+
+            def of(value: Any, own: slice = own) -> Any:
+                return value if value is None or np.ndim(value) == 0 else np.ravel(value)[own]
+
+            def heard(what: str, done: Any, _: Any, first: int = first, own: int = len(begun[own])) -> None:
+                each = self.transient + (self._rows - 1) * self.every
+                hear(what, first * each + min(done, own * each), count * each)
+
+            part = Series(self.system, start[own], {name: of(value) for name, value in self.given.items()}, 0, self.every, self.transient)
+            part._rows, part._names, part._first = self._rows, names, first
+            found = call(begun[own], of(eps), parameters=[of(value) for value in given], listener=hear and heard)
+            yield part._with(*found)
+
+    def _with(self, rows: Array, ends: Ends) -> Series:
+        lead = self.start.shape[:-1]
+        self._in_all = rows
+        self.x = self.system._out_of_all(rows).reshape(*lead, *rows.shape[1:-1], -1)
+        self._end(ends)
+        return self
+
+    def _end(self, ends: Ends) -> None:
+        lead = self.start.shape[:-1]
+        self._ends, self.steps = ends, ends[2].reshape(lead)
+
+    _first = 0
+    _taken: dict[str, Array] = {}
+    _names: list[str] | None
+
+    @property
+    def states(self) -> Array:
+        """The points, ``x``."""
+        return self.x
+
+    @cached_property
+    def ended(self) -> Array:
+        """How each ended, in a word."""
+        ended: Array = np.array(self._ends[0], dtype=object)[self._ends[1]].reshape(self.steps.shape)
+        return ended
+
+    @property
+    def ended_step(self) -> Array:
+        """The steps that each made, ``steps``."""
+        return self.steps
+
+    @property
+    def n(self) -> Array:
+        """The number of steps that leads to each row."""
+        return self.transient + self.every * np.arange(self._rows)
+
+    @property
+    def t(self) -> Array:
+        """The time of each row, 2 eps n; of shape (starts, rows) where each start has its ``eps``."""
+        eps = self.given["eps"]
+        times: Array = 2 * (eps[..., None] if eps.ndim else eps) * self.n + (self.system._time[0] or 0)
+        return times
+
+    @cached_property
+    def integrals(self) -> dict[str, Array]:
+        """The claimed integrals on each row, by name, as ``Orbit.integrals``: NaN where a claim has a condition that the
+        parameters or ``eps`` of an orbit do not meet."""
+        rows = self._in_all
+        found: dict[str, Array] = {}
+        flat = {name: np.ravel(values) for name, values in self.given.items()}
+        # Orbits of one field are evaluated together.
+        of_one = all(len(values) == 1 for values in flat.values())
+        for own in [slice(None)] if of_one else (slice(k, k + 1) for k in range(len(rows))):
+            values: dict[str, Any] = {name: float(values[0 if len(values) == 1 else own.start]) for name, values in flat.items()}
+            eps = values.pop("eps")
+            system = self.system(**values) if values else self.system
+            for name, column in system._integrals_in_all(rows[own], eps).items():
+                found.setdefault(name, np.full(rows.shape[:2], np.nan))[own] = column
+        shape = (*self.steps.shape, self._rows)
+        return Named({name: column.reshape(shape) for name, column in found.items()}, "claimed integral",
+                     "`s.discover().claimed` has those found")
+
+    def _plain(self) -> list[str]:
+        """The columns that are known without a look at integrals."""
+        given = [name for name, values in self.given.items() if values.ndim]
+        return list(dict.fromkeys(["start", *given, "n", "t", *self.system.variables]))
+
+    def _chosen(self) -> list[str]:
+        if self._names is None:
+            return [*self._plain(), *(name for name in self.integrals if name not in self.system.variables)]
+        return self._names
+
+    def _flat(self, name: str) -> Array:
+        """A column of the table, a row after the other."""
+        count, system = self.steps.size, self.system
+        if name in self._taken:
+            return self._taken[name].ravel()
+        if self._names is not None and name not in self._names:
+            raise KeyError(unknown("column", str(name), self._names))
+        if name in system.variables:
+            return self.x[..., system.variables.index(name)].ravel()
+        if name == "t":
+            return np.broadcast_to(self.t.reshape(-1, self._rows), (count, self._rows)).ravel()
+        if name == "n":
+            return np.tile(self.n, count)
+        if name == "start":
+            return np.repeat(np.arange(self._first, self._first + count), self._rows)
+        if name in self.given:
+            return np.repeat(np.broadcast_to(self.given[name], self.steps.shape).ravel(), self._rows)
+        integrals = self.integrals
+        if name not in integrals:
+            raise KeyError(unknown("column", str(name), [*self._plain(), *integrals]))
+        return integrals[name].ravel()
+
+    def columns(self) -> dict[str, Array]:
+        """The number of the start, ``eps`` and parameters that differ, n, t, the variables and the integrals, by name; a row
+        a point, orbit after orbit. Or the columns that were chosen."""
+        return {name: self._flat(name) for name in self._chosen()}
+
+    def __getitem__(self, name: str) -> Array:
+        return self._flat(name)
+
+    def by_start(self, name: str) -> Array:
+        """A column of shape (starts, rows)."""
+        return self._flat(name).reshape(*self.steps.shape, self._rows)
+
+    def __len__(self) -> int:
+        return self.steps.size * self._rows
+
+    def __repr__(self) -> str:
+        early = int(np.sum(self.ended != "complete"))
+        return f"<Series of {self.system.name}: {self.steps.size} orbits of {self._rows} points{f', {early} ended early' if early else ''}>"
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the columns over ``start`` and ``t``, or over ``start`` and ``n`` where each start has its ``eps``.
+
+        First points and what was given are coordinates over ``start``. Needs xarray.
+        """
+        count, eps = self.steps.size, self.given["eps"]
+        along = "n" if eps.ndim else "t"
+        beside: dict[str, Any] = {f"start_{name}": ("start", values) for name, values in self.system._columns(self.start).items()}
+        beside |= {name: ("start", values.ravel()) if values.ndim else values for name, values in self.given.items()}
+        beside["ended"] = ("start", self.ended.ravel())
+        times = {"t": (("start", "n"), self.t.reshape(count, -1)), "n": self.n} if eps.ndim else {"t": self.t, "n": ("t", self.n)}
+        columns = {name: (("start", along), self._flat(name).reshape(count, -1))
+                   for name in self._chosen() if name in self.system.variables or name not in ("start", "n", "t", *self.given)}
+        return needed("xarray").Dataset(columns, {"start": np.arange(count), **times, **beside}, {"field": self.system.text})
+
+    def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the orbits over two or three columns, each as a line; by default t and the first variable. Needs matplotlib."""
+        from ._plot import series
+
+        return series(self, axes, ax, style)
+
+
+def _joined(ends: list[Ends]) -> Ends:
+    """How trajectories ended that were followed in parts."""
+    words = list(dict.fromkeys(word for part, _, _ in ends for word in part))
+    places = [np.array([words.index(word) for word in part], dtype=np.uint8)[own] for part, own, _ in ends]
+    return words, np.concatenate(places), np.concatenate([steps for _, _, steps in ends])
+
+
+def _written(series: Series, parts: Iterator[Series], path: Path) -> Ensemble:
+    """Writes the table part by part; the file appears when it is complete."""
+    if path.suffix not in (".parquet", ".arrow", ".feather"):
+        raise ValueError(f"to: a table is written to F.parquet or F.arrow, not {path}")
+    pyarrow = needed("pyarrow")
+    unfinished = path.with_name(f".{path.name}.{os.getpid()}")
+    writer: Any = None
+    ends: list[Ends] = []
+    last: list[Array] = []
+    try:
+        for part in parts:
+            table = pyarrow.table(part.columns())
+            if writer is None:
+                if path.suffix == ".parquet":
+                    from pyarrow import parquet
+
+                    writer = parquet.ParquetWriter(unfinished, table.schema)
+                else:
+                    writer = pyarrow.ipc.new_file(unfinished, table.schema)
+            writer.write_table(table)
+            ends.append(part._ends)
+            last.append(part.x[:, -1])
+        writer.close()
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return Ensemble(series.system, series.start, series.given, np.concatenate(last), _joined(ends), {})
