@@ -103,9 +103,11 @@ impl Asker {
             Some("scene") => scene(study)?,
             Some("orbit") => orbit(study, &read(question)?, watch)?,
             Some("relations") => relations(study, &read(question)?)?,
-            Some("discover") => discovered(study, &read(question)?, watch)?,
+            Some("discover") => {
+                Reply::of(Answer::Discover(Box::new(read::<Discover>(question)?.ask(study, watch)?)))
+            }
             Some("heights") => heights(study, &read(question)?, watch)?,
-            Some("poles") => followed(study, &read(question)?, watch)?,
+            Some("poles") => Reply::of(Answer::Poles(Box::new(read::<Poles>(question)?.ask(study, watch)?))),
             _ => return Err(format!("the page has no question {name}").into()),
         })
     }
@@ -210,16 +212,8 @@ fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
     Ok(Reply { answer: json!({"rows": PARTS}), columns, ..Reply::default() })
 }
 
-fn discovered(study: &Study, asked: &Discover, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    Ok(Reply::of(Answer::Discover(Box::new(asked.ask(study, watch)?))))
-}
-
 fn heights(study: &Study, asked: &Heights, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let found = asked.ask(study, watch)?;
     let html = shown::heights(&found, &asked.eps);
     Ok(Reply { answer: json!(found), html: Some(html), ..Reply::default() })
-}
-
-fn followed(study: &Study, asked: &Poles, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    Ok(Reply::of(Answer::Poles(Box::new(asked.ask(study, watch)?))))
 }
