@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::points::{first_point, only, point, points};
+use super::points::{first_point, only, points};
 use super::source::{Source, Start};
 use super::values::refused;
 use crate::printing::{Refusal, warn};
@@ -84,10 +84,19 @@ impl Start {
         &self,
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
+        let (study, starts, eps) = self.starts_over(axes)?;
+        Ok((study, only(starts, self.at.as_deref())?, eps))
+    }
+
+    /// The same with all first points.
+    pub(crate) fn starts_over(
+        &self,
+        axes: &[Axis],
+    ) -> Result<(Study, Vec<Vec<Rational>>, Option<Rational>), Refusal> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;
-        let at = point(self.at.as_deref(), &study)?;
-        Ok((study, at, self.step.half()?))
+        let starts = points(self.at.as_deref(), &study)?;
+        Ok((study, starts, self.step.half()?))
     }
 }
 
@@ -122,6 +131,7 @@ impl From<StudyError> for Refusal {
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"
             ),
+            StudyError::MissingSteps => "how far? give --steps N, or --crossings K, or both: an orbit ends where it has either".to_owned(),
             StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1, or --dt T, the time step, 2 eps"),
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"
