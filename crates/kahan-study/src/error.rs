@@ -156,6 +156,8 @@ pub enum StudyError {
     },
     /// ε has no value.
     MissingStep,
+    /// Neither steps nor crossings are counted.
+    MissingSteps,
     /// A cycle has more numbers than this.
     LongCycle {
         /// Its numbers.
@@ -352,6 +354,9 @@ impl StudyError {
                 f,
                 "{text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as x - 1/2"
             ),
+            Self::MissingSteps => {
+                f.write_str("how far? give steps, or crossings, or both: an orbit ends where it has either")
+            }
             Self::MissingStep => f.write_str("half the time step is missing"),
             Self::LongCycle { unknowns, most } => write!(
                 f,

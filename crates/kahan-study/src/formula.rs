@@ -6,6 +6,8 @@
 //! once. A [`Formula`] runs it in doubles, [`Formulas`] in doubles, single precision and fractions.
 //! The module must not know how the text is read, only what its names and functions mean.
 
+mod abreast;
+
 use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::fmt;
@@ -19,6 +21,8 @@ use kahan_algebra::render::report;
 use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Span, Token};
 use kahan_program::{Calls, Function, Node, Program};
+
+pub(crate) use abreast::Abreast;
 
 /// A function of one number.
 type Unary = fn(f64) -> f64;

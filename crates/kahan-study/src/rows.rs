@@ -2,7 +2,7 @@
 //! costs no memory.
 
 use std::fmt;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use kahan_core::Dd;
 use kahan_runtime::{End, Fraction};
@@ -69,6 +69,13 @@ macro_rules! kinds {
                         let $value = &list[row];
                         $cell
                     })*
+                }
+            }
+
+            /// Those of some rows.
+            pub(crate) fn part(&self, rows: Range<usize>) -> Values<'a> {
+                match self {
+                    $(Self::$kind(list) => Values::$kind(&list[rows]),)*
                 }
             }
 

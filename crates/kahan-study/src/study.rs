@@ -7,6 +7,7 @@ use kahan_algebra::coefficients::Coefficient;
 use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Formulas, Text};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, Condition, System};
 use kahan_runtime::{Field, FieldText, Map, MapAt};
@@ -417,6 +418,17 @@ impl Study {
     #[must_use]
     pub fn field(&self) -> &Field {
         self.read.field.get_or_init(|| Field::of(self.system()))
+    }
+
+    /// The component f_x of the field as a formula, which vanishes where the variable x is largest or
+    /// least.
+    ///
+    /// # Errors
+    /// A name that is none of the variables'.
+    pub fn rate(&self, variable: &str) -> Result<String, StudyError> {
+        let place = self.variable(variable)?;
+        let field = &self.system().field;
+        Ok(Formulas { field, map: None, notation: &Text }.field().swap_remove(place))
     }
 
     /// The map at the values of the parameters, with what was planned and compiled for it.

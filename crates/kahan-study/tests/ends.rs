@@ -54,7 +54,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
         }
         let section = Section::new(eps.clone(), at.clone(), steps, "x - 1/3").ask(&study, &Unwatched);
         let section = section.expect("a section");
-        assert_eq!((section.end, section.steps), (end, end.steps(steps)), "{text}");
+        assert_eq!((section.orbit().end, section.orbit().steps), (end, end.steps(steps)), "{text}");
         assert_eq!(json!(section)["ended"], end.name());
 
         let plain = Observe::new(eps.clone(), at.clone(), steps);

@@ -81,10 +81,10 @@ fn sections_refine_crossings_on_projected_steps() {
     let asked = Section::new(rational(1, 20), vec![rational(1, 1), rational(0, 1)], 2000, "v");
     let found = Section { reembed: true, ..asked.clone() }.ask(&study, &Unwatched).expect("a section");
     let plain = asked.ask(&study, &Unwatched).expect("a section");
-    assert!(found.crossings.len() > 20 && found.end == End::Complete);
-    assert_ne!(found.crossings[3].point, plain.crossings[3].point);
-    for crossing in &found.crossings {
-        let [x, v] = crossing.point[..] else { panic!("{:?}", crossing.point) };
+    assert!(found.count() > 20 && found.orbit().end == End::Complete);
+    assert_ne!(found.point(3), plain.point(3));
+    for row in 0..found.count() {
+        let [x, v] = found.point(row)[..] else { panic!("{:?}", found.point(row)) };
         assert!(v.abs() < 1e-12 && (x + 1.0).abs() < 1e-3, "{x} {v}");
     }
 }
@@ -156,7 +156,7 @@ fn orbits_end_where_no_step_leads_back() {
     assert_eq!(observe.ask(&study, &Unwatched).unwrap().end, End::Reembed(steps));
     let section = Section { reembed: true, ..Section::new(eps, at, 1000, "x - 1") };
     let found = section.ask(&study, &Unwatched).unwrap();
-    assert!(found.end == End::Reembed(steps) && found.why.is_some());
+    assert!(found.orbit().end == End::Reembed(steps) && found.orbit().why.is_some());
 }
 
 /// h = (1 - t/2)² ends at t = 2: its root would be negative.
@@ -192,7 +192,7 @@ fn torricellis_law_ends_where_the_water_does() {
         let section =
             Section { direction: kahan_study::Direction::Both, ..section }.ask(&study, &Unwatched).unwrap();
         // The water falls through 1/2 once, and does not rise again.
-        assert_eq!((section.end, section.crossings.len()), (end, 1));
+        assert_eq!((section.orbit().end, section.count()), (end, 1));
     }
 }
 

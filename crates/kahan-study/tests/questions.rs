@@ -44,14 +44,21 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "transient": 4, "steps": 9, "order": 4, "renormalize": 3, "spectrum": 2, "escape": 2.5, "reembed": false, "observe": ["final", "fli"]}),
         json!({
             "ask": "diagram", "eps": null, "at": ["1"], "over": {"eps": "1:0:/5"}, "variable": "x",
-            "transient": 7, "steps": 3, "reembed": false,
+            "transient": 7, "steps": 3, "plane": null, "direction": "rising", "crossings": null, "order": 2, "carry": false,
+            "reembed": false,
         }),
         json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"eps": "1:0:/5"},
         }),
         json!({
-            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "direction": "both", "points": 3, "reembed": true,
+            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "direction": "both", "crossings": 3,
+            "transient": 5, "order": 4, "reembed": true,
+        }),
+        json!({
+            "ask": "section", "eps": null, "at": [], "steps": null, "plane": "y - 1/2", "direction": "rising", "crossings": 3,
+            "transient": 0, "order": 2, "reembed": false, "starts": [["1", "0"], ["1/2", "0"]], "params": {"a": ["1", "2"]},
+            "over": {"eps": "1/10:1:3"}, "carry": true,
         }),
         json!({
             "ask": "heights", "steps": 5, "digits": 99,

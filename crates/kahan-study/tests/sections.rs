@@ -24,6 +24,14 @@ struct Tally {
     smooth: usize,
 }
 
+/// A crossing in a step, after a part of it.
+#[derive(Debug)]
+struct Crossing {
+    step: u64,
+    part: f64,
+    point: Vec<f64>,
+}
+
 fn number(random: &mut SplitMix64, most: i64, parts: i64) -> Rational {
     Rational::new(random.below((2 * most * parts + 1) as u64) as i64 - most * parts, parts)
 }
@@ -132,9 +140,14 @@ fn check(seed: u64, tally: &mut Tally) {
     let read = Plane::of(study.system(), &[], &eps, &plane).expect("a plane");
     let height = read.height(&at);
     let mut x: Vec<f64> = start.iter().map(Rational::to_f64).collect();
-    let (mut workspace, mut changes, mut crossings) =
-        (Workspace::new(), 0, found.crossings.iter().peekable());
-    for step in 0..found.steps {
+    let crossing = |row: usize| Crossing {
+        step: found.steps()[row] as u64,
+        part: found.times()[row] / (2.0 * eps.to_f64()) - found.steps()[row] as f64,
+        point: found.point(row),
+    };
+    let (mut workspace, mut changes) = (Workspace::new(), 0);
+    let mut crossings = (0..found.count()).map(crossing).peekable();
+    for step in 0..found.orbit().steps {
         let before = x.clone();
         Step::advance(&at, &mut x, 1, &mut workspace).expect("floats go on");
         let [from, to] = [&before, &x].map(|x| height(x));
@@ -145,7 +158,7 @@ fn check(seed: u64, tally: &mut Tally) {
         }
         changes += 1;
         let size = [from, to].map(f64::abs).into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
-        if let Some(crossing) = crossing {
+        if let Some(crossing) = &crossing {
             tally.crossings += 1;
             assert!(crossing.point.iter().all(|x| x.is_finite()), "{case}: {crossing:?}");
             assert!(height(&crossing.point).abs() <= SMALL * size, "{case}: {crossing:?} of {size}");
@@ -157,8 +170,9 @@ fn check(seed: u64, tally: &mut Tally) {
         }
     }
     assert!(crossings.next().is_none(), "{case}");
-    assert_eq!(found.crossings.len() as u64 + found.jumps, changes, "{case}");
-    tally.jumps += found.jumps;
+    let (crossings, jumps) = (found.count() as u64, found.orbit().jumps);
+    assert_eq!(crossings + jumps, changes, "{case}");
+    tally.jumps += jumps;
 }
 
 fn checked(seeds: std::ops::Range<u64>) -> Tally {

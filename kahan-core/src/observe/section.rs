@@ -213,6 +213,13 @@ where
         }
     }
 
+    /// Forgets the point given last: the next one begins anew. Whoever knows that s keeps its sign
+    /// over some steps need not show their points.
+    #[doc(hidden)]
+    pub fn restart(&mut self) {
+        self.height = f64::NAN;
+    }
+
     /// The crossing between the point given last and the next, x, where s has the height `end`;
     /// `None` where s jumps there.
     #[cold]

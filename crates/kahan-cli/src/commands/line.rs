@@ -197,8 +197,16 @@ mod tests {
         reads_back::<Section>([
             study::Section {
                 direction: kahan_study::Direction::Both,
-                points: 7,
+                crossings: Some(7),
+                transient: 3,
+                order: 4,
                 reembed: true,
+                ..plain.clone()
+            },
+            study::Section {
+                eps: None,
+                over: ["x", "eps"].map(|name| through(name, "1:2:3").into()).to_vec(),
+                carry: true,
                 ..plain.clone()
             },
             plain,
@@ -229,10 +237,21 @@ mod tests {
         let axes = vec!["t".to_owned(), "y".to_owned()];
         let section = Shown { what: What::Section("x - y".to_owned()), seconds: 2.5, ..plain.clone() };
         let heights = Shown { what: What::Heights, ..plain.clone() };
-        let over = What::Over(through("eps", "1/10:1:+1/40"), 77);
-        let over = Shown { what: over, eps: None, ..plain.clone() };
+        let diagram = study::Diagram::new(None, Vec::new(), through("eps", "1/10:1:+1/40"), 9);
+        let diagram = study::Diagram { transient: 77, ..diagram };
+        let of = |diagram: &study::Diagram| Shown {
+            what: What::Over(Box::new(diagram.clone())),
+            eps: None,
+            steps: diagram.steps.unwrap_or_default(),
+            ..plain.clone()
+        };
+        let over = of(&diagram);
+        let (plane, direction) = (Some("x - y".to_owned()), kahan_study::Direction::Both);
+        let crossed =
+            study::Diagram { plane, direction, crossings: Some(5), steps: None, carry: true, ..diagram };
+        let crossed = of(&crossed);
         let rich = Shown { at: line, spread, axes, windows, lines: true, reembed: true, ..plain.clone() };
-        for asked in [plain, section, heights, over, rich] {
+        for asked in [section, heights, over, crossed, rich, plain] {
             let line = Picture::options(&asked, Line::new("", &["lv".to_owned()]));
             let read: Picture = read(&line);
             assert!(read.asked().expect("a picture").1 == asked, "{line}");

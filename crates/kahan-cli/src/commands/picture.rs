@@ -9,13 +9,14 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use kahan_algebra::rational::Rational;
 use kahan_draw::picture::Picture as Drawing;
-use kahan_study::Study;
+use kahan_study::{Diagram, Direction, Study};
 use serde_json::json;
 
 use super::line::Line;
 use super::look::{OutFile, SheetOptions};
+use super::section::section;
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, StepLength, Stepping, number, over, point, seconds, whole};
+use crate::reading::{Source, StepLength, Stepping, number, one_of, over, point, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 
@@ -28,7 +29,7 @@ use starts::{At, Spread};
 ///
 /// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
 /// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
-/// it is after the transient. Heights that grow like a power of n are drawn over log n, and those
+/// it is after the transient: at each step, or with --plane or --maxima at the crossings. Heights that grow like a power of n are drawn over log n, and those
 /// that grow exponentially over n: either way they come near a straight line.
 ///
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
@@ -39,6 +40,7 @@ Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
   kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
+  kahan picture lv --at 1,1/2 --over eps=1/9:1/2:99 --plane y-1 --crossings 9 --out a.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg")]
 pub(crate) struct Picture {
     #[command(flatten)]
@@ -69,8 +71,8 @@ pub(crate) struct Picture {
     seed: u64,
 
     /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX))]
-    steps: u64,
+    #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX), required_unless_present = "crossings")]
+    steps: Option<u64>,
 
     /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
     #[arg(long, value_name = "F")]
@@ -95,6 +97,22 @@ pub(crate) struct Picture {
     /// Steps of an orbit diagram before what it shows.
     #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX))]
     transient: u64,
+
+    /// A diagram of the maxima of a variable, like --plane.
+    #[arg(long, value_name = "X", conflicts_with = "plane", requires = "over")]
+    maxima: Option<String>,
+
+    /// With --over: which crossings, rising, falling or both.
+    #[arg(long, value_name = "DIRECTION", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising", hide_possible_values = true)]
+    direction: Direction,
+
+    /// With --over: so many crossings of each orbit.
+    #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX), requires = "over")]
+    crossings: Option<u64>,
+
+    /// With --over: each orbit begins where the one before it came to.
+    #[arg(long, requires = "over")]
+    carry: bool,
 
     #[command(flatten)]
     stepping: Stepping,
@@ -150,7 +168,18 @@ impl Picture {
             Kind::OrbitsOver => {
                 let axis = over(self.over.as_deref().unwrap_or_default())?;
                 self.source.leaves_free(std::slice::from_ref(&axis), &self.step)?;
-                What::Over(axis, self.transient)
+                let (plane, direction) =
+                    section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
+                let asked = Diagram::new(None, Vec::new(), axis, 0);
+                What::Over(Box::new(Diagram {
+                    plane: Some(plane).filter(|plane| !plane.is_empty()),
+                    direction,
+                    transient: self.transient,
+                    steps: self.steps,
+                    crossings: self.crossings,
+                    carry: self.carry,
+                    ..asked
+                }))
             }
             Kind::Heights if self.starts.is_some() || !self.axes.is_empty() => {
                 return Err(Refusal::new(
@@ -173,7 +202,7 @@ impl Picture {
             eps: self.step.half()?,
             at: at.chain(own).collect::<Result<Vec<_>, Refusal>>()?.concat(),
             spread,
-            steps: self.steps,
+            steps: self.steps.unwrap_or_default(),
             axes: self.axes.iter().map(|name| name.trim().to_owned()).collect(),
             windows: self.window.iter().map(|window| read_window(window)).collect::<Result<_, _>>()?,
             lines: self.lines,
@@ -197,13 +226,16 @@ impl Picture {
             What::Portrait => (None, None, None),
             What::Heights => (Some("heights"), None, None),
             What::Section(section) => (None, Some(section), None),
-            What::Over(axis, transient) => (None, None, Some((axis, transient))),
+            What::Over(asked) => (None, asked.plane.as_ref(), Some(asked)),
         };
+        let steps = over.map_or(Some(*steps), |asked| asked.steps);
         let windows = windows.iter().map(|(name, [low, high])| format!("{name}={low}:{high}"));
         let line = line.saying::<Self>(&json!({
             "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
             "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
-            "over": over.map(|(axis, _)| json!({(axis.name.clone()): axis.range})), "transient": over.map(|over| over.1), "kind": kind, "axes": axes,
+            "over": over.map(|asked| json!({(asked.over.name.clone()): asked.over.range})), "kind": kind, "axes": axes,
+            "transient": over.map(|asked| asked.transient), "direction": over.map(|asked| asked.direction.name()),
+            "crossings": over.and_then(|asked| asked.crossings), "carry": over.is_some_and(|asked| asked.carry),
             "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "reembed": reembed, "seconds": seconds,
         }));
         look.options(line).with("--out", out.display())
@@ -221,13 +253,10 @@ impl Picture {
 
     fn kind(&self) -> Result<Kind, Refusal> {
         Err(Refusal::new(match (self.kind, &self.plane, &self.over) {
-            (_, Some(_), Some(_)) => {
-                "--plane is for a section and --over for an orbit diagram; leave one out"
-            }
             (None | Some(Kind::Section), Some(_), None) => return Ok(Kind::Section),
             (Some(_), Some(_), None) => "--plane makes a section; leave it out, or leave --kind out",
-            (None | Some(Kind::OrbitsOver), None, Some(_)) => return Ok(Kind::OrbitsOver),
-            (Some(_), None, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",
+            (None | Some(Kind::OrbitsOver), _, Some(_)) => return Ok(Kind::OrbitsOver),
+            (Some(_), _, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",
             (Some(Kind::OrbitsOver), None, None) => {
                 "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:+1/400"
             }

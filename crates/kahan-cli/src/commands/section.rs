@@ -1,17 +1,18 @@
-//! `kahan section`: where an orbit crosses a plane, or the level of any function.
+//! `kahan section`: where orbits cross a plane, or the level of any function.
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::Args;
 use kahan_draw::answer::jumps;
-use kahan_study::{Direction, Section as Question, SectionFound, Study};
-use serde_json::{Map, json};
+use kahan_study::{Axis, Column, Crossed, Direction, Rows, Section as Question, Study, Values};
+use serde_json::{Map, Value, json};
 
 use super::line::Asking;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
-use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, whole};
+use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, order, over, whole};
 
-/// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
+/// Prints where orbits cross a section, as CSV: step n, time t, variables.
 ///
 /// The section is where a formula of the variables, of the claimed integrals, parameters and eps
 /// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the
@@ -20,89 +21,184 @@ use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, whole};
 /// zero, as at a pole of the formula or of the map, is a jump: a note counts them, and they are no
 /// rows. Steps are those of `kahan orbit` in f64. Where numbers leave the range of f64, the
 /// crossings up to there are kept, and the exit status is 1.
+///
+/// Of several orbits, from a file of first points or over --over, the rows begin with the number of
+/// the first point, start, and with what varies. Each has the crossings that it has alone.
 #[derive(Args, Debug)]
+#[command(mut_group("step", |step| step.required(false)))]
 #[command(after_help = "\
 Examples:
   kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
-  kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
+  kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --crossings 5
   kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
-  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json")]
+  kahan section lv --eps 0.1 --at 1,1 --over x=1:2:9 --plane y-1 --crossings 3 --order 4")]
 pub(crate) struct Section {
     #[command(flatten)]
     start: Start,
 
-    /// The most steps of the orbit.
+    /// The most steps of an orbit; --crossings alone allows 10000 for each.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
-    steps: u64,
+    steps: Option<u64>,
 
     /// What vanishes on the section: z - 27, or x^2 + y^2 - 1.
-    #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
-    plane: String,
+    #[arg(long, value_name = "EXPR", allow_hyphen_values = true, required_unless_present = "maxima")]
+    plane: Option<String>,
+
+    /// Where a variable is largest: the section on which its derivative falls through 0.
+    #[arg(long, value_name = "X", conflicts_with_all = ["plane", "direction"])]
+    maxima: Option<String>,
 
     /// Which sign changes count: those where the formula grows, falls, or both.
     #[arg(long, value_name = "DIRECTION", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising")]
     direction: Direction,
 
+    /// Stop an orbit after K crossings.
+    #[arg(long, alias = "points", value_name = "K", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
+    crossings: Option<u64>,
+
+    /// The first steps, which are not looked at.
+    #[arg(long, value_name = "N", default_value = "0", value_parser = whole(0, MOST_OBSERVED))]
+    transient: u64,
+
+    /// The order of the method, and of the times of crossings.
+    #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
+    order: u32,
+
+    /// Orbits over a first value, a parameter or eps: NAME=FROM:TO:COUNT.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    over: Vec<String>,
+
+    /// Begin each orbit over --over where the one before it came to.
+    #[arg(long, requires = "over")]
+    carry: bool,
+
     #[command(flatten)]
     stepping: Stepping,
-
-    /// Stop after K crossings.
-    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = whole(1, MOST_CROSSINGS))]
-    points: usize,
 
     /// Write the table to this file, which appears when it is complete.
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: system, variables, steps, ended, ended_step, times, points, jumps.
+    /// Print one JSON object: times and points, or of several orbits rows; and how each ended.
     #[arg(long)]
     json: bool,
 }
-
-/// The most crossings that are kept.
-const MOST_CROSSINGS: usize = 1 << 26;
 
 impl Asking for Section {
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        let (study, at, eps) = self.start.study()?;
-        let Section { ref plane, steps, direction, points, stepping, .. } = *self;
-        let (plane, reembed) = (plane.clone(), stepping.reembed);
-        Ok((study, Question { eps, at, steps, plane, direction, points, reembed }))
+        let axes = self.over.iter().map(|given| over(given)).collect::<Result<Vec<Axis>, _>>()?;
+        let (study, mut starts, eps) = if axes.is_empty() {
+            let (study, starts, eps) = self.start.starts()?;
+            (study, starts, Some(eps))
+        } else {
+            self.start.starts_over(&axes)?
+        };
+        let at = if starts.len() == 1 { starts.swap_remove(0) } else { Vec::new() };
+        let (plane, direction) = section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
+        let Section { steps, crossings, transient, order, carry, stepping, .. } = *self;
+        let (over, params) = (axes.into_iter().map(Into::into).collect(), Vec::new());
+        let reembed = stepping.reembed;
+        let asked = Question {
+            eps,
+            at,
+            steps,
+            plane,
+            direction,
+            crossings,
+            transient,
+            order,
+            reembed,
+            starts,
+            params,
+            over,
+            carry,
+        };
+        Ok((study, asked))
     }
 
     /// Writes the crossings; what is left to say is the answer.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
+        if self.json && self.out.is_none() {
+            let found = asked.ask(&study, &Prompt::of("steps"))?;
+            let complaint = complaint(&study, &found.orbits);
+            return Ok(Answer::of(&found, true, |_| String::new()).but(complaint));
+        }
+        let columns: Vec<String> = asked.columns(&study)?.into_iter().map(|column| column.name).collect();
+        let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
-        let found = asked.ask(&study, &Prompt::of("steps"))?;
-        let complaint = found.end.is_early().then(|| {
-            let (system, next) = (&found.system, found.steps + 1);
-            if let Some(why) = &found.why {
-                return format!("the orbit of {system} {why}; the crossings up to there are kept");
-            }
-            format!(
-                "the orbit of {system} leaves the range of f64 at step {next}: a pole (det A = 0) or too large numbers; the \
-                 crossings up to there are kept"
-            )
-        });
-        if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
-            write(&found, sink)?;
-        }
-        if !self.json {
-            jumps(&self.plane, found.jumps).iter().for_each(|note| warn(note));
-        }
-        Ok(Answer::of(&found, self.json, |_| String::new()).but(complaint))
+        let watch = Prompt::beside_rows(sink.is_some(), 0);
+        let mut rows = Late { table: None, begin: Some((sink.unwrap_or_else(Sink::standard), head)), broken: None };
+        let orbits = asked.find(&study, &mut rows, &watch)?;
+        rows.end()?;
+        jumps(&asked.plane, orbits.iter().map(|one| one.jumps).sum()).iter().for_each(|note| warn(note));
+        Ok(Answer::text(String::new()).but(complaint(&study, &orbits)))
     }
 }
 
-/// Writes a row a crossing.
-fn write(found: &SectionFound, sink: Sink) -> Result<(), Broken> {
-    let columns: Vec<String> = found.columns().into_iter().map(|column| column.name).collect();
-    let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
-    let mut table = Table::begin(sink, Format::Csv, &head)?;
-    found.rows(0..u64::MAX, &mut table);
-    table.written()?;
-    table.end(&Map::new())
+/// The formula and the direction of a section; of the maxima of a variable those of its derivative.
+pub(super) fn section(
+    study: &Study,
+    plane: Option<&str>,
+    maxima: Option<&str>,
+    direction: Direction,
+) -> Result<(String, Direction), Refusal> {
+    let Some(variable) = maxima else { return Ok((plane.unwrap_or_default().to_owned(), direction)) };
+    let rate = study.rate(variable).map_err(|why| Refusal::new(format!("--maxima: {why}")))?;
+    Ok((rate, Direction::Falling))
+}
+
+/// What to say of orbits that end early.
+fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
+    let early: Vec<&Crossed> = orbits.iter().filter(|one| one.end.is_early()).collect();
+    let (first, system) = (early.first()?, study.name());
+    Some(match &first.why {
+        _ if orbits.len() > 1 => format!(
+            "{} of {} orbits of {system} end early, at a pole (det A = 0) or beyond the range of f64; the crossings up to \
+             there are kept",
+            early.len(),
+            orbits.len()
+        ),
+        Some(why) => format!("the orbit of {system} {why}; the crossings up to there are kept"),
+        None => format!(
+            "the orbit of {system} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings \
+             up to there are kept",
+            first.steps + 1
+        ),
+    })
+}
+
+/// A table that begins with its first rows, so that nothing is written of what is refused.
+struct Late {
+    table: Option<Table>,
+    begin: Option<(Sink, Map<String, Value>)>,
+    broken: Option<Broken>,
+}
+
+impl Late {
+    fn begun(&mut self) -> Option<&mut Table> {
+        if let Some((sink, head)) = self.begin.take() {
+            match Table::begin(sink, Format::Csv, &head) {
+                Ok(table) => self.table = Some(table),
+                Err(broken) => self.broken = Some(broken),
+            }
+        }
+        self.table.as_mut()
+    }
+
+    fn end(mut self) -> Result<(), Broken> {
+        self.begun();
+        self.broken.map_or(Ok(()), Err)?;
+        let Some(mut table) = self.table else { return Ok(()) };
+        table.written()?;
+        table.end(&Map::new())
+    }
+}
+
+impl Rows for Late {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        self.begun().map_or(ControlFlow::Break(()), |table| table.block(columns, values))
+    }
 }

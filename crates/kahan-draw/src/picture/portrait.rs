@@ -3,10 +3,9 @@
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 
-use kahan_core::observe::Crossing;
 use kahan_latex::symbol;
 use kahan_study::formula::Formula;
-use kahan_study::{Column, Rows, SectionFound, Values};
+use kahan_study::{Column, Rows, Values};
 
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
@@ -93,21 +92,6 @@ impl Trace {
     pub fn new(axes: &[Coordinate]) -> Self {
         assert!(matches!(axes.len(), 2 | 3), "a portrait has two axes or three");
         Trace { axes: axes.to_vec(), columns: vec![Vec::new(); axes.len()] }
-    }
-
-    /// Where an orbit crosses a section.
-    ///
-    /// # Panics
-    /// With other than two or three axes.
-    #[must_use]
-    pub fn of_section(axes: &[Coordinate], found: &SectionFound) -> Self {
-        let mut trace = Trace::new(axes);
-        for (axis, column) in axes.iter().zip(&mut trace.columns) {
-            let value =
-                |crossing: &Crossing<Vec<f64>, f64>| axis.value(crossing.time, crossing.point.clone());
-            column.extend(found.crossings.iter().map(value));
-        }
-        trace
     }
 
     /// How many points there are.

@@ -1,8 +1,10 @@
 //! What orbits tend to, over the values of a parameter or of ε: an orbit diagram.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::rational::Rational;
-use kahan_core::Step;
-use kahan_core::observe::Visit;
+use kahan_core::observe::{Direction, Visit};
+use kahan_core::{Composition, Step};
 use kahan_discover::Watch;
 use kahan_runtime::{End, Follow};
 use serde::{Deserialize, Serialize};
@@ -12,10 +14,16 @@ use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
+use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-/// Asks what one variable does after a transient, at each value of a parameter or of ε, in doubles.
-/// Each orbit begins anew at the same point.
+use super::over::Varied;
+use super::section::{Crossed, Section, name_of, of_name};
+use super::usual_order;
+
+/// Asks what one variable does after a transient, at each value of a parameter or of ε, in doubles:
+/// at each step, or where the orbit crosses a section. Each orbit begins anew at the same point, or
+/// where the orbit before it came to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
@@ -34,8 +42,25 @@ pub struct Diagram {
     /// The steps before what is shown.
     #[serde(default = "usual_transient")]
     pub transient: u64,
-    /// The steps that are shown, after the point that the transient leads to.
-    pub steps: u64,
+    /// The steps that are shown, after the point that the transient leads to; of a section the most
+    /// steps, which it needs where it counts no crossings.
+    #[serde(default)]
+    pub steps: Option<u64>,
+    /// What vanishes on the section whose crossings are shown; all steps where there is none.
+    #[serde(default)]
+    pub plane: Option<String>,
+    /// Which sign changes count.
+    #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
+    pub direction: Direction,
+    /// The most crossings that are shown.
+    #[serde(default)]
+    pub crossings: Option<u64>,
+    /// The order of the method.
+    #[serde(default = "usual_order")]
+    pub order: u32,
+    /// Whether an orbit begins where that at the value before came to.
+    #[serde(default)]
+    pub carry: bool,
     /// Whether each step of a lifted field is projected symmetrically onto the relations between
     /// its variables.
     #[serde(default)]
@@ -71,60 +96,124 @@ impl Diagram {
     /// The first variable, after a thousand steps.
     #[must_use]
     pub fn new(eps: Option<Rational>, at: Vec<Rational>, over: Axis, steps: u64) -> Self {
-        Diagram { eps, at, over, variable: None, transient: usual_transient(), steps, reembed: false }
+        Diagram {
+            eps,
+            at,
+            over,
+            variable: None,
+            transient: usual_transient(),
+            steps: Some(steps),
+            plane: None,
+            direction: Direction::default(),
+            crossings: None,
+            order: usual_order(),
+            carry: false,
+            reembed: false,
+        }
     }
 
     /// Follows an orbit at each value. Costs so many orbits, and a number for each point shown.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing, an axis or a variable that
-    /// the field does not have.
+    /// the field does not have, a plane that is no formula.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
         study.can_reembed(self.reembed)?;
-        let place = study.axis(&self.over)?;
-        let shown = match &self.variable {
-            None => 0,
-            Some(name) => study.variable(name)?,
-        };
-        let mut parameters = study.values_but(|k| Some(k) == place)?;
-        let fixed = if place.is_none() { Some(self.over.range.value(0)) } else { self.eps.clone() };
-        let mut eps = fixed.ok_or(StudyError::MissingStep)?;
-        study.has_coordinates(&self.at)?;
-        let start: Vec<f64> = self.at.iter().map(Rational::to_f64).collect();
-        let total = self.over.range.count() as u64 * (self.transient + self.steps);
-        let count = Count::new("steps", total, watch);
-        let tell = |steps| count.tell(steps);
-        let mut found = DiagramFound {
+        let found = DiagramFound {
             system: study.name().to_owned(),
             axis: self.over.name.clone(),
-            variable: study.variables()[shown].clone(),
+            variable: self.variable.clone().unwrap_or_else(|| study.variables()[0].clone()),
             values: Vec::new(),
             points: Vec::new(),
             ended: 0,
             stopped: false,
         };
+        match &self.plane {
+            Some(plane) => self.of_section(plane, found, study, watch),
+            None => self.of_steps(found, study, watch),
+        }
+    }
+
+    /// The section of the orbits, as a question of its own.
+    #[must_use]
+    pub fn section(&self, plane: &str) -> Section {
+        let Diagram { eps, at, over, transient, steps, direction, crossings, order, carry, reembed, .. } =
+            self.clone();
+        let plain = Section::new(Rational::zero(), at, 0, plane);
+        let over = vec![Varied::from(over)];
+        Section { eps, over, transient, steps, direction, crossings, order, carry, reembed, ..plain }
+    }
+
+    /// Shows where orbits cross a section.
+    fn of_section(
+        &self,
+        plane: &str,
+        mut found: DiagramFound,
+        study: &Study,
+        watch: &dyn Watch,
+    ) -> Result<DiagramFound, StudyError> {
+        study.axis(&self.over)?;
+        let shown = study.shown().iter().position(|name| *name == found.variable);
+        let shown = shown.map_or_else(|| study.variable(&found.variable), Ok)?;
+        let asked = self.section(plane);
+        let columns = asked.columns(study)?.len();
+        let mut shown = Shown { column: columns - study.shown().len() + shown, values: Vec::new() };
+        let orbits = asked.find(study, &mut shown, watch)?;
+        let mut left = shown.values.into_iter();
+        found.points = orbits.iter().map(|one| left.by_ref().take(one.crossings as usize).collect()).collect();
+        found.values = self.over.range.values().take(orbits.len()).collect();
+        found.ended = orbits.iter().filter(|one| one.end.is_early()).count();
+        let has_all = |one: &Crossed| Some(one.crossings) == self.crossings;
+        let is_stopped = |one: &Crossed| matches!(one.end, End::Stopped(_)) && !has_all(one);
+        found.stopped = orbits.len() < self.over.range.count() || orbits.iter().any(is_stopped);
+        Ok(found)
+    }
+
+    /// Shows all steps.
+    fn of_steps(
+        &self,
+        mut found: DiagramFound,
+        study: &Study,
+        watch: &dyn Watch,
+    ) -> Result<DiagramFound, StudyError> {
+        let place = study.axis(&self.over)?;
+        let (shown, steps) = (study.variable(&found.variable)?, self.steps.ok_or(StudyError::MissingSteps)?);
+        let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
+        let mut parameters = study.values_but(|k| Some(k) == place)?;
+        let fixed = if place.is_none() { Some(self.over.range.value(0)) } else { self.eps.clone() };
+        let mut eps = fixed.ok_or(StudyError::MissingStep)?;
+        study.has_coordinates(&self.at)?;
+        let start: Vec<f64> = self.at.iter().map(Rational::to_f64).collect();
+        let each = self.transient.saturating_add(steps);
+        let total = each.saturating_mul(self.over.range.count() as u64);
+        let count = Count::new("steps", total, watch);
+        let tell = |steps| count.tell(steps);
+        let mut last = None::<Vec<f64>>;
         for value in self.over.range.values() {
             match place {
                 Some(place) => parameters[place] = value.clone(),
                 None => eps = value.clone(),
             }
-            let at =
-                study.map_at(&parameters).map(|map| map.at(eps.to_f64())).filter(|at| at.eps().is_finite());
+            let at = study.map_at(&parameters).map(|map| map.at(eps.to_f64()).composed(composition));
+            let at = at.filter(|at| at.eps().is_finite());
             let mut points = Vec::new();
             if let Some(at) = at {
                 let values: Vec<f64> = parameters.iter().map(Rational::to_f64).collect();
-                let (mut x, mut take) = (study.embed(&start, &values), |_, x: &[f64]| points.push(x[shown]));
+                let carried = last.take().filter(|_| self.carry);
+                let mut x = carried.unwrap_or_else(|| study.embed(&start, &values));
+                let mut take = |_, x: &[f64]| points.push(x[shown]);
                 let step = study.steps(&at, self.reembed);
                 let at: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);
                 let mut end = at.follow(&mut x, self.transient, tell).expect("the start is of the field").end;
                 if end == End::Complete && x.iter().all(|x| x.is_finite()) {
-                    let followed = at.observe(&mut x, self.steps, Visit::by(&mut take), tell);
+                    let followed = at.observe(&mut x, steps, Visit::by(&mut take), tell);
                     end = followed.expect("the point is of the field").end;
                 }
                 found.stopped = matches!(end, End::Stopped(_));
+                last = (end == End::Complete).then_some(x);
             }
-            found.ended += usize::from(points.len() as u64 <= self.steps);
+            found.ended += usize::from(points.len() as u64 <= steps);
             found.values.push(value);
             found.points.push(points);
             if found.stopped {
@@ -132,5 +221,20 @@ impl Diagram {
             }
         }
         Ok(found)
+    }
+}
+
+/// Keeps one column of a table.
+struct Shown {
+    column: usize,
+    values: Vec<f64>,
+}
+
+impl Rows for Shown {
+    fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        if let Values::F64(values) = values[self.column] {
+            self.values.extend_from_slice(values);
+        }
+        ControlFlow::Continue(())
     }
 }

@@ -10,7 +10,7 @@
 
 mod over;
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::time::Duration;
 
 use kahan_discover::Watch;
@@ -22,7 +22,7 @@ use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
 use crate::misread::{Misread, read};
-use crate::rows::Rows;
+use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
@@ -169,9 +169,35 @@ impl Study {
         match question {
             Question::Orbit(asked) => Ok(asked.begin(&asked.study(self)?)?.rows(range, rows, watch).end),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
-            Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
+            Question::Section(asked) => {
+                let mut within = Within { range, row: 0, rows };
+                let orbits = asked.find(self, &mut within, watch)?;
+                Ok(orbits.last().map_or(End::Complete, |last| last.end))
+            }
             other => Err(StudyError::NoRows(other.name())),
         }
+    }
+}
+
+/// Hands on the rows whose numbers are in a range.
+struct Within<'a> {
+    range: Range<u64>,
+    row: u64,
+    rows: &'a mut dyn Rows,
+}
+
+impl Rows for Within<'_> {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let count = values.first().map_or(0, Values::count) as u64;
+        let own = self.row..self.row + count;
+        self.row = own.end;
+        if own.start >= self.range.end {
+            return ControlFlow::Break(());
+        }
+        let ends = [self.range.start, self.range.end];
+        let [first, last] = ends.map(|end| (end.clamp(own.start, own.end) - own.start) as usize);
+        let part: Vec<Values<'_>> = values.iter().map(|values| values.part(first..last)).collect();
+        self.rows.block(columns, &part)
     }
 }
 

@@ -1,274 +1,324 @@
-//! Where an orbit crosses a plane, or the level of any function.
+//! Where orbits cross a plane, or the level of any function.
 
-use std::ops::Range;
+mod abreast;
+mod course;
+mod orbits;
+mod plane;
+
+use std::ops::ControlFlow;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
-use kahan_core::Step;
-use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Sectioned};
+use kahan_core::observe::Direction;
 use kahan_discover::Watch;
-use kahan_runtime::{End, Follow, Followed, MapAt, RuntimePoint};
+use kahan_runtime::End;
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
-use crate::count::Count;
+use crate::axes;
 use crate::error::StudyError;
-use crate::formula::{Formula, formula_of};
 use crate::numbers::exact;
-use crate::rows::{Column, Rows, Values};
+use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table, Values, free_name};
 use crate::study::Study;
 
 use super::orbit::columns;
+use super::over::{Cells, Over, Varied};
+use super::{Question, usual_order};
 
-/// Asks where the orbit of a point crosses a section, in doubles.
+use orbits::Orbits;
+pub use plane::Plane;
+
+/// Asks where orbits cross a section, in doubles: the orbit of one point, or of many points and
+/// values of parameters, each with crossings of its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
-    /// ε, half the time step.
-    #[serde(with = "exact")]
-    pub eps: Rational,
-    /// The first point, a coordinate for each variable.
-    #[serde(with = "exact")]
+    /// ε, half the time step; not looked at where it goes through values.
+    #[serde(with = "exact", default)]
+    pub eps: Option<Rational>,
+    /// The first point, a coordinate for each variable; not looked at where there are `starts`.
+    #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// The most steps of the orbit.
-    pub steps: u64,
+    /// The most steps of an orbit behind the transient; where only crossings are counted, ten
+    /// thousand for each.
+    #[serde(default)]
+    pub steps: Option<u64>,
     /// What vanishes on the section: a formula of the variables, the integrals that are claimed
     /// without `when`, the parameters and `eps`.
     pub plane: String,
     /// Which sign changes count.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
-    /// The most crossings.
-    #[serde(default = "usual_points")]
-    pub points: usize,
+    /// The most crossings of an orbit; all where none are counted.
+    #[serde(default, alias = "points")]
+    pub crossings: Option<u64>,
+    /// The first steps of an orbit, which are not looked at.
+    #[serde(default)]
+    pub transient: u64,
+    /// The order of the method; a crossing is on its step with a part of ε, so its time has an error
+    /// of that order, too.
+    #[serde(default = "usual_order")]
+    pub order: u32,
     /// Whether each step of a lifted field is projected symmetrically onto the relations between
     /// its variables.
     #[serde(default)]
     pub reembed: bool,
+    /// First points of many orbits.
+    #[serde(default, with = "exact", skip_serializing_if = "Vec::is_empty")]
+    pub starts: Vec<Vec<Rational>>,
+    /// Parameters, or `eps`, with a value for each of the first points.
+    #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
+    pub params: Vec<Varied>,
+    /// What goes through values, all multiplied with each other and with the first points.
+    #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
+    pub over: Vec<Varied>,
+    /// Whether an orbit begins at the last point of that at the value before, of the last axis. Only
+    /// the first one begins at its first point.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub carry: bool,
 }
 
-fn name_of<S: Serializer>(direction: &Direction, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn name_of<S: Serializer>(direction: &Direction, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(direction.name())
 }
 
-fn of_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Direction, D::Error> {
+pub(super) fn of_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Direction, D::Error> {
     let name = String::deserialize(deserializer)?;
     let known = Direction::ALL.into_iter().find(|direction| direction.name() == name);
     known.ok_or_else(|| D::Error::unknown_variant(&name, &["rising", "falling", "both"]))
 }
 
-fn usual_points() -> usize {
-    100_000
-}
-
-/// The crossings of an orbit.
+/// The crossings of some orbits.
 #[derive(Clone, Debug)]
 pub struct SectionFound {
     /// The name of the system.
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
+    /// The orbits, in the order of the rows.
+    pub orbits: Vec<Crossed>,
+    /// A row a crossing: of many orbits the number of the first point and what varies; the step n
+    /// that the crossing comes after, its time, the variables.
+    pub rows: Table,
+}
+
+/// An orbit whose crossings were found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crossed {
+    /// The number of its first point, among those that are listed.
+    pub start: u64,
+    /// The values of what varies, in the order of the columns.
+    pub values: Vec<f64>,
     /// The steps that were made.
     pub steps: u64,
     /// How the orbit ended; it is stopped where it has so many crossings as were asked for.
     pub end: End,
     /// Why, where the end is one of the lift.
     pub why: Option<String>,
-    /// Where the orbit crosses, in order.
-    pub crossings: Vec<Crossing<Vec<f64>, f64>>,
+    /// How many crossings it has.
+    pub crossings: u64,
     /// How often the formula changes its sign in the directions that count, but has no zero: at a
     /// pole of the formula or of the map, or where the formula jumps.
     pub jumps: u64,
 }
 
-/// A formula of the variables, the integrals that are claimed without `when`, the parameters and
-/// `eps`, at these values. `what` it is called in reports.
-fn formula_at(
-    system: &System,
-    parameters: &[Rational],
-    eps: &Rational,
-    what: &'static str,
-    text: &str,
-) -> Result<Formula, StudyError> {
-    let symbols = &system.field.symbols;
-    let parameters = symbols.parameters.iter().cloned().zip(parameters);
-    let known = parameters.chain([("eps".to_owned(), eps)]);
-    let known: Vec<(String, f64)> = known.map(|(name, value)| (name, value.to_f64())).collect();
-    let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
-    let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
-    formula_of(&variables, text, &known).map_err(|why| StudyError::Formula { what, why })
-}
-
-impl Study {
-    /// A formula of the variables, the integrals that are claimed without `when`, the parameters and
-    /// `eps`. `what` it is called in reports.
-    ///
-    /// # Errors
-    /// [`StudyError::Formula`], and values that are missing.
-    pub fn formula(&self, eps: &Rational, what: &'static str, text: &str) -> Result<Formula, StudyError> {
-        formula_at(self.system(), &self.values()?, eps, what, text)
-    }
-}
-
-/// A function of the state whose zeros are a section.
-#[derive(Clone, Debug)]
-pub struct Plane(Formula);
-
-impl Plane {
-    /// The formula of a section, at these values of the parameters and this ε.
-    ///
-    /// # Errors
-    /// [`StudyError::Formula`], or [`StudyError::ConstantPlane`] where it is one number everywhere.
-    pub fn of(
-        system: &System,
-        parameters: &[Rational],
-        eps: &Rational,
-        text: &str,
-    ) -> Result<Self, StudyError> {
-        let formula = formula_at(system, parameters, eps, "plane", text)?;
-        match formula.last_variable() {
-            Some(_) => Ok(Plane(formula)),
-            None => Err(StudyError::ConstantPlane { text: text.to_owned() }),
-        }
-    }
-
-    /// The last of the variables, and of the integrals behind them, that it names.
-    #[must_use]
-    pub fn last_variable(&self) -> Option<usize> {
-        self.0.last_variable()
-    }
-
-    /// How far a point is from the section, as the formula measures it.
-    pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
-        let integrals = at.map().field().integrals().len();
-        let formula = self.0.clone().function();
-        move |x| {
-            let mut known: RuntimePoint<f64> = x.iter().copied().collect();
-            known.resize(x.len() + integrals, 0.0);
-            // The state is as long as the field has variables.
-            let _ = at.integrals(x, &mut known[x.len()..]);
-            formula(&known)
-        }
-    }
-}
-
-/// Takes the first crossings, in memory that grows with them: `most` is what a user allows, and far
-/// more than there are as a rule.
-struct First {
-    found: Vec<Crossing<Vec<f64>, f64>>,
-    most: usize,
-}
-
-impl observe::Sink<Crossing<Vec<f64>, f64>> for First {
-    type Report = Vec<Crossing<Vec<f64>, f64>>;
-
-    fn take(&mut self, crossing: Crossing<Vec<f64>, f64>) {
-        self.found.push(crossing);
-    }
-
-    fn is_full(&self) -> bool {
-        self.found.len() >= self.most
-    }
-
-    fn report(self) -> Self::Report {
-        self.found
-    }
-}
-
 impl Section {
-    /// Rising crossings, a hundred thousand at most.
+    /// Rising crossings of one orbit.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64, plane: impl Into<String>) -> Self {
-        let (plane, points) = (plane.into(), usual_points());
-        Section { eps, at, steps, plane, direction: Direction::default(), points, reembed: false }
+        Section {
+            eps: Some(eps),
+            at,
+            steps: Some(steps),
+            plane: plane.into(),
+            direction: Direction::default(),
+            crossings: None,
+            transient: 0,
+            order: usual_order(),
+            reembed: false,
+            starts: Vec::new(),
+            params: Vec::new(),
+            over: Vec::new(),
+            carry: false,
+        }
     }
 
-    /// Follows the orbit of a system whose claims hold, and refines each crossing on the curve that
-    /// the map draws as ε grows from 0. Costs the orbit, and some steps a crossing.
+    /// Whether it is about many orbits, whose rows tell which one they are of.
+    #[must_use]
+    pub fn is_of_many(&self) -> bool {
+        !self.starts.is_empty() || !self.over.is_empty()
+    }
+
+    /// All crossings in memory.
+    ///
+    /// # Errors
+    /// Those of [`crossings`](Self::crossings), and more than [`MOST_CELLS`].
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
+        let mut rows = Table { columns: self.columns(study)?, values: Vec::new() };
+        let mut few = Few { rows: &mut rows, cells: 0 };
+        let orbits = self.find(study, &mut few, watch)?;
+        if few.cells > MOST_CELLS {
+            return Err(StudyError::TooLong { cells: few.cells });
+        }
+        let (system, variables) = (study.name().to_owned(), study.shown().to_vec());
+        Ok(SectionFound { system, variables, orbits, rows })
+    }
+
+    /// The columns of the table.
+    ///
+    /// # Errors
+    /// Axes that the field does not have, or that do not fit.
+    pub fn columns(&self, study: &Study) -> Result<Vec<Column>, StudyError> {
+        Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
+    }
+
+    /// The orbits as cells of axes, those of `params` last.
+    fn as_over(&self) -> Over {
+        let axes = self.over.iter().chain(&self.params).cloned().collect();
+        Over { starts: self.starts.clone(), ..Over::new(Question::Section(self.clone()), axes) }
+    }
+
+    fn columns_of(&self, study: &Study, cells: &Cells<'_>) -> Vec<Column> {
+        let (shown, varying) = (study.shown(), cells.names());
+        let column = |name: String, meaning: &str| Column { name, meaning: meaning.to_owned() };
+        let start = column(free_name(&[shown, &varying].concat(), "start"), "number of the first point");
+        let front = self.is_of_many().then_some(start).into_iter();
+        let front = front.chain(varying.iter().map(|name| column(free_name(shown, name), "what varies")));
+        let mut own = columns(&[shown, &varying].concat(), &[]);
+        own.truncate(2 + shown.len());
+        front.chain(own).collect()
+    }
+
+    /// Hands on the crossings of each orbit, one orbit after the other. Follows orbits of a system
+    /// whose claims hold, and refines each crossing on the curve that the step draws as ε grows from
+    /// 0. Costs the orbits, and some steps a crossing; memory does not grow with the crossings.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
     /// doubles, a plane that is no formula or a number, a field that is not defined at its
-    /// parameters.
-    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
-        let system = study.proved()?;
-        let plane = Plane::of(system, &study.values()?, &self.eps, &self.plane)?;
-        let (at, mut x) = study.in_floats(&self.at, &self.eps)?;
-        let first = First { found: Vec::new(), most: self.points };
-        let count = Count::new("steps", self.steps, watch);
-        study.can_reembed(self.reembed)?;
-        let step = study.steps(&at, self.reembed);
-        // Few look at sections of fields that are not lifted through this.
-        let by: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);
-        let crossings = Crossings::new(by, plane.height(&at), self.direction, first);
-        let followed = by.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
-        let Followed { report, end } = followed.expect("the start is of the field");
-        let end = step.as_ref().map_or(end, |step| step.end(end, &x));
-        let why = step.as_ref().filter(|_| end.is_early()).and_then(|step| step.ends(&x));
-        let why = why.map(|why| why.in_words(study, end.steps(self.steps)));
-        let Sectioned { points: mut crossings, jumps } = report;
-        for crossing in &mut crossings {
-            crossing.time = study.time_place().map_or(crossing.time, |place| crossing.point[place]);
-            crossing.point = study.project(&crossing.point);
+    /// parameters, axes that do not fit.
+    pub fn find(
+        &self,
+        study: &Study,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Crossed>, StudyError> {
+        let over = self.as_over();
+        let cells = Cells::with_starts(&over, self.params.len(), study)?;
+        Ok(Orbits::of(self, study, &cells)?.find(rows, watch))
+    }
+
+    /// The most steps that are looked at.
+    fn most_steps(&self) -> Result<u64, StudyError> {
+        /// Steps a crossing where only crossings are counted.
+        const EACH: u64 = 10_000;
+
+        let by_crossings = || self.crossings.map(|crossings| crossings.saturating_mul(EACH));
+        self.steps.or_else(by_crossings).ok_or(StudyError::MissingSteps)
+    }
+}
+
+/// Takes as many rows as an answer may have.
+struct Few<'a> {
+    rows: &'a mut Table,
+    cells: u64,
+}
+
+impl Rows for Few<'_> {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        self.cells += (columns.len() * values.first().map_or(0, Values::count)) as u64;
+        if self.cells > MOST_CELLS {
+            return ControlFlow::Break(());
         }
-        Ok(SectionFound {
-            system: study.name().to_owned(),
-            variables: study.shown().to_vec(),
-            steps: end.steps(self.steps),
-            end,
-            why,
-            crossings,
-            jumps,
-        })
+        if self.rows.values.is_empty() {
+            self.rows.columns.clear();
+        }
+        self.rows.block(columns, values)
     }
 }
 
 impl SectionFound {
-    /// The step before a crossing, its time, the variables.
+    /// How the only orbit ended, or the first of several.
+    ///
+    /// # Panics
+    /// Without an orbit.
     #[must_use]
-    pub fn columns(&self) -> Vec<Column> {
-        columns(&self.variables, &[])
+    pub fn orbit(&self) -> &Crossed {
+        &self.orbits[0]
     }
 
-    /// Hands on crossings by their numbers, from 0 on; stopped, the number of the first.
-    pub fn rows(&self, range: Range<u64>, rows: &mut dyn Rows) -> End {
-        const BLOCK: usize = 1024;
+    /// How many crossings there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.rows.count()
+    }
 
-        let columns = self.columns();
-        let end = range.end.min(self.crossings.len() as u64) as usize;
-        let start = range.start.min(end as u64) as usize;
-        for block in self.crossings[start..end].chunks(BLOCK) {
-            let steps: Vec<i64> = block.iter().map(|crossing| crossing.step as i64).collect();
-            let times = block.iter().map(|crossing| crossing.time).collect();
-            let coordinate = |i: usize| block.iter().map(|crossing| crossing.point[i]).collect();
-            let numbers: Vec<Vec<f64>> =
-                [times].into_iter().chain((0..self.variables.len()).map(coordinate)).collect();
-            let values = [Values::Integer(&steps)].into_iter();
-            let values: Vec<Values<'_>> =
-                values.chain(numbers.iter().map(|list| Values::F64(list))).collect();
-            if rows.block(&columns, &values).is_break() {
-                return End::Stopped(start as u64);
-            }
+    /// The numbers of a column; none where it has none.
+    fn numbers(&self, column: usize) -> &[f64] {
+        match self.rows.values.get(column) {
+            Some(Kept::F64(values)) => values,
+            _ => &[],
         }
-        End::Complete
+    }
+
+    /// The columns in front of n.
+    fn front(&self) -> usize {
+        self.rows.columns.len() - 2 - self.variables.len()
+    }
+
+    /// The steps that crossings come after.
+    #[must_use]
+    pub fn steps(&self) -> &[i64] {
+        match self.rows.values.get(self.front()) {
+            Some(Kept::Integer(values)) => values,
+            _ => &[],
+        }
+    }
+
+    /// The times of crossings.
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        self.numbers(self.front() + 1)
+    }
+
+    /// The variables of a crossing.
+    #[must_use]
+    pub fn point(&self, row: usize) -> Vec<f64> {
+        let first = self.front() + 2;
+        (first..first + self.variables.len()).map(|column| self.numbers(column)[row]).collect()
     }
 }
 
+/// One orbit as lists of times and points; of many the rows, and how each ended.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let times: Vec<f64> = self.crossings.iter().map(|crossing| crossing.time).collect();
-        let points: Vec<&[f64]> = self.crossings.iter().map(|crossing| &crossing.point[..]).collect();
         let mut object = serializer.serialize_map(None)?;
         object.serialize_entry("system", &self.system)?;
         object.serialize_entry("variables", &self.variables)?;
-        object.serialize_entry("steps", &self.steps)?;
-        object.serialize_entry("ended", self.end.name())?;
-        object.serialize_entry("ended_step", &self.steps)?;
-        object.serialize_entry("times", &times)?;
-        object.serialize_entry("points", &points)?;
-        object.serialize_entry("jumps", &self.jumps)?;
+        if let ([one], 0) = (&self.orbits[..], self.front()) {
+            let points: Vec<Vec<f64>> = (0..self.count()).map(|row| self.point(row)).collect();
+            object.serialize_entry("steps", &one.steps)?;
+            object.serialize_entry("ended", one.end.name())?;
+            object.serialize_entry("ended_step", &one.steps)?;
+            object.serialize_entry("times", self.times())?;
+            object.serialize_entry("points", &points)?;
+            object.serialize_entry("jumps", &one.jumps)?;
+            return object.end();
+        }
+        let names: Vec<&str> = self.rows.columns.iter().map(|column| &*column.name).collect();
+        let ends = |one: &Crossed| {
+            let mut end = Map::from_iter([(names[0].to_owned(), json!(one.start))]);
+            end.extend(names[1..].iter().zip(&one.values).map(|(name, value)| ((*name).to_owned(), json!(value))));
+            let own = json!({
+                "ended": one.end.name(), "ended_step": one.steps, "crossings": one.crossings, "jumps": one.jumps,
+            });
+            end.extend(own.as_object().into_iter().flatten().map(|(name, value)| (name.clone(), value.clone())));
+            Value::Object(end)
+        };
+        object.serialize_entry("orbits", &self.orbits.iter().map(ends).collect::<Vec<_>>())?;
+        object.serialize_entry("columns", &names)?;
+        object.serialize_entry("rows", &self.rows)?;
         object.end()
     }
 }

@@ -9,7 +9,7 @@ use kahan_algebra::rational::Rational;
 use kahan_draw::answer;
 use kahan_draw::picture::{self, Coordinate, Look, Picture, Trace};
 use kahan_runtime::heights::Stop;
-use kahan_study::{Axis, Diagram, End, Heights, Orbit, Plane, Question, Section, Study, StudyError};
+use kahan_study::{Diagram, End, Heights, Orbit, Plane, Question, Section, Study, StudyError};
 
 use super::super::look::{SheetOptions, usual};
 use super::starts::{At, Spread};
@@ -46,8 +46,8 @@ pub(crate) enum What {
     Portrait,
     /// Where orbits cross the section on which a formula vanishes.
     Section(String),
-    /// What orbits tend to, over a parameter or eps, after so many steps.
-    Over(Axis, u64),
+    /// What orbits tend to, over a parameter or eps: of which first points and steps the picture says.
+    Over(Box<Diagram>),
     /// How the heights of an exact orbit grow.
     Heights,
 }
@@ -84,11 +84,12 @@ impl Shown {
 
     /// An orbit diagram.
     pub(crate) fn of_diagram(asked: &Diagram) -> Self {
-        let Diagram { eps, at, over, variable, transient, steps, reembed } = asked.clone();
-        let what = What::Over(over, transient);
-        let at = vec![At::Point(at)];
-        let portrait = Shown::portrait(Rational::zero(), at, steps);
-        let (axes, out) = (variable.into_iter().collect(), PathBuf::from("diagram.svg"));
+        let (eps, axes) = (asked.eps.clone(), asked.variable.iter().cloned().collect());
+        let at = vec![At::Point(asked.at.clone())];
+        let portrait = Shown::portrait(Rational::zero(), at, asked.steps.unwrap_or_default());
+        let out = PathBuf::from("diagram.svg");
+        let plain = Diagram { eps: None, at: Vec::new(), variable: None, reembed: false, ..asked.clone() };
+        let (what, reembed) = (What::Over(Box::new(plain)), asked.reembed);
         Shown { what, eps, axes, reembed, out, ..portrait }
     }
 
@@ -100,7 +101,7 @@ impl Shown {
         match &self.what {
             What::Portrait => self.orbits(study, None, &look),
             What::Section(plane) => self.orbits(study, Some(plane), &look),
-            What::Over(axis, transient) => self.over(study, axis, *transient, &look),
+            What::Over(asked) => self.over(study, asked, &look),
             What::Heights => self.heights(study, &look),
         }
     }
@@ -186,22 +187,21 @@ impl Shown {
         let axes = self.axes(study)?;
         let axes = axes.iter().map(|axis| axis.name(study.shown()).to_owned());
         Ok(match &self.what {
-            What::Over(axis, _) => [axis.name.clone()].into_iter().chain(axes).collect(),
+            What::Over(asked) => [asked.over.name.clone()].into_iter().chain(axes).collect(),
             _ => axes.collect(),
         })
     }
 
     /// Refuses more points than a picture holds.
-    fn check_points(&self, orbits: usize) -> Result<(), Refusal> {
-        let points = (orbits as u64).saturating_mul(self.steps.saturating_add(1));
+    fn check_points(&self, orbits: usize, steps: u64) -> Result<(), Refusal> {
+        let points = (orbits as u64).saturating_mul(steps.saturating_add(1));
         let (most, way_out) =
             if self.lines { (MOST_JOINED, "leave --lines out") } else { (MOST_POINTS, "draw fewer orbits") };
         if points <= most {
             return Ok(());
         }
         Err(Refusal::new(format!(
-            "--steps: {orbits} orbits of {} steps are more than the {most} points that a picture holds; take fewer steps, or {way_out}",
-            self.steps
+            "--steps: {orbits} orbits of {steps} steps are more than the {most} points that a picture holds; take fewer steps, or {way_out}"
         )))
     }
 
@@ -231,7 +231,7 @@ impl Shown {
         // Axes may name new variables of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
-        self.check_points(starts.len())?;
+        self.check_points(starts.len(), self.steps)?;
         let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
             let Some(plane) = plane else {
                 let mut trace = Trace::new(&axes);
@@ -240,9 +240,9 @@ impl Shown {
                 return Ok((trace, end == End::Complete, 0));
             };
             let asked = Section::new(eps.clone(), at, self.steps, plane);
-            let asked = Section { points: usize::MAX, reembed: self.reembed, ..asked };
-            let found = asked.ask(study, prompt)?;
-            Ok((Trace::of_section(&axes, &found), found.steps == self.steps, found.jumps))
+            let (asked, mut trace) = (Section { reembed: self.reembed, ..asked }, Trace::new(&axes));
+            let found = asked.find(study, &mut trace, prompt)?;
+            Ok((trace, found[0].end == End::Complete, found[0].jumps))
         })?;
         let ended = traced.iter().filter(|(_, is_complete, _)| !is_complete).count();
         let jumps = traced.iter().map(|(.., jumps)| jumps).sum();
@@ -258,19 +258,21 @@ impl Shown {
     }
 
     /// What orbits tend to.
-    fn over(&self, study: &Study, axis: &Axis, transient: u64, look: &Look) -> Result<Drawn, Refusal> {
-        let (starts, values) = (self.spread.starts(&self.at), axis.range.count());
-        self.check_points(starts.len() * values)?;
-        let steps = transient.saturating_add(self.steps).saturating_mul(values as u64);
+    fn over(&self, study: &Study, asked: &Diagram, look: &Look) -> Result<Drawn, Refusal> {
+        let (starts, range) = (self.spread.starts(&self.at), &asked.over.range);
+        let values = range.count();
+        let points = asked.crossings.filter(|_| asked.plane.is_some()).unwrap_or(self.steps);
+        self.check_points(starts.len() * values, points)?;
+        let each = asked.transient.saturating_add(self.steps);
+        let steps = each.saturating_mul(values as u64);
         let variable = self.names(study)?.pop();
         let (found, _) = self.each(&starts, steps, |at, prompt| {
-            let asked = Diagram::new(self.eps.clone(), at, axis.clone(), self.steps);
-            let (variable, reembed) = (variable.clone(), self.reembed);
-            Diagram { transient, variable, reembed, ..asked }.ask(study, prompt)
+            let (eps, variable, reembed) = (self.eps.clone(), variable.clone(), self.reembed);
+            Diagram { eps, at, variable, reembed, ..asked.clone() }.ask(study, prompt)
         })?;
         let is_cut = found.len() < starts.len() || found.iter().any(|found| found.stopped);
         let ended = found.iter().map(|found| found.ended).sum();
-        let picture = picture::diagram(&found, &axis.range, transient, look);
+        let picture = picture::diagram(&found, range, asked.transient, look);
         Ok(Drawn { picture, notes: notes(starts.len() * values, ended, is_cut) })
     }
 

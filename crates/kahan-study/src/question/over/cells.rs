@@ -14,7 +14,7 @@ use crate::study::Study;
 
 /// What an axis gives a value to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Target {
+pub(in crate::question) enum Target {
     Variable(usize),
     Parameter(usize),
     Epsilon,
@@ -23,23 +23,25 @@ pub(super) enum Target {
 }
 
 /// An axis of a field.
-pub(super) struct Along<'a> {
+pub(in crate::question) struct Along<'a> {
     axis: &'a Varied,
-    pub(super) target: Target,
+    pub(in crate::question) target: Target,
     values: Values<'a>,
 }
 
 /// Where a cell is.
 #[derive(Clone, Debug)]
-pub(super) struct Place<V> {
-    pub(super) at: Vec<V>,
-    pub(super) parameters: Vec<V>,
-    pub(super) eps: V,
+pub(in crate::question) struct Place<V> {
+    pub(in crate::question) at: Vec<V>,
+    pub(in crate::question) parameters: Vec<V>,
+    pub(in crate::question) eps: V,
 }
 
 /// All cells: the last axis runs fastest, but for the draws, and first points most slowly.
-pub(super) struct Cells<'a> {
-    pub(super) axes: Vec<Along<'a>>,
+pub(in crate::question) struct Cells<'a> {
+    pub(in crate::question) axes: Vec<Along<'a>>,
+    /// How many of the axes, the last ones, have a value for each first point.
+    with_starts: usize,
     starts: &'a [Vec<Rational>],
     /// What no axis changes.
     exactly: Place<Rational>,
@@ -47,7 +49,7 @@ pub(super) struct Cells<'a> {
     /// Values of each drawn axis.
     draws: u64,
     /// How many cells there are.
-    pub(super) count: u64,
+    pub(in crate::question) count: u64,
 }
 
 /// The most cells: beyond, a number has no place in a column.
@@ -55,6 +57,19 @@ const MOST: u64 = 1 << 62;
 
 impl<'a> Cells<'a> {
     pub(super) fn of(over: &'a Over, study: &Study) -> Result<Self, StudyError> {
+        Self::with_starts(over, 0, study)
+    }
+
+    /// The cells where so many of the axes, the last ones, have a value for each first point, and
+    /// are not multiplied with the others.
+    ///
+    /// # Errors
+    /// Those of [`Over::cells`], and another number of values than of first points.
+    pub(in crate::question) fn with_starts(
+        over: &'a Over,
+        with_starts: usize,
+        study: &Study,
+    ) -> Result<Self, StudyError> {
         let (eps, at) = over.begins(study)?;
         let of = |place: usize| along(over, place, study);
         let axes = (0..over.over.len()).map(of).collect::<Result<Vec<_>, _>>()?;
@@ -75,12 +90,20 @@ impl<'a> Cells<'a> {
             eps: exactly.eps.to_f64(),
         };
         let draws = if axes.iter().any(|along| along.values.count().is_none()) { over.draws } else { 1 };
-        let counts = axes.iter().filter_map(|along| along.values.count());
+        let (multiplied, beside) = axes.split_at(axes.len() - with_starts);
+        let starts = over.starts.len().max(1) as u64;
+        if let Some(along) = beside.iter().find(|along| along.values.count() != Some(starts)) {
+            let why = format!("one value for each of the {starts} first points is needed");
+            return Err(StudyError::AxisValues { name: along.axis.name.clone(), why });
+        }
+        let counts = multiplied.iter().filter_map(|along| along.values.count());
         let counts = counts.chain([draws, over.starts.len().max(1) as u64]);
         let count = counts.fold(1, |count: u64, own| count.saturating_mul(own));
         match count {
             0 => Err(StudyError::NotPositive { what: "draws", value: Rational::zero() }),
-            1..=MOST => Ok(Cells { axes, starts: &over.starts, exactly, in_doubles, draws, count }),
+            1..=MOST => {
+                Ok(Cells { axes, with_starts, starts: &over.starts, exactly, in_doubles, draws, count })
+            }
             _ => Err(StudyError::ManyPoints { most: MOST as usize }),
         }
     }
@@ -127,13 +150,39 @@ impl<'a> Cells<'a> {
         [Entry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
     }
 
+    /// The names of the axes that vary, first points as `start_x`.
+    pub(in crate::question) fn names(&self) -> Vec<String> {
+        let names = self.axes.iter().filter(|along| along.varies()).map(|along| match along.target {
+            Target::Variable(_) => format!("start_{}", along.axis.name),
+            _ => along.axis.name.clone(),
+        });
+        names.collect()
+    }
+
+    /// The values of the axes that vary.
+    pub(in crate::question) fn varying(&self, values: &[f64]) -> Vec<f64> {
+        let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
+        varying.map(|(_, value)| *value).collect()
+    }
+
+    /// The number of the first point of a cell, among those that are listed.
+    pub(in crate::question) fn start(&self, index: u64) -> u64 {
+        index / (self.count / self.starts.len().max(1) as u64)
+    }
+
+    /// How many values the last axis has that is multiplied with others.
+    pub(in crate::question) fn last_count(&self) -> u64 {
+        let multiplied = &self.axes[..self.axes.len() - self.with_starts];
+        multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
+    }
+
     /// Where a cell is, in doubles, with the value of each axis.
-    pub(super) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
+    pub(in crate::question) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
     /// The same, exactly.
-    pub(super) fn exactly(&self, index: u64) -> Place<Rational> {
+    pub(in crate::question) fn exactly(&self, index: u64) -> Place<Rational> {
         self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }
 
@@ -145,10 +194,12 @@ impl<'a> Cells<'a> {
         value: fn(&Values<'a>, u64) -> V,
     ) -> (Place<V>, Vec<V>) {
         let (draw, mut rest) = (index % self.draws, index / self.draws);
+        let (start, first_beside) = (self.start(index), self.axes.len() - self.with_starts);
         let (mut place, mut values) = (base.clone(), Vec::with_capacity(self.axes.len()));
-        for along in self.axes.iter().rev() {
+        for (number, along) in self.axes.iter().enumerate().rev() {
             let index = match along.values.count() {
                 None => draw,
+                Some(_) if number >= first_beside => start,
                 Some(count) => {
                     let index = rest % count;
                     rest /= count;
@@ -164,7 +215,7 @@ impl<'a> Cells<'a> {
             }
             values.push(value);
         }
-        if let Some(start) = self.starts.get(rest as usize) {
+        if let Some(start) = self.starts.get(start as usize) {
             place.at = start.iter().map(coordinate).collect();
         }
         values.reverse();

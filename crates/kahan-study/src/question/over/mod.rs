@@ -27,13 +27,12 @@ use crate::numbers::exact;
 use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table};
 use crate::study::Study;
 
-use cells::Cells;
 use orbits::Orbits;
 use waves::in_waves;
 
 pub(super) use at_cell::{AtCell, column};
 pub use axis::{Source, Through, Varied};
-pub(super) use cells::Entry;
+pub(super) use cells::{Cells, Entry};
 
 /// Asks a question at every value of some axes: [`Observe`](super::Observe), or one about a point
 /// or a map, such as [`Heights`](super::Heights).
@@ -223,6 +222,7 @@ impl Over {
         let is_varied = |name: &str| self.over.iter().any(|axis| axis.name == name);
         let (eps, at) = match &*self.question {
             Question::Observe(asked) => (Some(&asked.eps), Some(&asked.at[..])),
+            Question::Section(asked) => (asked.eps.as_ref(), Some(&asked.at[..])),
             other => other.at_cell()?.place(),
         };
         let at = match at {

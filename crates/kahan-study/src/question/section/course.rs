@@ -1,0 +1,197 @@
+//! One orbit on its way: where it is, and the crossings that nobody took yet.
+
+use std::ops::ControlFlow;
+
+use kahan_core::Step;
+use kahan_core::observe::{Crossing, Direction, Observer, Section, Sink};
+use kahan_runtime::{End, Follow};
+
+use crate::rows::{Column, Rows, Values};
+use crate::study::Study;
+
+/// An orbit that is followed as far as its crossings have room, and can be followed on.
+#[derive(Clone, Debug)]
+pub(super) struct Course {
+    /// All variables of its last point.
+    pub(super) x: Vec<f64>,
+    /// The steps to that point.
+    pub(super) made: u64,
+    pub(super) kept: Kept,
+    pub(super) jumps: u64,
+    /// How it ended; `None` where it can go on.
+    pub(super) end: Option<End>,
+}
+
+/// Crossings in columns, of the variables that are shown.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    steps: Vec<i64>,
+    times: Vec<f64>,
+    points: Vec<Vec<f64>>,
+    /// How many there were, with those that were taken away.
+    pub(super) all: u64,
+    /// How many are wanted in all.
+    most: u64,
+    /// How many are kept until somebody takes them.
+    room: usize,
+}
+
+impl Kept {
+    fn is_full(&self) -> bool {
+        self.all >= self.most || self.steps.len() >= self.room
+    }
+}
+
+/// Takes crossings as a table shows them.
+pub(super) struct Taking<'a> {
+    pub(super) kept: &'a mut Kept,
+    pub(super) study: &'a Study,
+}
+
+impl Sink<Crossing<Vec<f64>, f64>> for Taking<'_> {
+    type Report = ();
+
+    fn take(&mut self, crossing: Crossing<Vec<f64>, f64>) {
+        let Taking { kept, study } = self;
+        let time = study.time_place().map_or(crossing.time, |place| crossing.point[place]);
+        kept.steps.push(crossing.step as i64);
+        kept.times.push(time);
+        let point = study.project(&crossing.point);
+        kept.points.iter_mut().zip(point).for_each(|(column, value)| column.push(value));
+        kept.all += 1;
+    }
+
+    fn is_full(&self) -> bool {
+        self.kept.is_full()
+    }
+
+    fn report(self) {}
+}
+
+/// The crossings of one orbit, which go on where they were left.
+struct GoingOn<'a, O> {
+    section: &'a mut O,
+    before: u64,
+}
+
+impl<O: Observer<f64>> Observer<f64> for GoingOn<'_, O> {
+    type Report = ();
+
+    fn observe(&mut self, step: u64, x: &[f64]) {
+        self.section.observe(self.before + step, x);
+    }
+
+    fn is_done(&self) -> bool {
+        self.section.is_done()
+    }
+
+    fn report(self) {}
+}
+
+impl Course {
+    /// An orbit at its first point, of which so many crossings are wanted, and so many kept at a
+    /// time.
+    pub(super) fn new(x: Vec<f64>, shown: usize, most: u64, room: usize) -> Self {
+        let kept = Kept { points: vec![Vec::new(); shown], most, room, ..Kept::default() };
+        Course { x, made: 0, kept, jumps: 0, end: None }
+    }
+
+    /// Ends it before its first step.
+    pub(super) fn never(mut self) -> Self {
+        self.end = Some(End::Range(0));
+        self
+    }
+
+    /// Makes the steps that are not looked at.
+    pub(super) fn pass(
+        &mut self,
+        by: &dyn Step<Scalar = f64>,
+        transient: u64,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) {
+        let left = transient.saturating_sub(self.made);
+        if left > 0 && self.end.is_none() {
+            let end = by.follow(&mut self.x, left, tell).expect("the point is of the field").end;
+            self.ends(end, left);
+        }
+    }
+
+    /// Follows it to step `limit`, as many crossings as are wanted, or as there is room for.
+    pub(super) fn follow(
+        &mut self,
+        study: &Study,
+        by: &dyn Step<Scalar = f64>,
+        height: impl Fn(&[f64]) -> f64,
+        direction: Direction,
+        limit: u64,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) {
+        let left = limit.saturating_sub(self.made);
+        if self.end.is_some() {
+            return;
+        }
+        if left == 0 {
+            self.end = Some(End::Complete);
+            return;
+        }
+        let Course { x, made, kept, .. } = self;
+        let mut section = Section::new(by, height, direction, Taking { kept, study });
+        let going_on = GoingOn { section: &mut section, before: *made };
+        let end = by.observe(x, left, going_on, tell).expect("the point is of the field").end;
+        let (is_full, jumps) = (section.is_done(), section.report().jumps);
+        self.jumps += jumps;
+        let has_all = self.kept.all >= self.kept.most;
+        match end {
+            // There is no room, or the watch wants no more.
+            End::Stopped(steps) if is_full && !has_all => self.made += steps,
+            End::Complete => (self.made, self.end) = (limit, Some(End::Complete)),
+            end => self.ends(end, left),
+        }
+    }
+
+    /// Ends it where it has all crossings, or came to the last step.
+    pub(super) fn settle(&mut self, limit: u64) {
+        if self.end.is_none() && self.kept.all >= self.kept.most {
+            self.end = Some(End::Stopped(self.made));
+        } else if self.end.is_none() && self.made >= limit {
+            self.end = Some(End::Complete);
+        }
+    }
+
+    /// So many steps were asked for, and this came of them.
+    fn ends(&mut self, end: End, asked: u64) {
+        let before = self.made;
+        self.made += end.steps(asked);
+        self.end = (end != End::Complete).then(|| end.after(before));
+    }
+
+    /// Hands on its crossings, with these values in front of each.
+    pub(super) fn hand_on(
+        &mut self,
+        columns: &[Column],
+        start: Option<u64>,
+        values: &[f64],
+        rows: &mut dyn Rows,
+    ) -> ControlFlow<()> {
+        const BLOCK: usize = 1024;
+
+        let Kept { steps, times, points, .. } = &mut self.kept;
+        let flow = (0..steps.len()).step_by(BLOCK).try_for_each(|first| {
+            let own = first..steps.len().min(first + BLOCK);
+            let starts: Vec<i64> = start.iter().flat_map(|start| vec![*start as i64; own.len()]).collect();
+            let given: Vec<Vec<f64>> = values.iter().map(|value| vec![*value; own.len()]).collect();
+            let numbers = points.iter().map(|column| Values::F64(&column[own.clone()]));
+            let front = start.map(|_| Values::Integer(&starts)).into_iter();
+            let block: Vec<Values<'_>> = front
+                .chain(given.iter().map(|column| Values::F64(column)))
+                .chain([Values::Integer(&steps[own.clone()]), Values::F64(&times[own.clone()])])
+                .chain(numbers)
+                .collect();
+            rows.block(columns, &block)
+        });
+        steps.clear();
+        times.clear();
+        points.iter_mut().for_each(Vec::clear);
+        flow
+    }
+}
