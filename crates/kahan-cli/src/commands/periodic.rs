@@ -72,8 +72,8 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact, flow,
-    /// branch.
+    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
+    /// flow, branch.
     #[arg(long)]
     json: bool,
 }
