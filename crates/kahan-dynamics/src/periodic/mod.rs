@@ -27,8 +27,6 @@ mod condensed;
 mod cycle;
 mod flow;
 mod flow_branch;
-#[cfg(test)]
-mod flow_tests;
 mod leaf;
 mod newton;
 mod returns;

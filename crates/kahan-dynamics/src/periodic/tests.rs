@@ -1,5 +1,7 @@
 //! Cycles that are known in closed form.
 
+mod flow;
+
 use kahan_core::nalgebra::DMatrix;
 use std::ops::ControlFlow;
 

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use kahan_core::prelude::*;
 use kahan_core::{Dual, Workspace};
 
-use super::*;
+use super::super::*;
 
 kahan! {
     struct Lorenz;
