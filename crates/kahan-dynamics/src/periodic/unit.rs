@@ -6,7 +6,7 @@
 
 use kahan_core::nalgebra::DMatrix;
 
-use super::{Differentiable, Parametric};
+use super::Differentiable;
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,8 @@ impl<M> InUnits<M> {
         x.iter().map(|x| x * self.unit.length).collect()
     }
 
-    fn inside(&self, x: Vec<f64>) -> Vec<f64> {
+    /// A point of the map itself in these units.
+    pub(super) fn inside(&self, x: Vec<f64>) -> Vec<f64> {
         x.into_iter().map(|x| x / self.unit.length).collect()
     }
 }
@@ -60,13 +61,6 @@ impl<M: Differentiable> InUnits<M> {
     /// ∂x̃/∂x
     pub(super) fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         self.map.derivative(&self.outside(x))
-    }
-}
-
-impl<M: Parametric> InUnits<M> {
-    /// ∂x̃/∂p
-    pub(super) fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
-        self.inside(self.map.by_parameter(&self.outside(x)))
     }
 }
 
