@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use kahan_core::observe::{AtMost, Direction, Drift, Extrema, Lyapunov, Section};
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Dual, ProjectivePoint};
-use kahan_dynamics::periodic::{branch, by_parameter, periodic_point};
+use kahan_dynamics::periodic::{branch, periodic_point};
 use kahan_dynamics::{Scene, Scheme};
 use serde_json::{from_str, from_value, json, to_string, to_value};
 
@@ -81,5 +81,5 @@ fn cycles_and_branches_come_back() {
     let map = |a| LotkaVolterra { a: Dual::coordinate(a, 0) }.at(Dual::from_value(0.1));
     let cycle = periodic_point(&map(1.0), &[0.9, 1.1], 1).unwrap();
     comes_back(&cycle);
-    comes_back(&branch(map, by_parameter, &cycle, [1.0, 2.0], 5, |_| ControlFlow::Continue(())));
+    comes_back(&branch(map, &cycle, [1.0, 2.0], 5, |_| ControlFlow::Continue(())));
 }

@@ -78,5 +78,5 @@ pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;
 pub use observed::{Observable, ObservedFloat, Observing, Relations, Seen};
 pub use parameters::{ParameterError, ParameterValue};
-pub use periodic::{MOST_DIGITS as MOST_DIGITS_OF_CYCLES, RationalCycle};
+pub use periodic::{MOST_DIGITS as MOST_DIGITS_OF_CYCLES, ParametricAt, RationalCycle};
 pub use text::FieldText;

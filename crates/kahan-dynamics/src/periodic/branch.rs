@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
-use super::Differentiable;
+use super::Parametric;
 use super::cycle::PeriodicPoint;
 use super::newton::{NOTHING, defect, least_norm, slope};
 use super::turns::{Stride, Turn};
@@ -40,8 +40,7 @@ pub(super) type Place = DVector<f64>;
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
 /// range between them.
 ///
-/// `map` makes the map at a value p of the parameter, `by_parameter` gives ∂x̃/∂p, not finite at a
-/// pole, of a map at a point, and `see` is shown each cycle as it is found,
+/// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found,
 /// and may end the branch there. Between two cycles each change is found by halving the step; what
 /// changes and changes back between them is not seen.
 ///
@@ -52,7 +51,7 @@ pub(super) type Place = DVector<f64>;
 /// use std::ops::ControlFlow;
 ///
 /// use kahan_core::Dual;
-/// use kahan_dynamics::periodic::{Change, branch, by_parameter, periodic_point};
+/// use kahan_dynamics::periodic::{Change, branch, periodic_point};
 /// use kahan_core::prelude::*;
 ///
 /// kahan! {
@@ -64,22 +63,19 @@ pub(super) type Place = DVector<f64>;
 /// // At a, which changes, and a fixed ε.
 /// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::from_value(0.1));
 /// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
-/// let branch = branch(map, by_parameter, &cycle, [1.0, -1.0], 20, |_| ControlFlow::Continue(()));
+/// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ControlFlow::Continue(()));
 /// assert_eq!(branch.turns[0].change, Change::Fold);
 /// assert!(branch.turns[0].parameter.abs() < 1e-9);
 /// ```
-pub fn branch<M: Differentiable>(
+pub fn branch<M: Parametric>(
     map: impl Fn(f64) -> M,
-    by_parameter: impl Fn(&M, &[f64]) -> Vec<f64>,
     cycle: &PeriodicPoint,
     [from, to]: [f64; 2],
     steps: usize,
     mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let length = to - from;
-    let first = map(from);
-    let unit = Unit::of(first_size(cycle, length, |x| by_parameter(&first, x)));
-    let arc = Arc { map, by_parameter, unit, from, length };
+    let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
     let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
     let mut place: Place = DVector::from_vec(points.chain([0.0]).collect());
     let mut ahead = DVector::zeros(place.len());
@@ -127,25 +123,24 @@ pub fn branch<M: Differentiable>(
 
 /// What points on a branch are measured by: the size of the first cycle. Where that is 0, as is the
 /// point it was found from, how far it moves with the parameter.
-fn first_size(cycle: &PeriodicPoint, length: f64, by_parameter: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
+fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
     }
-    let rates = cycle.points.iter().map(|x| unit::size(&by_parameter(x)));
+    let rates = cycle.points.iter().map(|x| unit::size(&map.by_parameter(x)));
     let moved = rates.fold(0.0, f64::max) * length.abs();
     if moved.is_finite() { moved } else { 0.0 }
 }
 
 /// The curve of cycles over the range.
-pub(super) struct Arc<F, D> {
+pub(super) struct Arc<F> {
     map: F,
-    by_parameter: D,
     unit: Unit,
     from: f64,
     length: f64,
 }
 
-impl<M: Differentiable, F: Fn(f64) -> M, D: Fn(&M, &[f64]) -> Vec<f64>> Arc<F, D> {
+impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
     pub(super) fn parameter(&self, place: &Place) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
@@ -170,8 +165,7 @@ impl<M: Differentiable, F: Fn(f64) -> M, D: Fn(&M, &[f64]) -> Vec<f64>> Arc<F, D
         let slope = slope(&map, &cycle);
         let columns = slope.ncols();
         let mut wide = slope.insert_column(columns, 0.0);
-        let by_parameter = |x| map.inside((self.by_parameter)(&map.map, &map.outside(x)));
-        let by_parameter = cycle.as_slice().chunks(map.dimension()).flat_map(by_parameter);
+        let by_parameter = cycle.as_slice().chunks(map.dimension()).flat_map(|x| map.by_parameter(x));
         for (entry, rate) in wide.column_mut(columns).iter_mut().zip(by_parameter) {
             *entry = rate * self.length;
         }

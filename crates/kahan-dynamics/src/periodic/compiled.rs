@@ -5,7 +5,7 @@ use kahan_core::nalgebra::{DMatrix, SVector};
 
 use kahan_core::{Dual, ExtendScalars, KahanAt, KahanMap};
 
-use super::Differentiable;
+use super::{Differentiable, Parametric};
 
 impl<M, const N: usize> Differentiable for KahanAt<M, f64, N>
 where
@@ -28,13 +28,13 @@ where
     }
 }
 
-/// Returns ∂x̃/∂p of a map over dual numbers, for [`branch`](super::branch()): their gradients are
-/// those by p. It is not finite at a pole.
-pub fn by_parameter<M, const N: usize>(map: &KahanAt<M, Dual<f64, 1>, N>, x: &[f64]) -> Vec<f64>
+impl<M, const N: usize> Parametric for KahanAt<M, Dual<f64, 1>, N>
 where
-    M: KahanMap<Dual<f64, 1>, N>,
+    M: KahanMap<Dual<f64, 1>, N> + ExtendScalars<Dual<f64, 1>, N>,
 {
-    map.step(&fixed(x)).iter().map(|entry| entry.gradient[0]).collect()
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+        self.step(&fixed(x)).iter().map(|entry| entry.gradient[0]).collect()
+    }
 }
 
 /// A point that does not depend on p.

@@ -35,7 +35,6 @@ use kahan_core::nalgebra::DMatrix;
 use kahan_core::{Scalar, Step, Workspace};
 
 pub use branch::{Branch, BranchPoint, branch};
-pub use compiled::by_parameter;
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
 pub use turns::{Change, Turn};
 
@@ -51,4 +50,10 @@ pub trait Differentiable: Step<Scalar: From<f64>> {
 
     /// ∂x̃/∂x; not finite at a pole.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64>;
+}
+
+/// A map that depends on a number p, at one value of p.
+pub trait Parametric: Differentiable {
+    /// ∂x̃/∂p; not finite at a pole.
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64>;
 }

@@ -6,9 +6,7 @@ use std::ops::ControlFlow;
 use kahan_core::prelude::*;
 use kahan_core::{Dual, Step, Stopped, Workspace};
 
-use super::{
-    Branch, Change, Differentiable, NoPeriodicPoint, Stability, branch, by_parameter, periodic_point,
-};
+use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
 /// A map that has no ε.
 trait ByHand {
@@ -62,7 +60,7 @@ impl Differentiable for Logistic {
     }
 }
 
-impl Logistic {
+impl Parametric for Logistic {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![x[0] * (1.0 - x[0])]
     }
@@ -88,7 +86,7 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
         // Three numbers of some roundings each.
         assert!((map.image(&[x])[0] - next).abs() < 1e-15);
         assert!((map.derivative(&[x])[(0, 0)] - (1.0 - 2.0 * eps * next) / below).abs() < 1e-15);
-        assert!((by_parameter(&map, &[x])[0] - expected).abs() < 1e-15);
+        assert!((map.by_parameter(&[x])[0] - expected).abs() < 1e-15);
     }
 }
 
@@ -110,7 +108,7 @@ impl Differentiable for Henon {
 }
 
 /// a changes.
-impl Henon {
+impl Parametric for Henon {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![-x[0] * x[0], 0.0]
     }
@@ -133,7 +131,7 @@ impl Differentiable for SaddleNode {
     }
 }
 
-impl SaddleNode {
+impl Parametric for SaddleNode {
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![1.0]
     }
@@ -274,7 +272,7 @@ fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
         }
     }
 
-    impl Root {
+    impl Parametric for Root {
         fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
             vec![1.0]
         }
@@ -283,7 +281,7 @@ fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
     let points = |unit: f64| -> Vec<[f64; 2]> {
         let map = |a| Root(a, unit);
         let start = periodic_point(&map(0.0), &[0.0], 1).unwrap();
-        let branch = branch(map, Root::by_parameter, &start, [0.0, unit], 10, |_| ControlFlow::Continue(()));
+        let branch = branch(map, &start, [0.0, unit], 10, |_| ControlFlow::Continue(()));
         branch.points.iter().map(|at| [at.parameter / unit, at.cycle.points[0][0] / unit]).collect()
     };
     let ordinary = points(1.0);
@@ -331,9 +329,7 @@ fn what_is_no_cycle_is_told() {
 fn a_branch_turns_back_where_two_fixed_points_meet() {
     for steps in [1, 3, 40] {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
-        let branch = branch(SaddleNode, SaddleNode::by_parameter, &start, [0.5, -0.5], steps, |_| {
-            ControlFlow::Continue(())
-        });
+        let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
         // Halving stops where the direction is known to the rounding of a cycle, whose root is the
         // error.
         assert!(has_turns(&branch, &[(Change::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
@@ -350,8 +346,7 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
 #[test]
 fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let start = periodic_point(&Logistic(2.5), &[0.6], 1).unwrap();
-    let branch =
-        branch(Logistic, Logistic::by_parameter, &start, [2.5, 3.4], 20, |_| ControlFlow::Continue(()));
+    let branch = branch(Logistic, &start, [2.5, 3.4], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
     // The multiplier is 2 − r.
@@ -363,14 +358,7 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
     // Area is kept; the fixed point x = 1/3 of a = 3 has the double multiplier −1.
     let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
     assert_eq!(start.stability(), Stability::Neutral);
-    let branch = branch(
-        |a| Henon(a, -1.0),
-        Henon::by_parameter,
-        &start,
-        [1.0, 4.0],
-        20,
-        |_| ControlFlow::Continue(()),
-    );
+    let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
     // |μ| is 1 + 10⁻⁶ at a distance of about its square.
@@ -397,7 +385,7 @@ impl Differentiable for Turning {
     }
 }
 
-impl Turning {
+impl Parametric for Turning {
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![1.0, 0.0]
     }
@@ -426,7 +414,7 @@ impl Differentiable for Several {
     }
 }
 
-impl Several {
+impl Parametric for Several {
     /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 4]
@@ -448,14 +436,12 @@ fn all_changes_of_one_stride_are_told_in_order() {
 
     for steps in [1, 2, 7] {
         let start = periodic_point(&Several(0.5), &[0.0; 4], 1).unwrap();
-        let there =
-            branch(Several, Several::by_parameter, &start, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
+        let there = branch(Several, &start, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         let mut expected = [(ThroughMinusOne, 0.75), (ThroughOne, 1.0), (ThroughCircle, 1.25)];
         // The multipliers are known to some roundings, and so is where they pass.
         assert!(has_turns(&there, &expected, 1e-13), "{steps}: {:?}", there.turns);
         let start = periodic_point(&Several(1.5), &[0.0; 4], 1).unwrap();
-        let back =
-            branch(Several, Several::by_parameter, &start, [1.5, 0.5], steps, |_| ControlFlow::Continue(()));
+        let back = branch(Several, &start, [1.5, 0.5], steps, |_| ControlFlow::Continue(()));
         expected.reverse();
         assert!(has_turns(&back, &expected, 1e-13), "{steps}: {:?}", back.turns);
     }
@@ -478,7 +464,7 @@ impl Differentiable for Meeting {
     }
 }
 
-impl Meeting {
+impl Parametric for Meeting {
     /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 2]
@@ -489,8 +475,7 @@ impl Meeting {
 fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
     for (from, to) in [(0.125, -1.0), (-1.0, 0.125)] {
         let start = periodic_point(&Meeting(from), &[0.0; 2], 1).unwrap();
-        let branch =
-            branch(Meeting, Meeting::by_parameter, &start, [from, to], 3, |_| ControlFlow::Continue(()));
+        let branch = branch(Meeting, &start, [from, to], 3, |_| ControlFlow::Continue(()));
         assert!(branch.turns.is_empty() && branch.points.len() > 3, "{:?}", branch.turns);
     }
 }
@@ -503,7 +488,7 @@ fn a_fold_hides_no_other_change() {
     {
         let start = periodic_point(&Turning(from), &[from.sqrt(), 0.0], 1).unwrap();
         let mut seen = Vec::new();
-        let branch = branch(Turning, Turning::by_parameter, &start, [from, to], steps, |point| {
+        let branch = branch(Turning, &start, [from, to], steps, |point| {
             seen.push(point.cycle.points[0][0]);
             ControlFlow::Continue(())
         });
@@ -536,7 +521,7 @@ impl Differentiable for Far {
     }
 }
 
-impl Far {
+impl Parametric for Far {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![-x[0] / 2.0]
     }
@@ -546,7 +531,7 @@ impl Far {
 #[test]
 fn a_branch_goes_far_in_few_strides() {
     let start = periodic_point(&Far(0.0), &[0.9], 1).unwrap();
-    let branch = branch(Far, Far::by_parameter, &start, [0.0, -0.999], 10, |_| ControlFlow::Continue(()));
+    let branch = branch(Far, &start, [0.0, -0.999], 10, |_| ControlFlow::Continue(()));
     let last = branch.points.last().unwrap();
     assert!(!branch.is_cut && last.cycle.points[0][0] > 990.0 && branch.points.len() < 150);
 }
@@ -555,7 +540,6 @@ fn a_branch_goes_far_in_few_strides() {
 fn a_planar_map_doubles_its_period_where_the_formula_says() {
     // The fixed point has μ² + 2axμ − b = 0, so μ = −1 where 2ax = 1 − b, and a = 3(1 − b)²/4.
     let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
-    let branch =
-        branch(|a| Henon(a, 0.3), Henon::by_parameter, &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
+    let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
     assert!(has_turns(&branch, &[(Change::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);
 }

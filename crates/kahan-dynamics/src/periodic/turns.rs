@@ -4,7 +4,7 @@
 use std::fmt;
 use std::iter::repeat_n;
 
-use super::Differentiable;
+use super::Parametric;
 use super::branch::{Arc, Place};
 use super::cycle::{PeriodicPoint, size};
 
@@ -45,8 +45,8 @@ pub struct Turn {
 }
 
 /// A way along the branch, ahead from a place.
-pub(super) struct Stride<'a, F, D> {
-    pub(super) arc: &'a Arc<F, D>,
+pub(super) struct Stride<'a, F> {
+    pub(super) arc: &'a Arc<F>,
     pub(super) place: &'a Place,
     pub(super) tangent: &'a Place,
     pub(super) length: f64,
@@ -83,7 +83,7 @@ impl Post {
     }
 }
 
-impl<M: Differentiable, F: Fn(f64) -> M, D: Fn(&M, &[f64]) -> Vec<f64>> Stride<'_, F, D> {
+impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
     /// What happens from its first cycle to its last one, in order.
     pub(super) fn turns(
         &self,

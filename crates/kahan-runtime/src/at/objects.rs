@@ -38,20 +38,16 @@ impl<T: RuntimeFloat> MapAt<T> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// ∂x̃/∂p, p being the parameter at this place in
-    /// [`Field::parameters`](crate::Field::parameters), or ε.
+    /// ∂x̃/∂p, p being the parameter at this place, or ε at the place behind them.
     ///
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable.
     ///
     /// # Panics
-    /// If there is no such parameter.
-    pub fn by_parameter(&self, parameter: Option<usize>, x: &[T]) -> Result<Vec<T>, DimensionError> {
+    /// If there is no such place.
+    pub(crate) fn by_constant(&self, place: usize, x: &[T]) -> Result<Vec<T>, DimensionError> {
         self.check_state(x)?;
-        let parameters = self.map().parameters().len();
-        assert!(parameter.is_none_or(|place| place < parameters), "the map has {parameters} parameters");
-        // ε is behind all of them.
-        Ok(self.engine().by_constant(&self.constants, parameter.unwrap_or(parameters), x))
+        Ok(self.engine().by_constant(&self.constants, place, x))
     }
 
     /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals); of a

@@ -5,9 +5,11 @@ use std::ops::ControlFlow;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, ComplexField};
-use kahan_dynamics::periodic::{Branch, Change, Differentiable, Stability, Turn, branch, periodic_point};
+use kahan_dynamics::periodic::{
+    Branch, Change, Differentiable, Parametric, Stability, Turn, branch, periodic_point,
+};
 
-use crate::{Field, MapAt};
+use crate::Field;
 
 /// Σ cₖ zᵏ, the lowest first.
 fn polynomial(coefficients: &[(i64, i64)]) -> Polynomial {
@@ -66,7 +68,7 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
         (Some(1), [2.0 * eps, 0.0]),
     ];
     for (parameter, right) in expected {
-        let slope = at.by_parameter(parameter, &x).unwrap();
+        let slope = at.by(parameter).by_parameter(&x);
         for i in 0..2 {
             let left = rows[2 * i] * slope[0] + rows[2 * i + 1] * slope[1];
             // Some ten roundings of numbers of size 1.
@@ -82,7 +84,7 @@ fn the_derivative_by_eps_goes_through_elimination_too() {
     let map = Field::parse(&(0..10).map(equation).collect::<String>()).unwrap().map().unwrap();
     let (eps, x) = (0.125, [0.5, -0.25, 1.0, 0.75, -0.5, 0.25, -1.0, 0.125, 0.375, 0.625]);
     let at = map.at(eps);
-    let (next, slope) = (at.image(&x), at.by_parameter(None, &x).unwrap());
+    let (next, slope) = (at.image(&x), at.by(None).by_parameter(&x));
     let mut rows = [0.0; 100];
     at.matrix(&x, &mut rows).unwrap();
     for (i, row) in rows.chunks(10).enumerate() {
@@ -168,11 +170,6 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }
 
-/// ∂x̃/∂p, p being a parameter or ε.
-fn by(parameter: Option<usize>) -> impl Fn(&MapAt<f64>, &[f64]) -> Vec<f64> {
-    move |at, x| at.by_parameter(parameter, x).unwrap()
-}
-
 /// Whether a branch has these changes, each within a bound of its parameter.
 fn has_turns(branch: &Branch, expected: &[(Change, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
@@ -187,11 +184,11 @@ fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
     // At ε = 2 the multipliers across the plane x = p = 0 are m and 1/m with
     // m + 1/m − 2 = (11 − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)): they leave the circle at 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
-    let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0);
+    let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
     for (from, to) in [(1.0, 2.0), (2.0, 1.0)] {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
-        let branch = branch(map, by(Some(0)), &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
+        let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
         // A multiplier counts from 1 + 10⁻⁶ on, at a distance of about its square.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
@@ -206,17 +203,17 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let b = Rational::new(8, 3);
     let map = |r: f64| {
         let values = [("s", Rational::from(10)), ("b", b.clone()), ("r", Rational::from_f64(r).unwrap())];
-        field.with(values).unwrap().at(0.01)
+        field.with(values).unwrap().at(0.01).by(place)
     };
     let origin = periodic_point(&map(0.5), &[0.0; 3], 1).unwrap();
     for steps in [1, 7] {
-        let branch = branch(map, by(place), &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
+        let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         // The multiplier is known to a rounding, and 2ε·10/11 times as far from 1 as r is.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
     // At r = 1 the other equilibria come together in the origin: their branch turns back.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
-    let branch = branch(map, by(place), &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
+    let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (Change::ThroughCircle, 470.0 / 19.0, 1e-9);
     // Near there what the map leaves open is the cube of the distance from the branch, and r − 1 is
     // its square: 10⁻¹² gives 10⁻⁸.
@@ -254,9 +251,9 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
 fn rounding_of_multipliers_of_1_is_no_change() {
     // All multipliers are 1, of a derivative that can't be made diagonal and has entries up to 100.
     let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
-    let map = |eps: f64| top.at(eps);
+    let map = |eps: f64| top.at(eps).by(None);
     let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();
-    let branch = branch(map, by(None), &cycle, [0.5, 0.75], 20, |_| ControlFlow::Continue(()));
+    let branch = branch(map, &cycle, [0.5, 0.75], 20, |_| ControlFlow::Continue(()));
     assert!(branch.turns.is_empty() && !branch.is_cut, "{:?}", branch.turns);
     assert!(branch.points.iter().all(|point| point.cycle.stability() == Stability::Neutral));
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use kahan_dynamics::periodic::{Branch, NoPeriodicPoint, PeriodicPoint, branch, periodic_point};
-use kahan_runtime::{Field, MapAt};
+use kahan_runtime::Field;
 
 use crate::UNITS;
 use crate::answers::{Answers, Dimension, LENGTH, NUMBER, TIME, check_units};
@@ -29,11 +29,6 @@ fn add_branch(branch: &Branch, dimension: Dimension, answers: &mut Answers) {
     }
 }
 
-/// ∂x̃/∂p, p being a parameter or ε.
-fn by(parameter: Option<usize>) -> impl Fn(&MapAt<f64>, &[f64]) -> Vec<f64> {
-    move |at, x| at.by_parameter(parameter, x).unwrap()
-}
-
 #[test]
 fn cycles_and_branches_have_the_same_bits_in_every_unit() {
     let mut found = 0;
@@ -47,10 +42,9 @@ fn cycles_and_branches_have_the_same_bits_in_every_unit() {
             check_units(case.name, &UNITS, |unit, answers| match cycle(unit) {
                 Ok(cycle) => {
                     add_cycle(&cycle, answers);
-                    let map = |eps| map(&field, unit).at(eps);
+                    let map = |eps| map(&field, unit).at(eps).by(None);
                     let range = [unit.time(case.eps), unit.time(2.5 * case.eps)];
-                    let branch = branch(map, by(None), &cycle, range, 8, |_| ControlFlow::Continue(()));
-                    add_branch(&branch, TIME, answers);
+                    add_branch(&branch(map, &cycle, range, 8, |_| ControlFlow::Continue(())), TIME, answers);
                 }
                 Err(NoPeriodicPoint::NotFound { residual }) => answers.add("none", LENGTH, &[residual]),
                 Err(why) => answers.say("none", why),
@@ -75,12 +69,11 @@ fn branches_over_a_parameter_have_the_same_bits_in_every_unit() {
             let place = field.parameters().iter().position(|known| known == name);
             let at = |value: f64| {
                 let values = [("q", two_to(unit.length)), (name, value)];
-                field.with(values).unwrap().at(0.1)
+                field.with(values).unwrap().at(0.1).by(place)
             };
             let start = start.map(|x| unit.length(x));
             let cycle = periodic_point(&at(scaled(from)), &start, 1).unwrap();
-            let range = [from, to].map(scaled);
-            let branch = branch(at, by(place), &cycle, range, 12, |_| ControlFlow::Continue(()));
+            let branch = branch(at, &cycle, [scaled(from), scaled(to)], 12, |_| ControlFlow::Continue(()));
             assert!(branch.points.len() > 10, "{name}: {branch:?}");
             add_branch(&branch, dimension, answers);
         });

@@ -135,10 +135,10 @@ impl Family {
     /// The branch that begins with a cycle.
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
-        let by = |at: &MapAt<f64>, x: &[f64]| at.by_parameter(self.parameter, x).expect("a point of a cycle");
+        let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
         let count = Count::new("cycles", steps as u64, watch);
-        branch(|value| self.at(value), by, cycle, ends, steps, |_| count.tell(1))
+        branch(map, cycle, ends, steps, |_| count.tell(1))
     }
 
     /// The map at the values that were given, at which there is one.
