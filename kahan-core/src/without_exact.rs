@@ -19,8 +19,9 @@ pub struct FeatureExact;
     message = "`BigRational` needs the feature `exact` of `kahan-core`",
     label = "enable it in Cargo.toml: `kahan-core = {{ …, features = [\"exact\"] }}`"
 )]
-pub trait IsEnabled {}
+trait IsEnabled {}
 
+#[expect(private_bounds, reason = "no feature that is off can be enabled by a type")]
 impl<F> Unavailable<F> {
     /// numer/denom, with the feature.
     pub fn new(_numer: i128, _denom: i128) -> Self

@@ -4,7 +4,7 @@ use kahan_core::observe::{
     AtMost, Direction, Drift, Escape, Extrema, Observer, Section, TangentMap, first_crossing,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Compensated, Increments, LatticeAt, Level, Orbit, Step, Tangent, Workspace};
+use kahan_core::{Compensated, Increments, Level, Orbit, Step, Tangent, Workspace};
 
 use super::lattices::{Kdv, Ring, Shore, Toda};
 use super::systems::{Burst, E6, Turn};
@@ -62,13 +62,22 @@ fn every_map_has_the_bits_of_its_own_methods() {
 }
 
 fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
-    let mut at = LatticeMap::at(map, EPS, sites).unwrap();
+    let at = LatticeMap::at(map, EPS, sites).unwrap();
     let start = wave(sites * <M as LatticeMap<f64>>::BLOCK);
     let found = advanced(&at, &start, workspace);
-    let mut expected = start;
-    // By its full name, since the trait is in scope.
-    LatticeAt::advance(&mut at, &mut expected, STEPS);
-    assert_eq!(found, expected);
+    let own = || {
+        let mut x = start.clone();
+        // It is the chain's own, though the trait is in scope.
+        at.advance(&mut x, STEPS);
+        x
+    };
+    assert_eq!(found, own());
+    // One of these may find the memory of the chain in use.
+    std::thread::scope(|scope| {
+        for run in [scope.spawn(own), scope.spawn(own)] {
+            assert_eq!(found, run.join().unwrap());
+        }
+    });
 }
 
 /// A mode is a map, whose states hold what is carried beside the point.

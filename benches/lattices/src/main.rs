@@ -62,7 +62,7 @@ fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
     start: impl Fn(f64) -> T,
 ) -> Box<dyn FnMut() -> f64> {
     let at = map.at(eps, sites).expect("parameters of this many sites");
-    let mut at = at.at_level(level).expect("an available level");
+    let at = at.at_level(level).expect("an available level");
     let start: Vec<T> = (0..sites * M::BLOCK).map(|i| start(i as f64)).collect();
     let steps = (WORK / sites).clamp(2, 2_000) as u64;
     Box::new(move || {

@@ -87,7 +87,7 @@ fn error(x: &[f64], reference: &[f64]) -> f64 {
 }
 
 fn kahan(map: &Kdv<f64>, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration) {
-    let mut at = map.at(eps, start.len()).expect("a chain");
+    let at = map.at(eps, start.len()).expect("a chain");
     let mut least = Duration::MAX;
     let mut end = Vec::new();
     for _ in 0..5 {

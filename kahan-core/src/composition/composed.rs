@@ -25,7 +25,7 @@ pub struct Composed<S: Step> {
 
 /// Up to 17 steps that read the same from either end.
 #[derive(Clone, Copy, Debug)]
-pub struct Palindrome<P> {
+pub(crate) struct Palindrome<P> {
     /// The first `len` are run; the others repeat the middle one.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,

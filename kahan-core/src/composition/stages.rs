@@ -12,7 +12,9 @@ use super::Composed;
 use super::composed::Palindrome;
 
 /// A map at its ε each of whose steps is one or several of Kahan's.
-pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T, N>> + Clone {
+pub(crate) trait Staged<T: Scalar, const N: usize>:
+    Step<Scalar = T, State = SVector<T, N>> + Clone
+{
     /// The map of all stages.
     type Map: KahanMap<T, N>;
     /// A P for each stage.

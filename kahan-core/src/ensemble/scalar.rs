@@ -3,6 +3,8 @@
 //! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
 //! registers that the scalar has.
 
+#![expect(private_bounds, reason = "the stages of a step are nobody else's")]
+
 use crate::Scalar;
 use crate::composition::Staged;
 #[cfg(target_arch = "x86_64")]

@@ -3,6 +3,7 @@
 //! In: a state. Out: the next one, in its place. All memory is taken here, before the first step.
 
 use core::fmt;
+use std::sync::{Mutex, PoisonError};
 use std::vec::Vec;
 
 use crate::ensemble::Level;
@@ -26,7 +27,9 @@ pub struct LatticeAt<M, T: LatticeScalar> {
     eps: T,
     forward: Vec<T>,
     backward: Vec<T>,
-    memory: Memory<T>,
+    form: Form,
+    /// Steps take what is their own; where it is taken already, they make another.
+    memory: Mutex<Memory<T>>,
     promise: Promise<T>,
 }
 
@@ -143,8 +146,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
-        let memory = Memory::new(Form { sizes, sites, boundary, partition, level });
-        Ok(Self { map, eps, forward, backward, memory, promise })
+        let form = Form { sizes, sites, boundary, partition, level };
+        let memory = Mutex::new(Memory::new(form));
+        Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
     /// The same map, its steps on another level; `None` if this processor lacks it.
@@ -152,13 +156,14 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// A level decides the last bits of long chains of `f32` and `f64`, as those of an
     /// [`Ensemble`](crate::Ensemble); the largest is taken unless told otherwise.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
-        self.memory = Memory::new(Form { level, ..self.memory.form });
+        self.form.level = level;
+        self.memory = Mutex::new(Memory::new(self.form));
         level.is_available().then_some(self)
     }
 
     /// The number of sites.
     pub fn sites(&self) -> usize {
-        self.memory.form.sites
+        self.form.sites
     }
 
     /// The family.
@@ -174,7 +179,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// How many steps were one elimination of the whole chain: all of a short one, and those of a
     /// long one whose parts met too small a pivot.
     pub fn whole_eliminations(&self) -> u64 {
-        self.memory.whole_eliminations
+        self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
 
     /// One step, x ↦ x̃, in place.
@@ -185,7 +190,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// If the state is not of this chain's length; at a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
-        self.advance(state, 1);
+        self.check(state);
+        let Self { map, eps, forward, memory, .. } = self;
+        if own(memory).advance(map, forward, eps, state, 1).is_err() {
+            pole(eps)
+        }
     }
 
     /// One step of the inverse map, in place: the step with −ε.
@@ -196,7 +205,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub fn step_back(&mut self, state: &mut [T]) {
         self.check(state);
         let Self { map, eps, backward, memory, .. } = self;
-        if memory.advance(map, backward, &-eps.clone(), state, 1).is_err() {
+        if own(memory).advance(map, backward, &-eps.clone(), state, 1).is_err() {
             pole(eps)
         }
     }
@@ -231,14 +240,16 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         if !state.iter().all(T::is_finite_number) {
             return failed(Reason::NotFinite, f64::INFINITY);
         }
-        self.memory.advance(&self.map, &self.forward, &self.eps, state, 1).map_err(|stopped| stopped.why)?;
+        let Self { map, eps: exact_eps, forward, memory, promise, .. } = self;
+        let memory = own(memory);
+        memory.advance(map, forward, exact_eps, state, 1).map_err(|stopped| stopped.why)?;
         if T::UNIT == 0.0 {
             return Ok(());
         }
         let mut least = f64::INFINITY;
         for turn in 0..=REFINEMENTS {
             let is_finite = state.iter().all(T::is_finite_number);
-            let bound = if is_finite { self.promise.bound(&self.map, state) } else { f64::INFINITY };
+            let bound = if is_finite { promise.bound(map, state) } else { f64::INFINITY };
             if bound <= 1.0 {
                 return Ok(());
             }
@@ -246,18 +257,17 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             if turn < REFINEMENTS {
                 // What is not finite is begun again, from x̃ = x.
                 if !is_finite {
-                    state.clone_from_slice(&self.promise.before);
-                    self.promise.bound(&self.map, state);
+                    state.clone_from_slice(&promise.before);
+                    promise.bound(map, state);
                 }
-                let Promise { before, residual, .. } = &self.promise;
-                let correction = self.memory.solve(&self.map, &self.forward, before, Some(residual));
+                let Promise { before, residual, .. } = promise;
+                let correction = memory.solve(map, forward, before, Some(residual));
                 let Some(correction) = correction else { return Err(SingularStep::pole(eps)) };
                 for (x, d) in state.iter_mut().zip(correction) {
                     *x += d.clone();
                 }
             }
         }
-        let Self { map, eps: exact_eps, promise, .. } = self;
         let before = promise.before.clone();
         let next = eliminated_at_any_capacity(
             |capacity| T::eliminated(map, exact_eps, &before, capacity),
@@ -274,15 +284,22 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// So many steps, in place.
+    /// So many steps, in place, whether or not [`Step`] is in scope.
+    ///
+    /// They are taken in the map's own memory. A call meanwhile from another thread allocates some
+    /// more once.
     ///
     /// # Panics
     /// As [`step`](Self::step).
     #[track_caller]
-    pub fn advance(&mut self, state: &mut [T], steps: u64) {
+    pub fn advance(&self, state: &mut [T], steps: u64) {
         self.check(state);
-        let Self { map, eps, forward, memory, .. } = self;
-        if memory.advance(map, forward, eps, state, steps).is_err() {
+        let Self { map, eps, forward, memory, form, .. } = self;
+        let advanced = match memory.try_lock() {
+            Ok(mut memory) => memory.advance(map, forward, eps, state, steps),
+            Err(_) => Memory::new(*form).advance(map, forward, eps, state, steps),
+        };
+        if advanced.is_err() {
             pole(eps)
         }
     }
@@ -367,6 +384,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
+/// The memory of a map that nobody shares now.
+fn own<T>(memory: &mut Mutex<T>) -> &mut T {
+    memory.get_mut().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// In memory of the workspace's, so that any number of threads can share a map.
 impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
@@ -398,15 +420,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
-        let form = self.memory.form;
+        let form = self.form;
         workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new(form))
     }
 }
 
 impl<M: fmt::Debug, T: LatticeScalar> fmt::Debug for LatticeAt<M, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { map, eps, memory, .. } = self;
-        let sites = memory.form.sites;
+        let Self { map, eps, form, .. } = self;
+        let sites = form.sites;
         f.debug_struct("LatticeAt").field("map", map).field("eps", eps).field("sites", &sites).finish()
     }
 }

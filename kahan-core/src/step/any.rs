@@ -39,8 +39,8 @@ use crate::{Scalar, SingularStep};
 /// take any map. A chain has no compositions, and carries neither rounding errors nor vectors.
 ///
 /// Bits are those of the map's own methods. A state of another length panics, as dimensions of
-/// nalgebra do. A chain has an `advance` of its own, in memory of its own: where this trait is in
-/// scope, write `LatticeAt::advance(&mut chain, …)` for that.
+/// nalgebra do. A chain has an `advance` of its own, in memory of its own, which
+/// `chain.advance(&mut x, steps)` calls; for that of this trait write `Step::advance(&chain, …)`.
 ///
 /// ```
 /// use kahan_core::prelude::*;
