@@ -1,11 +1,10 @@
 //! What one asks of a system that cannot answer: rustc then says what to declare, or what to write.
 //!
 //! A block without an integral, without a density, or with integers for parameters has these
-//! methods in place of the real ones. Their trait is implemented without arguments, `S = ()`, and
-//! each method asks that [`Block`] implement it for the block S, which it never does: a call never
-//! gets past the compiler, rustc shows the trait's message, and nothing is compiled. The methods
-//! take `&mut self`: rustc tries methods with `&self` first, so that integrals written by hand go
-//! before them, and so does the map of a system whose scalar is not inferred yet.
+//! methods in place of the real ones. No type fulfils what they ask for, so that a call never gets
+//! past the compiler, and nothing is compiled. They take `&mut self`: rustc tries methods with
+//! `&self` first, so that integrals written by hand go before them, and so does the map of a system
+//! whose scalar is not inferred yet.
 
 use core::iter::Empty;
 
@@ -13,106 +12,116 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// Implements none of the traits below.
+/// Implements none of the traits below, so that asking a block for what it does not declare is an
+/// error with their message.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
-fn unanswered() -> ! {
-    unreachable!("no type has what this asks for")
-}
-
-/// Methods of a block without integrals.
+/// The block of S declares an integral; none does in this way.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no integral",
     label = "declare one in the block: `integral H = …;`",
     note = "what is claimed `when` a relation holds is proved and listed, but cannot be called"
 )]
-pub trait WithoutIntegrals<S: ?Sized = (), T = ()> {
-    /// Not to be called.
-    fn integrals<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> SVector<U, 1>
-    where
-        Block: WithoutIntegrals<Self, U>,
-    {
-        unanswered()
-    }
-}
+pub trait DeclaresIntegral<S: ?Sized, T> {}
 
-/// Methods of a block without a density.
+/// The block of S declares a density; none does in this way.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no density",
     label = "declare one in the block: `density rho = …;`",
     note = "what is claimed `when` a relation holds is proved and listed, but cannot be called"
 )]
-pub trait WithoutDensity<S: ?Sized = (), T = ()> {
-    /// Not to be called.
-    fn density<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> U
-    where
-        Block: WithoutDensity<Self, U>,
-    {
-        unanswered()
-    }
-}
+pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// Methods of a system whose parameters are integers.
+/// S has scalars for parameters; none has in this way.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",
     note = "`f32`, `f64` and `Dd` are scalars, with the feature `exact` also `BigRational`"
 )]
-pub trait IntegerParameters<S: ?Sized = (), T = ()> {
+pub trait HasScalars<S: ?Sized, T> {}
+
+fn unanswered() -> ! {
+    unreachable!("no type has what this asks for")
+}
+
+/// Of a block without integrals.
+pub trait WithoutIntegrals {
     /// Not to be called.
-    fn step<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> SVector<U, N>
+    fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: DeclaresIntegral<Self, T>,
+    {
+        unanswered()
+    }
+}
+
+/// Of a block without a density.
+pub trait WithoutDensity {
+    /// Not to be called.
+    fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
+    where
+        Block: DeclaresDensity<Self, T>,
+    {
+        unanswered()
+    }
+}
+
+/// Of a system whose parameters are integers.
+pub trait IntegerParameters {
+    /// Not to be called.
+    fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
+    where
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     /// Not to be called.
-    fn step_back<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> SVector<U, N>
+    fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
     /// Not to be called.
-    fn try_step<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> Result<SVector<U, N>, SingularStep>
+    fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     /// Not to be called.
-    fn orbit<U, const N: usize>(&mut self, _: SVector<U, N>, _: U) -> Empty<SVector<U, N>>
+    fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     /// Not to be called.
-    fn at<U>(&mut self, _: U)
+    fn at<T>(&mut self, _: T)
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     /// Not to be called.
-    fn field<U, const N: usize>(&mut self, _: &SVector<U, N>) -> SVector<U, N>
+    fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }
 
     /// Not to be called.
-    fn jacobian<U, const N: usize>(&mut self, _: &SVector<U, N>, _: U) -> SMatrix<U, N, N>
+    fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
-        Block: IntegerParameters<Self, U>,
+        Block: HasScalars<Self, T>,
     {
         unanswered()
     }

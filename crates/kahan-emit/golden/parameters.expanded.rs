@@ -317,12 +317,9 @@ const _: () = {
         }
     }
     #[doc(hidden)]
-    #[diagnostic::do_not_recommend]
     impl<T> __kahan::WithoutIntegrals for Pendulum<T> {}
     #[doc(hidden)]
-    #[diagnostic::do_not_recommend]
     impl<T> __kahan::WithoutDensity for Pendulum<T> {}
     #[doc(hidden)]
-    #[diagnostic::do_not_recommend]
     impl<T: __kahan::PrimInt> __kahan::IntegerParameters for Pendulum<T> {}
 };

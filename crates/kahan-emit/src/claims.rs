@@ -35,17 +35,15 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
         emitted.methods.extend(emit_accessor(context, claim, plan));
     }
     let (this, scalar, generics) = (context.this.path(), &context.this.scalar, context.this.generics());
-    // Asked for the trait of another block, rustc gives the trait's message, not a list of these.
-    let hidden = quote!(#[doc(hidden)] #[diagnostic::do_not_recommend]);
     let lacks = |kind: ClaimKind, marker: TokenStream| {
         let is_lacking = context.system.accessors(kind).next().is_none();
-        is_lacking.then(|| quote! { #hidden impl #generics __kahan::#marker for #this {} })
+        is_lacking.then(|| quote! { #[doc(hidden)] impl #generics __kahan::#marker for #this {} })
     };
     let lacking = [
         lacks(ClaimKind::Integral, quote!(WithoutIntegrals)),
         lacks(ClaimKind::Density, quote!(WithoutDensity)),
         context.this.has_parameters().then(|| {
-            quote! { #hidden impl<#scalar: __kahan::PrimInt> __kahan::IntegerParameters for #this {} }
+            quote! { #[doc(hidden)] impl<#scalar: __kahan::PrimInt> __kahan::IntegerParameters for #this {} }
         }),
     ];
     emitted.implementations.extend(lacking.into_iter().flatten());
