@@ -68,8 +68,8 @@ fn four_sites_are_the_plain_block_of_four() {
 fn a_linear_sum_is_kept() {
     for sites in [1, 2, 3, 5, 17, 300, 3000] {
         let start: Vec<f64> = (0..sites).map(|i| 1.0 + 0.5 * (0.7 * i as f64).sin()).collect();
-        let mut ring = LatticeMap::at(&Ring, 0.05, sites).unwrap();
-        let mut chain = LatticeMap::at(&Chain, 0.05, sites).unwrap();
+        let ring = LatticeMap::at(&Ring, 0.05, sites).unwrap();
+        let chain = LatticeMap::at(&Chain, 0.05, sites).unwrap();
         let before = ring.integrals(&start)[0];
         let mut state = start.clone();
         ring.advance(&mut state, 100);
@@ -130,7 +130,7 @@ fn a_field_without_a_name_takes_its_parameters_from_the_scope() {
 #[test]
 fn toda_keeps_its_momentum() {
     let sites = 30;
-    let mut at = LatticeMap::at(&Toda, 0.02, sites).unwrap();
+    let at = LatticeMap::at(&Toda, 0.02, sites).unwrap();
     let mut state: Vec<f64> = (0..2 * sites)
         .map(|k| if k % 2 == 0 { if k == 2 * sites - 2 { 0.0 } else { 0.5 } } else { (0.3 * k as f64).cos() })
         .collect();

@@ -65,8 +65,8 @@ fn sums_and_modified_energies_are_kept_exactly() {
         assert_eq!(at.integral_names(), ["mass"]);
     }
     for sites in 1..7 {
-        let mut ring = VolterraRing.at(rational(1, 10), sites).unwrap();
-        let mut chain = VolterraChain.at(rational(1, 10), sites).unwrap();
+        let ring = VolterraRing.at(rational(1, 10), sites).unwrap();
+        let chain = VolterraChain.at(rational(1, 10), sites).unwrap();
         let (mut closed, mut open) = (start(sites), start(sites));
         let sum = ring.integrals(&closed);
         ring.advance(&mut closed, 2);
