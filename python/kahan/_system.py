@@ -645,8 +645,8 @@ class System(Formulas):
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
-        question = {"ask": "observe", "at": self._point(x), "transient": whole(transient, "transient"), "steps": whole(steps, "steps"), "order": whole(order, "order"),
-                    "escape": escape, "reembed": reembed, "over": axes}
+        question = {"ask": "observe", "at": self._point(x), "transient": whole(transient, "transient"),
+                    "steps": whole(steps, "steps"), "order": whole(order, "order"), "escape": escape, "reembed": reembed, "over": axes}
         if eps is not None:
             question["eps"] = exact(eps, "eps")
         (*columns, (_, meaning, shown)), _, _ = self._table(json.dumps(question), color=color, threads=_whole(threads, "threads"),

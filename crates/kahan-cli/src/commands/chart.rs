@@ -52,6 +52,8 @@ Examples:
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
 // Rows have ε in themselves, and ε may be gone through.
 #[command(mut_group("step", |step| step.required(false)))]
+// The short help fits a screen.
+#[command(mut_arg("transient", |transient| transient.hide_short_help(true)))]
 pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,

@@ -38,8 +38,7 @@ Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
-  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --dt 0.02 --at 0,1 --steps 100
-  kahan orbit lorenz --param s=10 --param b=8/3 --over r=20:28:5 --eps .01 --at 1,1,1 --steps 99
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --over a=1:2:5 --dt 0.02 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
 // ε may be gone through.
 #[command(mut_group("step", |step| step.required(false)))]
@@ -57,10 +56,9 @@ pub(crate) struct Orbit {
     #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed"], requires = "sites")]
     begin: Option<String>,
 
-    /// Follow an orbit for each value of a parameter, eps or a coordinate, NAME=FROM:TO:COUNT; may
-    /// be repeated.
+    /// An orbit for each value of a parameter, eps or coordinate, NAME=FROM:TO:N.
     ///
-    /// All combinations are followed, the last range running fastest.
+    /// May be repeated: all combinations are followed, the last range running fastest.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "begin")]
     over: Vec<String>,
 
@@ -105,7 +103,7 @@ pub(crate) struct Orbit {
     #[command(flatten)]
     stepping: Stepping,
 
-    /// Print every K-th point only: n = 0, K, 2K, …; with --transient N it begins at n = N.
+    /// Print every K-th point only: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 

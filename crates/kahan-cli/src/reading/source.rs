@@ -146,7 +146,9 @@ pub(crate) struct Stepping {
 /// Steps that are made and not shown.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Transient {
-    /// Make N steps before the first that is shown or observed; --steps counts those behind them.
+    /// Make N steps before those that are shown or observed.
+    ///
+    /// The first row has their number and time, and --steps counts the steps behind them.
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, allow_hyphen_values = true, value_parser = whole(0, MOST_OBSERVED))]
     pub(crate) transient: u64,
 }
