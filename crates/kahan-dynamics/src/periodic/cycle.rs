@@ -197,6 +197,12 @@ impl Linearized {
     /// Of the derivatives at the points, in their order.
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
+        if !derivative.iter().all(|entry| entry.is_finite()) {
+            // Decompositions of such a matrix do not end.
+            let n = derivative.nrows();
+            let multipliers = vec![Complex::new(f64::NAN, f64::NAN); n];
+            return Linearized { multipliers, family: 0, margins: vec![f64::INFINITY; n] };
+        }
         let conditions = conditions(&derivative);
         let mut multipliers: Vec<Complex<f64>> = derivative.complex_eigenvalues().iter().copied().collect();
         multipliers.sort_by(|a, b| {
