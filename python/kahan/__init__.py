@@ -20,7 +20,7 @@ from ._formula import Formula
 from ._kahan import __version__
 from ._lattice import Lattice, LatticeOrbit
 from ._lifted import Lifted
-from ._orbit import Chart, Ensemble, Orbit, Section, Table
+from ._orbit import Chart, Diagram, Ensemble, Orbit, Section, Table
 from ._series import Series
 from ._sindy import from_sindy
 from ._system import System
@@ -29,6 +29,7 @@ __all__ = [
     "Answer",
     "Basis",
     "Chart",
+    "Diagram",
     "Discovery",
     "Ensemble",
     "FieldError",

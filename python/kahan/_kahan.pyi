@@ -121,6 +121,10 @@ class Field:
     def _table(
         self, question: str, *, color: str | None = None, threads: int | None = None, listener: _Listener = None
     ) -> tuple[list[tuple[str, str, Any]], str, int]: ...
+    def _crossings(
+        self, question: str, *, threads: int | None = None, listener: _Listener = None
+    ) -> tuple[list[tuple[str, str, Any]], tuple[list[str], list[_Array]]]: ...
+    def _rate(self, variable: str) -> str: ...
 
 @disjoint_base
 class Chain:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from ._system import System
 
-__all__ = ["Chart", "Ensemble", "Orbit", "Section"]
+__all__ = ["Chart", "Diagram", "Ensemble", "Orbit", "Section"]
 
 Array = np.ndarray[Any, Any]
 
@@ -454,13 +454,13 @@ class Chart(Table):
 
 @spelled
 class Section(Frame):
-    """Where an orbit crosses a section: a row a crossing.
+    """Where orbits cross a section: a row a crossing.
 
     ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
     or where the formula jumps. They are no rows.
 
     ``ended`` is ``"complete"`` where all steps were made, ``"stopped"`` where the orbit had as many
-    crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
+    crossings before as ``crossings`` asked for, and ``"range"`` where its next point is not finite.
     ``ended_step`` is the number of steps to the last point of the orbit.
     """
 
@@ -472,19 +472,31 @@ class Section(Frame):
     """The crossings, of shape (crossings, variables)."""
     t: Array
     """Their times."""
-    steps: int
-    """The steps of the orbit."""
-    ended: str
+    n: Array
+    """The steps that they come after."""
+    given: dict[str, Array]
+    """Of many orbits, for each crossing the number of its first point, ``"start"``, and what varies; else empty."""
+    steps: Any
+    """The steps of the orbit; of many an array, an entry an orbit, as ``ended`` and ``jumps``."""
+    ended: Any
     """Why the orbit goes no further."""
-    jumps: int
+    jumps: Any
     """How often ``plane`` changes its sign without a zero."""
-    eps: float
-    """Half the time step."""
+    crossings: Array
+    """How many crossings each orbit has."""
+    eps: float | None
+    """Half the time step; ``None`` where it varies."""
 
-    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str, jumps: int,
-                 eps: float) -> None:
-        self.system, self.plane, self.x, self.t, self.steps, self.ended = system, plane, x, t, steps, ended
-        self.jumps, self.eps = jumps, eps
+    def __init__(self, system: System, plane: str, eps: float | None, columns: list[tuple[str, Array]], is_one: bool,
+                 ended: list[str], counts: list[Array]) -> None:
+        front = len(columns) - 2 - len(system.variables)
+        self.system, self.plane, self.eps, self.given = system, plane, eps, dict(columns[:front])
+        self.n, self.t = columns[front][1], columns[front + 1][1]
+        self.x = np.stack([column for _, column in columns[front + 2:]], axis=1)
+        steps, self.crossings, jumps = counts
+        self.steps, self.ended, self.jumps = steps, np.array(ended, dtype=object), jumps
+        if is_one:
+            self.steps, self.ended, self.jumps = int(steps[0]), ended[0], int(jumps[0])
 
     @property
     def states(self) -> Array:
@@ -492,21 +504,49 @@ class Section(Frame):
         return self.x
 
     @property
-    def ended_step(self) -> int:
+    def ended_step(self) -> Any:
         """The steps of the orbit, ``steps``."""
         return self.steps
 
     def __repr__(self) -> str:
-        jumps = f", {self.jumps} jumps" if self.jumps else ""
-        end = _end(self.ended, self.steps)
-        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{jumps}{end}>"
+        count = int(np.sum(self.jumps))
+        jumps = f", {count} jumps" if count else ""
+        if isinstance(self.ended, str):
+            of, end = "", _end(self.ended, self.steps)
+        else:
+            early = sum(ended not in ("complete", "stopped") for ended in self.ended)
+            of, end = f" of {len(self.ended)} orbits", f", {early} ended early" if early else ""
+        return f"<{type(self).__name__}{of} of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{jumps}{end}>"
 
     def columns(self) -> dict[str, Array]:
-        """t and the variables, by name."""
-        return {"t": self.t, **self.system._columns(self.x)}
+        """What is ``given``, n, t and the variables, by name."""
+        counted = {name: values for name, values in (("n", self.n), ("t", self.t)) if name not in self.system.variables}
+        return {**self.given, **counted, **self.system._columns(self.x)}
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the columns, an entry a crossing, with what is ``given`` as coordinates. Needs xarray."""
+        columns = {name: ("crossing", values) for name, values in self.columns().items()}
+        coordinates = {name: columns.pop(name) for name in self.given}
+        return needed("xarray").Dataset(columns, coordinates, {"field": self.system.text, "plane": self.plane})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the crossings over two of the variables. Needs matplotlib; returns the axes."""
+        """Draws the crossings over two of the variables, each start in a colour of its own. Needs matplotlib; returns the axes."""
         from ._plot import section
 
         return section(self, axes, ax, style)
+
+
+@spelled
+class Diagram(Section):
+    """Where orbits cross a section, over a parameter or eps: a row a crossing."""
+
+    over: str
+    """What goes through values."""
+    shown: str
+    """The variable that ``plot`` shows."""
+
+    def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws a variable at the crossings over what goes through values. Needs matplotlib; returns the axes."""
+        from ._plot import diagram
+
+        return diagram(self, axes or (self.over, self.shown), ax, style)

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._lattice import LatticeOrbit
-    from ._orbit import Chart, Ensemble, Orbit, Section, Table
+    from ._orbit import Chart, Diagram, Ensemble, Orbit, Section, Table
     from ._series import Series
 
-__all__ = ["chart", "ensemble", "lattice", "orbit", "section", "series"]
+__all__ = ["chart", "diagram", "ensemble", "lattice", "orbit", "section", "series"]
 
 _DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
 _LINE: dict[str, Any] = {"linewidth": 0.7}
@@ -99,11 +99,23 @@ def series(found: Series, names: tuple[str, ...], ax: Axes | None, style: dict[s
 
 
 def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The crossings as dots."""
+    """The crossings as dots, each start in a colour of its own."""
     others = [name for name in found.system.variables if name not in found.plane]
     axes, columns = _over(found, names, (others if len(others) > 1 else list(found.system.variables))[:2], ax)
-    axes.plot(*columns, **_styled(_DOTS, style))
-    axes.set_title(f"{found.plane} = 0, eps = {found.eps}, {found.steps} steps")
+    starts = found.given.get("start", np.zeros(len(found.x)))
+    for start in np.unique(starts):
+        axes.plot(*(column[starts == start] for column in columns), **_styled(_DOTS, style))
+    steps = f"{found.steps} steps" if isinstance(found.steps, int) else f"{len(found.steps)} orbits"
+    eps = "" if found.eps is None else f", eps = {found.eps}"
+    axes.set_title(f"{found.plane} = 0{eps}, {steps}")
+    return axes  # type: ignore[no-any-return]
+
+
+def diagram(found: Diagram, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """A column at the crossings over another one, as fine dots."""
+    axes, columns = _over(found, names, [], ax)
+    axes.plot(*columns, **_styled({"marker": ",", "linestyle": ""}, style))
+    axes.set_title(f"{found.system.name}, {found.plane} = 0")
     return axes  # type: ignore[no-any-return]
 
 

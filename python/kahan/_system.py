@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from os import PathLike
-from typing import Any, cast, overload
+from typing import Any, TypeVar, cast, overload
 
 import numpy as np
 
@@ -26,12 +26,14 @@ from ._formulas import Formulas
 from ._kahan import Field, is_family
 from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
-from ._orbit import Array, Chart, Ensemble, FloatOrbit, Orbit, Section
+from ._orbit import Array, Chart, Diagram, Ensemble, FloatOrbit, Orbit, Section
 from ._progress import listener
 from ._series import Series
 from ._rhs import RightSide
 
 __all__ = ["Family", "System"]
+
+Crossed = TypeVar("Crossed", bound=Section)
 
 
 @spelled
@@ -602,25 +604,93 @@ class System(Formulas):
         return Answer(found | {name: np.array(found[name], dtype=float) for name in names})
 
     def section(
-        self, x: Any, eps: Number | None = None, steps: int | None = None, plane: str | None = None, *,
-        dt: Number | None = None, direction: str = "rising", points: int = 100_000,
-        reembed: bool = False, progress: bool = False,
+        self, x: Any, eps: Number | Array | None = None, steps: int | None = None, plane: str | None = None, *,
+        dt: Number | Array | None = None, direction: str = "rising", maxima: str | None = None, crossings: int | None = None,
+        transient: int = 0, order: int = 2, params: Any = None, over: Mapping[str, Range | Array] | None = None, carry: bool = False,
+        reembed: bool = False, threads: int | None = None, progress: bool = False,
     ) -> Section:
-        """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
+        """Where orbits cross ``plane`` = 0, a formula of the variables and integrals.
 
-        ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
-        draws as eps grows from 0. A sign change without a zero, as at a pole of the formula or of the
-        map, is no crossing; ``jumps`` counts them. The orbit ends after ``points`` crossings, if not
-        before; ``ended`` says which. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
+        ``x`` is a point, or points of shape (orbits, variables), or a table, as in ``ensemble``; ``eps`` and the
+        parameters of ``params`` are one number, or one for each start. ``over`` maps names to values, as in ``chart``:
+        each start begins an orbit at each of them. Orbits run side by side on ``threads``, and each has the crossings
+        that it has alone.
+
+        ``direction`` is rising, falling or both; ``maxima="x"`` takes the place of a plane, and finds where x is
+        largest. Each crossing is refined on the curve that the step of this ``order`` draws as eps grows from 0, so its
+        time is of that order, too. A sign change without a zero, as at a pole of the formula or of the
+        map, is no crossing; ``jumps`` counts them. An orbit ends after ``crossings`` of them, or ``steps`` behind the
+        first ``transient``, which are not looked at; ``ended`` says which. With ``carry`` an orbit begins where that at the
+        value before came to. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
+
+        >>> import kahan
+        >>> s = kahan.System("xdot = y; ydot = -x;")
+        >>> s.section([[1, 0], [2, 0]], 0.01, plane="y", crossings=3)
+        <Section of 2 orbits of field at y = 0: 6 crossings>
         """
-        eps = half_step(eps, dt)
+        plane, direction = self._plane(plane, maxima, direction)
+        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress,
+                             plane=plane, direction=direction, steps=_whole(steps, "steps"), crossings=_whole(crossings, "crossings"),
+                             transient=whole(transient, "transient"), order=whole(order, "order"), carry=carry, reembed=reembed)
+
+    def diagram(
+        self, over: Mapping[str, Range | Array], x: Any = None, eps: Number | None = None, *, plane: str | None = None,
+        maxima: str | None = None, dt: Number | None = None, direction: str = "rising", crossings: int = 100,
+        steps: int | None = None, transient: int = 1000, order: int = 2, carry: bool = False, show: str | None = None,
+        reembed: bool = False, threads: int | None = None, progress: bool = False,
+    ) -> Diagram:
+        """Where orbits cross a section over a parameter, or eps: a bifurcation diagram, which ``plot`` draws.
+
+        At each value of ``over`` an orbit begins at ``x``, or with ``carry`` where that at the value before came to; it
+        has so many ``crossings`` of ``plane`` = 0, or maxima of the variable ``maxima``, behind ``transient`` steps, at most
+        in ``steps``. ``show`` is the variable that ``plot`` draws: by default that of ``maxima``, or the first that ``plane`` does not name.
+
+        >>> import kahan
+        >>> s = kahan.System("xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);")
+        >>> d = s.diagram({"c": (2, 4, 3)}, [1, 1, 0], 0.02, maxima="x", crossings=5, transient=10_000)
+        >>> list(d), d["x"].round(2)[:5]
+        (['start', 'c', 'n', 't', 'x', 'y', 'z'], array([3.67, 3.67, 3.67, 3.67, 3.67]))
+        """
+        if len(over) != 1:
+            raise ValueError('over: one name goes through values, as over={"c": (2, 6, 400)}')
+        plane, direction = self._plane(plane, maxima, direction)
+        [name] = over
+        eps = half_step(eps, dt, is_needed=name != "eps")
+        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, plane=plane, direction=direction,
+                              steps=_whole(steps, "steps"), crossings=whole(crossings, "crossings"), transient=whole(transient, "transient"),
+                              order=whole(order, "order"), carry=carry, reembed=reembed)
+        others = [variable for variable in self.variables if not re.search(rf"\b{variable}\b", plane)]
+        found.over, found.shown = name, show or maxima or (others or self.variables)[0]
+        return found
+
+    def _plane(self, plane: str | None, maxima: str | None, direction: str) -> tuple[str, str]:
+        """The formula of a section and its direction; of maxima those of the derivative."""
+        if maxima is not None and plane is not None:
+            raise ValueError("plane and maxima: one of both says what the section is")
+        if maxima is not None:
+            return self._rate(maxima), "falling"
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
-        found = self._ask("section", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                          plane=plane, direction=choice(direction, "direction"), points=whole(points, "points"), reembed=reembed)
-        x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
-        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
-                       int(found["jumps"]), nearest(eps, "eps"))
+        return plane, choice(direction, "direction")
+
+    def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
+                 threads: int | None, progress: bool, **asked: Any) -> Crossed:
+        """Asks for the crossings of one orbit or many."""
+        points, own = read(self._at(x), self, "x", varies=True)
+        given = dict(by_name(params) or ()) | own
+        if "eps" in given:
+            eps = given.pop("eps")
+        each = {name: value for name, value in {**given, "eps": eps}.items() if np.ndim(value)}
+        rows = points if np.ndim(points) > 1 else [points] * max([np.size(value) for value in each.values()], default=1)
+        is_one = np.ndim(points) == 1 and not each
+        system = self(**{name: value for name, value in given.items() if not np.ndim(value)}) if len(each) < len(given) else self
+        starts = {"at": point(points)} if is_one else {"starts": [point(row) for row in rows]}
+        lists = {name: [exact(one, name) for one in np.ravel(value)] for name, value in each.items()}
+        half = None if eps is None or "eps" in each else eps
+        question = _question("section", eps=_exact(half, "eps"), **starts, params=lists or None, over=axes_of(over) or None, **asked)
+        columns, (ended, counts) = system._crossings(question, threads=_whole(threads, "threads"), listener=listener(progress))
+        named = [(name, values) for name, _, values in columns]
+        return kind(system, asked["plane"], None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *,

@@ -17,6 +17,7 @@ mod gradient;
 mod lattice;
 mod orbit;
 mod program;
+mod section;
 mod sensitivities;
 mod table;
 

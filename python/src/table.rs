@@ -55,7 +55,7 @@ impl Field {
 
 /// The values of a column: floats and counts as an array, of double-doubles a row of two, the rest
 /// as a list.
-fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
     Ok(match kept {
         Kept::F64(values) => values.into_pyarray(py).into_any(),
         Kept::F32(values) => values.into_pyarray(py).into_any(),

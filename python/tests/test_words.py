@@ -22,7 +22,7 @@ REFUSED = [
     (lambda: E6.orbit([[0, 1, 0]], 0.1, 5), ValueError, r"x: the shape \(3,\) is needed.* this is \(1, 3\)"),
     (lambda: E6.step([0, 1], 0.1), ValueError, r"x: the shape \(…, 3\).* this is \(2,\)"),
     (lambda: E6.rhs()(0, np.ones((5, 3))), ValueError, r"y: the shape \(3, points\).* this is \(5, 3\)"),
-    (lambda: E6.section(np.zeros((3, 3)), 0.1, 5, "x"), TypeError, "x: one point is needed"),
+    (lambda: E6.diagram({"eps": (0.1, 0.2, 3)}, np.zeros((3, 3)), plane="x"), TypeError, "x: one point is needed"),
     (lambda: E6.section([1, 2, 3], 0.1, 5, "x=0"), ValueError, "write `x`"),
     (lambda: E6.step([1, 2, 3], [0.1]), TypeError, "eps: a number is needed, and not list"),
     (lambda: E6.step([1, 2, 3], "a"), ValueError, "eps: `a` is not an exact number"),
@@ -93,7 +93,7 @@ def test_everything_in_the_catalog_can_be_looked_at():
 
 
 def test_an_end_is_said():
-    crossings = E6.section([1, 2, 3], 0.01, 10**5, "x - y", direction="both", points=5)
+    crossings = E6.section([1, 2, 3], 0.01, 10**5, "x - y", direction="both", crossings=5)
     assert len(crossings) == 5 and crossings.ended == "stopped" and "stopped after step" in repr(crossings)
     assert E6.section([1, 2, 3], 0.01, 10, "x - y").ended == "complete"
     beyond = kahan.System("xdot = x^2 + 1; ydot = 1;").section([0.1, 0], 0.05, 60, "x", direction="both")

@@ -39,7 +39,6 @@ use starts::{At, Spread};
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
-  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
   kahan picture lv --at 1,1/2 --over eps=1/9:1/2:99 --plane y-1 --crossings 9 --out a.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg")]
 pub(crate) struct Picture {
@@ -63,11 +62,11 @@ pub(crate) struct Picture {
     starts: Option<usize>,
 
     /// How far a random start is from --at, in each coordinate.
-    #[arg(long, value_name = "R", default_value = "1/10")]
+    #[arg(long, value_name = "R", default_value = "1/10", hide_short_help = true)]
     radius: String,
 
     /// The seed that random starts follow.
-    #[arg(long, value_name = "S", default_value = "1")]
+    #[arg(long, value_name = "S", default_value = "1", hide_short_help = true)]
     seed: u64,
 
     /// The number of steps of each orbit.
@@ -103,7 +102,7 @@ pub(crate) struct Picture {
     maxima: Option<String>,
 
     /// With --over: which crossings, rising, falling or both.
-    #[arg(long, value_name = "DIRECTION", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising", hide_possible_values = true)]
+    #[arg(long, hide_short_help = true, value_name = "WAY", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising", hide_possible_values = true)]
     direction: Direction,
 
     /// With --over: so many crossings of each orbit.
@@ -111,7 +110,7 @@ pub(crate) struct Picture {
     crossings: Option<u64>,
 
     /// With --over: each orbit begins where the one before it came to.
-    #[arg(long, requires = "over")]
+    #[arg(long, requires = "over", hide_short_help = true)]
     carry: bool,
 
     #[command(flatten)]
@@ -138,7 +137,7 @@ pub(crate) struct Picture {
 }
 
 /// Arguments and options in one list, so that the help fits a screen.
-const TEMPLATE: &str =
+pub(super) const TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
 /// The kinds of pictures.

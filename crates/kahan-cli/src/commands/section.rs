@@ -9,6 +9,7 @@ use kahan_study::{Axis, Column, Crossed, Direction, Rows, Section as Question, S
 use serde_json::{Map, Value, json};
 
 use super::line::Asking;
+use super::picture::TEMPLATE;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
 use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, order, over, whole};
 
@@ -26,7 +27,7 @@ use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, order, over, whole}
 /// the first point, start, and with what varies. Each has the crossings that it has alone.
 #[derive(Args, Debug)]
 #[command(mut_group("step", |step| step.required(false)))]
-#[command(after_help = "\
+#[command(help_template = TEMPLATE, after_help = "\
 Examples:
   kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
   kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --crossings 5
@@ -44,12 +45,14 @@ pub(crate) struct Section {
     #[arg(long, value_name = "EXPR", allow_hyphen_values = true, required_unless_present = "maxima")]
     plane: Option<String>,
 
-    /// Where a variable is largest: the section on which its derivative falls through 0.
+    /// Where a variable is largest, in place of --plane.
+    ///
+    /// There its derivative falls through 0.
     #[arg(long, value_name = "X", conflicts_with_all = ["plane", "direction"])]
     maxima: Option<String>,
 
-    /// Which sign changes count: those where the formula grows, falls, or both.
-    #[arg(long, value_name = "DIRECTION", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising")]
+    /// Which sign changes count: rising, falling or both.
+    #[arg(long, value_name = "WAY", hide_possible_values = true, value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising")]
     direction: Direction,
 
     /// Stop an orbit after K crossings.
@@ -60,8 +63,8 @@ pub(crate) struct Section {
     #[arg(long, value_name = "N", default_value = "0", value_parser = whole(0, MOST_OBSERVED))]
     transient: u64,
 
-    /// The order of the method, and of the times of crossings.
-    #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
+    /// The order of the method, and of the times of crossings: 2, 4, 6 or 8.
+    #[arg(long, value_name = "P", hide_possible_values = true, default_value = "2", value_parser = order())]
     order: u32,
 
     /// Orbits over a first value, a parameter or eps: NAME=FROM:TO:COUNT.
@@ -79,7 +82,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: times and points, or of several orbits rows; and how each ended.
+    /// Print one JSON object: times and points, or rows of several orbits.
     #[arg(long)]
     json: bool,
 }

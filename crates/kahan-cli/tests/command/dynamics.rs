@@ -183,6 +183,27 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
+/// Rows of many orbits: each has those that it has alone, behind the number of its start and what
+/// varies.
+#[test]
+fn sections_of_many_orbits_are_one_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("starts.csv");
+    std::fs::write(&file, "x,y\n1,1/2\n1,3\n2,1/3\n2,1/2\n3/2,1\n").expect("a file");
+    let common = ["section", "lv", "--plane", "y - 1", "--crossings", "3", "--transient", "7"];
+    let rows = |more: &[&str]| {
+        let table = answer(&[&common[..], more].concat());
+        table.lines().map(str::to_owned).collect::<Vec<String>>()
+    };
+    let many = rows(&["--at", file.to_str().expect("a path"), "--over", "eps=0.05:0.1:2"]);
+    assert_eq!((many[0].as_str(), many.len()), ("start,eps,n,t,x,y", 31));
+    let alone = rows(&["--at", "2,1/3", "--eps", "0.1", "--order", "2"]);
+    let third: Vec<String> = alone[1..].iter().map(|row| format!("2,0.1,{row}")).collect();
+    assert_eq!(&many[16..19], third);
+    let missing = refusal(&["section", "lv", "--eps", "0.1", "--at", "1,2", "--plane", "y - 1"]);
+    assert!(missing.contains("--crossings K"), "{missing}");
+}
+
 /// The orbit jumps over a pole of the map, and the formula has poles but no zero.
 #[test]
 fn jumps_are_no_crossings() {

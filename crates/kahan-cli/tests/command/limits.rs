@@ -42,7 +42,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
     let pictured = ["picture", "e6", "--eps", "1/20", "--at", "1,2,3", "--out", &out];
     let lv = |command| [command, "lv", "--eps", "0.1", "--at", "0.6,1"];
     let beyond_doubles = ["--steps", "9007199254740993"];
-    let calls: [(&str, Vec<&str>); 20] = [
+    let calls: [(&str, Vec<&str>); 19] = [
         ("variables of a chain that", [&["show"], &chain[..], &["--sites", "201"]].concat()),
         (
             "numbers of the state of a chain",
@@ -56,10 +56,6 @@ fn every_limit_of_a_question_is_that_of_its_table() {
             vec!["orbit", "--field", &nine, "--eps", "0.1", "--at", &ones, "--steps", "2", "--projective"],
         ),
         ("steps of an orbit that", [&lv("dynamics")[..], &beyond_doubles].concat()),
-        (
-            "crossings that",
-            [&lv("section")[..], &["--plane", "x-1", "--steps", "9", "--points", "1e8"]].concat(),
-        ),
         ("period that", [&lv("periodic")[..], &["--period", "201"]].concat()),
         (
             "numbers of a cycle",

@@ -51,6 +51,23 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
+/// Five crossings at each of nine values: a diagram of a flow, at maxima of a variable too.
+#[test]
+fn a_diagram_shows_crossings_over_a_parameter() {
+    let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";
+    let orbit =
+        ["--field", rossler, "--eps", "1/40", "--at", "1,1,0", "--over", "c=2:4:9", "--crossings", "5"];
+    for own in [&["--plane", "y"][..], &["--maxima", "x"], &["--maxima", "x", "--carry", "--transient", "0"]]
+    {
+        let found = described(&[&orbit[..], own].concat());
+        assert_eq!((&found["kind"], &found["points"]), (&"orbits-over".into(), &45.into()), "{found}");
+        assert!(
+            found["shows"].as_str().expect("words").starts_with("x of field over c from 2 to 4"),
+            "{found}"
+        );
+    }
+}
+
 #[test]
 fn a_section_has_the_crossings_of_its_orbits() {
     let orbit = ["volterra", "--eps", "1/50", "--steps", "3000", "--plane", "x - y"];
@@ -66,7 +83,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
         (&["--plane", "x - y", "--kind", "portrait"], "--plane makes a section"),
-        (&["--plane", "x - y", "--over", "eps=0:1:+1/5"], "leave one out"),
+        (&["--plane", "x - y", "--over", "eps=0:1:+1/5", "--kind", "portrait"], "orbit diagram"),
         (&["--plane", "1"], "one number everywhere"),
     ] {
         let lv = ["picture", "lv", "--eps", "1/50", "--at", "1,2", "--steps", "9", "--out", "no.svg"];
