@@ -18,6 +18,7 @@ mod lattice;
 mod orbit;
 mod program;
 mod sensitivities;
+mod series;
 mod table;
 
 use std::ffi::OsString;
