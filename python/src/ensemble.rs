@@ -5,7 +5,7 @@ use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use kahan_runtime::{By, DimensionError, End, Follow, Followed, MapAt, threads};
+use kahan_runtime::{By, DimensionError, End, Followed, MapAt, threads};
 use kahan_study::{Observable, Observe, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -15,12 +15,11 @@ use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Caller, Listener, beside};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
-use crate::orbit::{composition, stride, too_long};
+use crate::orbit::composition;
+use crate::series::Stride;
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
-/// Those of which several points are stored, which should stay in the cache, too.
-const SHOWN_TOGETHER: usize = 128;
 /// Steps of all of them between two looks at signals.
 const AT_ONCE: u64 = 1 << 22;
 /// Steps of all of them that a caller is told of at once.
@@ -48,33 +47,6 @@ impl Field {
         match floats(points, "points")? {
             Floats::Double(points) => self.advanced(&points, &asked, out),
             Floats::Single(points) => self.advanced(&points, &asked, out),
-        }
-    }
-
-    /// Follows many trajectories. Returns the points of each after `transient` steps and after every
-    /// `every` of the `steps` behind them, of shape (trajectories, rows, variables), NaN behind an
-    /// early end; how each ended, and after how many steps in all.
-    #[pyo3(name = "_series", signature = (points, eps, steps, *, every, transient = 0, parameters = Vec::new(), order = 2, reembed = false, threads = None, listener = None))]
-    #[expect(clippy::too_many_arguments, reason = "Python names them")]
-    fn series<'py>(
-        &self,
-        points: &Bound<'py, PyAny>,
-        eps: &Bound<'py, PyAny>,
-        steps: u64,
-        every: u64,
-        transient: u64,
-        parameters: Vec<Option<Bound<'py, PyAny>>>,
-        order: u32,
-        reembed: bool,
-        threads: Option<usize>,
-        listener: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
-        let in_all = transient.saturating_add(steps);
-        let asked = Asked { eps, steps: in_all, parameters, order, threads, listener: Listener(listener) };
-        let every = stride(every)?;
-        match floats(points, "points")? {
-            Floats::Double(points) => self.shown(&points, &asked, transient, every, reembed),
-            Floats::Single(points) => self.shown(&points, &asked, transient, every, reembed),
         }
     }
 
@@ -180,7 +152,7 @@ impl Field {
             to.copy_from_slice(from);
             beside(py, asked.threads, &asked.listener, |caller| {
                 let mut ends = many.advance(to, self.dimension(), caller)?.concat();
-                many.end_lifted(from, to, &mut ends, self.study())?;
+                many.end_lifted(from, to, &mut ends, self.study(), caller)?;
                 Ok(ends)
             })?
             .map_err(|error: DimensionError| of_dimension(&error))
@@ -198,45 +170,16 @@ impl Field {
         };
         Ok((to, ends(py, asked.steps, shape[0], found.into_iter())))
     }
-
-    fn shown<'py, T: Float>(
-        &self,
-        points: &Bound<'py, PyArrayDyn<T>>,
-        asked: &Asked<'_, 'py>,
-        transient: u64,
-        every: NonZeroU64,
-        reembed: bool,
-    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
-        let py = points.py();
-        let points = points.readonly();
-        let (many, shape) = (self.many::<T>(py, points.shape(), asked)?, points.shape());
-        let study = self.study();
-        study.can_reembed(reembed).map_err(|error| of_study(py, &error))?;
-        let count = (asked.steps - transient) / every;
-        let rows = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
-        let sizes = rows.and_then(|rows| Some((rows, rows.checked_mul(points.len())?)));
-        let (rows, length) = sizes.ok_or_else(|| too_long(count))?;
-        let mut to = Vec::new();
-        to.try_reserve_exact(length).map_err(|_| too_long(count))?;
-        to.resize(length, T::zero());
-        let (from, shown) = (points.as_slice()?, Stride { transient, every, rows, reembed });
-        let found = beside(py, asked.threads, &asked.listener, |caller| {
-            many.series(from, &mut to, study, &shown, caller)
-        })?
-        .map_err(|error| of_dimension(&error))?;
-        let series = PyArray1::from_vec(py, to).reshape([shape[0], rows, shape[1]])?;
-        Ok((series.into_any(), ends(py, asked.steps, shape[0], found.into_iter())))
-    }
 }
 
 /// Many trajectories of one field.
 pub(crate) struct Many<T: Float> {
-    at: MapAt<T>,
+    pub(crate) at: MapAt<T>,
     /// One, or one a trajectory.
-    eps: Vec<T>,
+    pub(crate) eps: Vec<T>,
     /// One or one a trajectory for each parameter; empty if all have the values of the map.
-    constants: Vec<Vec<T>>,
-    steps: u64,
+    pub(crate) constants: Vec<Vec<T>>,
+    pub(crate) steps: u64,
     trajectories: usize,
 }
 
@@ -255,7 +198,7 @@ impl<T: Float> Many<T> {
     }
 
     /// Reports that `trajectories` trajectories made `steps` more steps.
-    fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
+    pub(crate) fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
         let all = self.steps.saturating_mul(self.trajectories as u64);
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
@@ -285,21 +228,14 @@ impl<T: Float> Many<T> {
         to: &mut [T],
         ends: &mut [End],
         study: &Study,
+        caller: &Caller,
     ) -> Result<(), DimensionError> {
         let Some(step) = study.lifted_step(&self.at) else { return Ok(()) };
+        let last = Stride { transient: self.steps, every: NonZeroU64::MIN, rows: 1, reembed: false };
         let width = study.variables().len();
         let rows = from.chunks_exact(width).zip(to.chunks_exact_mut(width)).zip(ends);
         for (k, ((from, to), end)) in rows.enumerate().filter(|(_, ((_, to), _))| step.is_beyond(to)) {
-            let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };
-            let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
-            let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
-            let step = study.lifted_step(&maps[0]).expect("a field that was lifted");
-            let mut x = from.to_vec();
-            *end = step.follow(&mut x, self.steps, |_| ControlFlow::Continue(()))?.end;
-            to.copy_from_slice(&x);
-            if end.is_early() {
-                to.fill(T::near(f64::NAN));
-            }
+            *end = self.alone(k, from, to, study, &last, caller)?;
         }
         Ok(())
     }
@@ -317,101 +253,10 @@ impl<T: Float> Many<T> {
         piece.put(rows.chunks_exact_mut(width));
         piece.ends()
     }
-
-    /// Follows points that stand row by row in `from`, and writes some points of each trajectory, one
-    /// after the other, into `to`: NaN behind its end. Returns how each ended.
-    fn series(
-        &self,
-        from: &[T],
-        to: &mut [T],
-        study: &Study,
-        shown: &Stride,
-        caller: &Caller,
-    ) -> Result<Vec<End>, DimensionError> {
-        let width = study.variables().len().max(1);
-        let room = shown.rows * width;
-        let pieces: Vec<_> =
-            from.chunks(SHOWN_TOGETHER * width).zip(to.chunks_mut(SHOWN_TOGETHER * room)).collect();
-        let pieces: Vec<Mutex<_>> = pieces.into_iter().map(Mutex::new).collect();
-        let found = threads::map(pieces.len(), Some(caller.threads()), |index| {
-            let mut piece = pieces[index].lock().unwrap_or_else(PoisonError::into_inner);
-            let (from, to) = &mut *piece;
-            let first = index * SHOWN_TOGETHER;
-            if shown.reembed {
-                let one_by_one = from.chunks_exact(width).zip(to.chunks_exact_mut(room)).enumerate();
-                return one_by_one
-                    .map(|(k, (from, to))| self.alone(first + k, from, to, study, shown, caller))
-                    .collect();
-            }
-            let mut piece = Piece::of(self, from, width, first, caller);
-            piece.advance(shown.transient)?;
-            for row in 0..shown.rows {
-                piece.advance(if row == 0 { 0 } else { shown.every.get() })?;
-                piece.put(to.chunks_exact_mut(room).map(|rows| &mut rows[row * width..][..width]));
-            }
-            piece.advance(self.steps - piece.made)?;
-            let beyond = piece.beyond(study);
-            let mut ends = piece.ends()?;
-            for k in beyond {
-                ends[k] = self.alone(
-                    first + k,
-                    &from[k * width..][..width],
-                    &mut to[k * room..][..room],
-                    study,
-                    shown,
-                    caller,
-                )?;
-            }
-            Ok(ends)
-        });
-        Ok(found.into_iter().collect::<Result<Vec<Vec<End>>, _>>()?.concat())
-    }
-
-    /// The points of one trajectory of a lifted field, as far as it goes.
-    fn alone(
-        &self,
-        k: usize,
-        from: &[T],
-        to: &mut [T],
-        study: &Study,
-        shown: &Stride,
-        caller: &Caller,
-    ) -> Result<End, DimensionError> {
-        let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };
-        let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
-        let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
-        let step = study.steps(&maps[0], shown.reembed).expect("a field that was lifted");
-        let (mut x, tell) = (from.to_vec(), |steps| self.made(steps, 1, caller));
-        to.fill(T::near(f64::NAN));
-        let end = step.follow(&mut x, shown.transient, tell)?.end;
-        if end != End::Complete {
-            return Ok(step.end(end, &x));
-        }
-        let (row, rest) = to.split_at_mut(x.len());
-        row.copy_from_slice(&x);
-        let mut made = shown.transient;
-        let mut end = step.rows(&mut x, shown.every, rest, tell)?.end.after(made);
-        if end == End::Complete {
-            made += shown.every.get() * (shown.rows as u64 - 1);
-            end = step.follow(&mut x, self.steps - made, tell)?.end.after(made);
-        }
-        Ok(step.end(end, &x))
-    }
-}
-
-/// Which points of each trajectory are shown.
-pub(crate) struct Stride {
-    /// The steps to the first of them.
-    pub(crate) transient: u64,
-    /// The steps from one to the next.
-    pub(crate) every: NonZeroU64,
-    /// Their number.
-    pub(crate) rows: usize,
-    pub(crate) reembed: bool,
 }
 
 /// Trajectories that a thread has in columns.
-struct Piece<'a, T: Float> {
+pub(crate) struct Piece<'a, T: Float> {
     many: &'a Many<T>,
     columns: Vec<Vec<T>>,
     eps: &'a [T],
@@ -420,13 +265,13 @@ struct Piece<'a, T: Float> {
     /// How each ended so far; empty before the first step.
     ends: Vec<End>,
     /// The steps that were made, and those of them that the caller was not told of.
-    made: u64,
+    pub(crate) made: u64,
     untold: u64,
 }
 
 impl<'a, T: Float> Piece<'a, T> {
     /// Trajectories that begin at these rows, the first of which has this number.
-    fn of(many: &'a Many<T>, rows: &[T], width: usize, first: usize, caller: &'a Caller) -> Self {
+    pub(crate) fn of(many: &'a Many<T>, rows: &[T], width: usize, first: usize, caller: &'a Caller) -> Self {
         let count = rows.len() / width;
         let mut columns = vec![vec![T::zero(); count]; width];
         for (k, row) in rows.chunks_exact(width).enumerate() {
@@ -441,7 +286,7 @@ impl<'a, T: Float> Piece<'a, T> {
     }
 
     /// Goes so many steps on, or to where the caller wants no more.
-    fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
+    pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
         let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
         let mut left = steps;
@@ -466,7 +311,7 @@ impl<'a, T: Float> Piece<'a, T> {
     }
 
     /// Writes the points to these places, one for each trajectory.
-    fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
+    pub(crate) fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
     where
         T: 'r,
     {
@@ -476,7 +321,7 @@ impl<'a, T: Float> Piece<'a, T> {
     }
 
     /// The trajectories of a lifted field that have gone beyond their ends.
-    fn beyond(&self, study: &Study) -> Vec<usize> {
+    pub(crate) fn beyond(&self, study: &Study) -> Vec<usize> {
         let Some(step) = study.lifted_step(&self.many.at) else { return Vec::new() };
         let count = self.columns.first().map_or(0, Vec::len);
         let point = |k: usize| self.columns.iter().map(|column| column[k]).collect::<Vec<T>>();
@@ -484,7 +329,7 @@ impl<'a, T: Float> Piece<'a, T> {
     }
 
     /// How each ended. Without a step each is complete, unless its start is not finite.
-    fn ends(mut self) -> Result<Vec<End>, DimensionError> {
+    pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;
         }
@@ -528,9 +373,9 @@ impl Many<f64> {
 
 /// How trajectories ended: the words that occur, for each trajectory the place of its word, and its
 /// steps.
-type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
+pub(crate) type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
-fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
+pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
     let mut kinds: Vec<End> = Vec::new();
     let (mut places, mut made) = (Vec::with_capacity(count), Vec::with_capacity(count));
     for end in ends {

@@ -19,6 +19,7 @@ mod orbit;
 mod program;
 mod section;
 mod sensitivities;
+mod series;
 mod table;
 
 use std::ffi::OsString;
