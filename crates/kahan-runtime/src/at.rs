@@ -259,6 +259,13 @@ impl<T: RuntimeFloat> Step for MapAt<T> {
 
     #[track_caller]
     fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
+        fitting(self.check_state(x));
+        let constants = (self.own().0, *eps);
+        let by_code =
+            |stages: &CodedStages<T>| stages.has_stepped_at(self.engine(), constants, self.composition, x);
+        if self.coded.as_ref().is_some_and(by_code) {
+            return Ok(());
+        }
         let part = self.at_constants(self.map.clone(), self.own().0.iter().copied(), *eps);
         Step::advance(&part, x, 1, workspace)
     }

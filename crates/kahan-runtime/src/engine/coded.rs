@@ -3,8 +3,8 @@
 use std::sync::{Arc, OnceLock};
 
 use kahan_core::__private::LARGEST_FACTOR;
-use kahan_core::Scalar;
 use kahan_core::num_traits::Zero;
+use kahan_core::{Composition, Scalar};
 
 use crate::follow::is_finite;
 use crate::machine::{OrbitCode, StepKind};
@@ -12,8 +12,9 @@ use crate::machine::{OrbitCode, StepKind};
 use super::Engine;
 use super::abreast::AbreastOnce;
 use super::dense::advance_columns as advance_dense_columns;
+use super::distinct;
 use super::floats::{MachineFloat, RuntimeFloat};
-use super::scratch::with_scratch;
+use super::scratch::{Scratch, with_scratch};
 
 /// Steps between two looks at the guard of code.
 pub(super) const GUARDED: u64 = 64;
@@ -91,6 +92,40 @@ impl<T: RuntimeFloat> CodedStages<T> {
             }
             left -= now;
         }
+    }
+
+    /// Replaces a state by the one a step later at another ε, without an allocation. Returns `false`
+    /// and changes nothing where the code is not compiled, refuses steps, or is that of another form
+    /// of the step than the one at this ε.
+    pub(crate) fn has_stepped_at(
+        &self,
+        engine: &Engine,
+        (parameters, eps): (&[T], T),
+        composition: Composition,
+        state: &mut [T],
+    ) -> bool {
+        let code = self.compiled().filter(|code| !code.is_guarded() && !code.has_loops());
+        let (Some(code), Some(words)) = (code, T::as_words(state)) else { return false };
+        let stages = || distinct(&composition).map(|gamma| self.kind.stage_eps(gamma, eps));
+        let step = engine.steps().form(self.kind.is_general);
+        if engine.kind_at(self.kind, stages()) != Some(self.kind) || !step.has_lanes() {
+            return false;
+        }
+        with_scratch(T::Word::single(), |scratch| {
+            let Scratch { registers, constants, stages: prepared, .. } = scratch;
+            prepared.resize(stages().len(), Vec::new());
+            for (prepared, eps) in prepared.iter_mut().zip(stages()) {
+                constants.clear();
+                constants.extend(parameters.iter().copied().chain([eps]).flat_map(T::words));
+                prepared.clear();
+                match step.prepared(constants, registers) {
+                    Some(own) => prepared.extend(own.iter()),
+                    None => prepared.extend_from_slice(constants),
+                }
+            }
+            code.advance(words, prepared, 1);
+        });
+        true
     }
 
     /// Advances a state and its `carry` by `code`. Returns `false` and changes nothing where the

@@ -22,6 +22,8 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
+    /// What the stages of one step at another ε read.
+    pub(super) stages: Vec<Vec<V>>,
     /// Columns before steps that a guard may refuse, and the guard.
     pub(super) guarded: Vec<V>,
     /// For the loops of dense fields.
@@ -52,6 +54,7 @@ impl<V> Default for Scratch<V> {
             constants,
             given,
             state,
+            stages: Vec::new(),
             guarded,
             dense: dense::Workspace::default(),
         }

@@ -7,7 +7,7 @@ use kahan_core::observe::{Escape, Visit};
 use kahan_core::{Composition, FloatScalar, Step};
 use kahan_runtime::{ChainAt, End, Field, FieldText, Follow, Followed, Lattice, MachineFloat, MapAt};
 
-use super::support::{assert_same, catalog, number};
+use super::support::{assert_same, catalog, number, steps};
 
 fn go_on(_: u64) -> ControlFlow<()> {
     ControlFlow::Continue(())
@@ -93,6 +93,28 @@ fn points_are_those_of_single_steps() {
     // Nine variables, which are interpreted.
     let ring = |k: usize| format!("x{k}dot = x{k}*(x{} - x{});", (k + 1) % 9, (k + 8) % 9);
     map_agrees::<f64>(&Field::parse(&(0..9).map(ring).collect::<String>()).expect("a field"), 70);
+}
+
+fn parts_agree<T: MachineFloat>(field: &Field) {
+    let map = field.with(field.parameters().iter().map(|name| (name, 1.25))).expect("parameters");
+    let start: Vec<T> = (0..field.variables().len()).map(|k| number(0.25 + 0.125 * k as f64)).collect();
+    for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
+        let at = map.at(number::<T>(0.03125)).composed(composition);
+        for eps in steps::<T>() {
+            let [mut part, mut whole] = [start.clone(), start.clone()];
+            at.run_part(&eps, &mut part).expect("floats go on");
+            map.at(eps).composed(composition).advance(&mut whole, 1).unwrap();
+            assert_same(&part, &whole, (composition, eps));
+        }
+    }
+}
+
+#[test]
+fn a_part_of_a_step_is_the_step_at_another_eps() {
+    for name in ["lv", "e6", "euler", "lorenz"] {
+        parts_agree::<f64>(&catalog(name));
+        parts_agree::<f32>(&catalog(name));
+    }
 }
 
 fn chain(sites: usize) -> ChainAt {
