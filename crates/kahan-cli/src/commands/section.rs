@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 use super::line::Asking;
 use super::picture::TEMPLATE;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
-use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, order, over, whole};
+use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, over, whole};
 
 /// Prints where orbits cross a section, as CSV: step n, time t, variables.
 ///
@@ -59,9 +59,8 @@ pub(crate) struct Section {
     #[arg(long, alias = "points", value_name = "K", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     crossings: Option<u64>,
 
-    /// The first steps, which are not looked at.
-    #[arg(long, value_name = "N", default_value = "0", value_parser = whole(0, MOST_OBSERVED))]
-    transient: u64,
+    #[command(flatten)]
+    before: Transient,
 
     /// The order of the method, and of the times of crossings: 2, 4, 6 or 8.
     #[arg(long, value_name = "P", hide_possible_values = true, default_value = "2", value_parser = order())]
@@ -100,7 +99,7 @@ impl Asking for Section {
         };
         let at = if starts.len() == 1 { starts.swap_remove(0) } else { Vec::new() };
         let (plane, direction) = section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
-        let Section { steps, crossings, transient, order, carry, stepping, .. } = *self;
+        let Section { steps, crossings, before, order, carry, stepping, .. } = *self;
         let (over, params) = (axes.into_iter().map(Into::into).collect(), Vec::new());
         let reembed = stepping.reembed;
         let asked = Question {
@@ -110,7 +109,7 @@ impl Asking for Section {
             plane,
             direction,
             crossings,
-            transient,
+            transient: before.transient,
             order,
             reembed,
             starts,
