@@ -48,7 +48,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "reembed": false,
         }),
         json!({
-            "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
+            "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2, "free": "eps", "transient": 5, "hold": "none",
             "over": {"eps": "1:0:/5"},
         }),
         json!({
@@ -348,7 +348,7 @@ fn cycles_and_their_branches() {
     let fold = study(Subject::text("xdot = a - x^2;"));
     let over = json!({"a": "1:-1:41"});
     let found = answer(&fold, json!({"ask": "periodic", "eps": "1/10", "at": [1], "over": over}));
-    assert_eq!(found["branch"]["turns"][0]["change"], "fold, two cycles meet");
+    assert_eq!(found["branch"]["turns"][0]["change"], "fold, two steady states meet");
     let error =
         |object: Value| fold.ask(&question(object).expect("a question"), &Unwatched).expect_err("a mistake");
     let other = json!({"b": "1:-1:41"});
@@ -356,7 +356,7 @@ fn cycles_and_their_branches() {
         error(json!({"ask": "periodic", "eps": 1, "at": [1], "over": other})),
         StudyError::UnknownAxis { .. }
     ));
-    assert!(matches!(error(json!({"ask": "periodic", "at": [1], "over": over})), StudyError::MissingStep));
+    assert!(matches!(error(json!({"ask": "periodic", "at": [1], "period": 2, "over": over})), StudyError::MissingStep));
     assert!(matches!(
         error(json!({"ask": "periodic", "eps": 1, "at": [1], "period": 601, "over": over})),
         StudyError::LongCycle { .. }

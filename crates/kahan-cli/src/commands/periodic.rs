@@ -45,9 +45,7 @@ use crate::reading::{Start, one_of, over, whole};
 #[command(after_help = "\
 Examples:
   kahan periodic lv --eps 1/10 --at 0.9,1.1
-  kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
   kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
-  kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg
   kahan periodic --field 'xdot=-y-z; ydot=x+y/5; zdot=1/5+x*z-4*z;' --free eps --eps 0.01 --at 1,2,0")]
 // ε may be what changes.
@@ -84,8 +82,10 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object: period, points, residual, multipliers, eigenvalues, stability, family,
-    /// held, exact, flow, branch.
+    /// Print one JSON object.
+    ///
+    /// Its members: period, points, residual, multipliers, eigenvalues, stability, family, held,
+    /// exact, flow, branch.
     #[arg(long)]
     json: bool,
 }

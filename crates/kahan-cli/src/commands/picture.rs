@@ -37,10 +37,7 @@ use starts::{At, Spread};
 #[derive(Args, Debug)]
 #[command(help_template = TEMPLATE, after_help = "\
 Examples:
-  kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
-  kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
-  kahan picture lv --at 1,1/2 --over eps=1/9:1/2:99 --plane y-1 --crossings 9 --out a.svg
-  kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg")]
+  kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg")]
 pub(crate) struct Picture {
     #[command(flatten)]
     source: Source,
@@ -62,11 +59,11 @@ pub(crate) struct Picture {
     starts: Option<usize>,
 
     /// How far a random start is from --at, in each coordinate.
-    #[arg(long, value_name = "R", default_value = "1/10", hide_short_help = true)]
+    #[arg(long, value_name = "R", default_value = "1/10")]
     radius: String,
 
     /// The seed that random starts follow.
-    #[arg(long, value_name = "S", default_value = "1", hide_short_help = true)]
+    #[arg(long, value_name = "S", default_value = "1")]
     seed: u64,
 
     /// The number of steps of each orbit.
@@ -101,16 +98,12 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "X", conflicts_with = "plane", requires = "over")]
     maxima: Option<String>,
 
-    /// With --over: which crossings, rising, falling or both.
-    #[arg(long, hide_short_help = true, value_name = "WAY", value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising", hide_possible_values = true)]
-    direction: Direction,
-
     /// With --over: so many crossings of each orbit.
     #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX), requires = "over")]
     crossings: Option<u64>,
 
     /// With --over: each orbit begins where the one before it came to.
-    #[arg(long, requires = "over", hide_short_help = true)]
+    #[arg(long, requires = "over")]
     carry: bool,
 
     #[command(flatten)]
@@ -168,7 +161,7 @@ impl Picture {
                 let axis = over(self.over.as_deref().unwrap_or_default())?;
                 self.source.leaves_free(std::slice::from_ref(&axis), &self.step)?;
                 let (plane, direction) =
-                    section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
+                    section(&study, self.plane.as_deref(), self.maxima.as_deref(), Direction::default())?;
                 let asked = Diagram::new(None, Vec::new(), axis, 0);
                 What::Over(Box::new(Diagram {
                     plane: Some(plane).filter(|plane| !plane.is_empty()),

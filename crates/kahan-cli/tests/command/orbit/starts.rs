@@ -256,7 +256,7 @@ fn ranges_give_an_orbit_for_each_value_and_start() {
                     (_, "3/2") => "1.5".to_owned(),
                     (_, "1/8") => "0.125".to_owned(),
                     (_, "1/4") => "0.25".to_owned(),
-                    (_, text) => text.to_owned(),
+                    (_, text) => format!("{text}.0"),
                 };
                 let place = [index.to_string(), shown(a), shown(eps)];
                 expected.extend(own.into_iter().map(|row| [&place[..], &row].concat()));
