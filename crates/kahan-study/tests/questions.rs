@@ -356,7 +356,10 @@ fn cycles_and_their_branches() {
         error(json!({"ask": "periodic", "eps": 1, "at": [1], "over": other})),
         StudyError::UnknownAxis { .. }
     ));
-    assert!(matches!(error(json!({"ask": "periodic", "at": [1], "period": 2, "over": over})), StudyError::MissingStep));
+    assert!(matches!(
+        error(json!({"ask": "periodic", "at": [1], "period": 2, "over": over})),
+        StudyError::MissingStep
+    ));
     assert!(matches!(
         error(json!({"ask": "periodic", "eps": 1, "at": [1], "period": 601, "over": over})),
         StudyError::LongCycle { .. }

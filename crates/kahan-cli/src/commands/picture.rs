@@ -130,7 +130,7 @@ pub(crate) struct Picture {
 }
 
 /// Arguments and options in one list, so that the help fits a screen.
-pub(super) const TEMPLATE: &str =
+const TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
 /// The kinds of pictures.

@@ -9,7 +9,6 @@ use kahan_study::{Axis, Column, Crossed, Direction, Rows, Section as Question, S
 use serde_json::{Map, Value, json};
 
 use super::line::Asking;
-use super::picture::TEMPLATE;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
 use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, over, whole};
 
@@ -27,7 +26,7 @@ use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, o
 /// the first point, start, and with what varies. Each has the crossings that it has alone.
 #[derive(Args, Debug)]
 #[command(mut_group("step", |step| step.required(false)))]
-#[command(help_template = TEMPLATE, after_help = "\
+#[command(after_help = "\
 Examples:
   kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
   kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --crossings 5
