@@ -8,7 +8,7 @@ use std::num::NonZeroU64;
 use std::sync::{Mutex, PoisonError};
 
 use kahan_runtime::{DimensionError, End, Follow, threads};
-use kahan_study::Study;
+use kahan_study::{Study, Watch};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use kahan_algebra::rational::Rational;
 use kahan_study::{
     Answer, Column, End, Kept, Observed, Over, Poles, Progress, Question, Rows, Study, StudyError, Subject,
-    Systems, Table, Unwatched, Values, Watch,
+    Systems, Table, Unwatched, Values, Watch, Which,
 };
 use serde_json::{Value, json};
 
@@ -237,5 +237,22 @@ fn axes_that_do_not_fit_say_so() {
         let refused = study(Subject::named("lv")).ask(&Question::Over(over), &Unwatched);
         let said = refused.expect_err("a mistake").to_string();
         assert!(said.contains(part), "{part}: {said}");
+    }
+}
+
+#[test]
+fn rows_of_a_lifted_field_have_all_variables() {
+    let lifted = Subject::text("xdot = v; vdot = -sin(x);").lifted(Which::default()).study(&Systems);
+    let lifted = lifted.expect("a lift");
+    assert!(lifted.variables().len() > 2);
+    let over_x = json!({"x": [0, "1/2"], "v": [1]});
+    for (ask, first) in [
+        (json!({"ask": "evaluate", "eps": "1/10", "over": over_x}), "next_"),
+        (json!({"ask": "heights", "eps": "1/10", "steps": 2, "over": over_x}), "height_"),
+    ] {
+        let asked = over(ask.clone());
+        let (table, end) = rows(&lifted, &asked, 0..2, &Unwatched);
+        let named = table.columns.iter().filter(|column| column.name.starts_with(first)).count();
+        assert_eq!((end, table.count(), named), (End::Complete, 2, lifted.variables().len()), "{ask}");
     }
 }

@@ -46,7 +46,6 @@ use rows::Rows;
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  kahan chart e9 --at 1,1/2,1/3 --over xi=-1:1:/40 --over eps=0:1/2:/40 --color megno --out e9.svg
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
 // Rows have ε in themselves, and ε may be gone through.

@@ -16,7 +16,7 @@ use super::line::Line;
 use super::look::{OutFile, SheetOptions};
 use super::section::section;
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, StepLength, Stepping, number, one_of, over, point, seconds, whole};
+use crate::reading::{Source, StepLength, Stepping, number, over, point, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 

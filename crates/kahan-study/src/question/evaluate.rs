@@ -165,13 +165,14 @@ impl AtCell for Evaluate {
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
         let asked = Evaluate { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
         let number = |number: Option<&Number>| Entry::Float(number.map_or(f64::NAN, Number::to_f64));
+        let variables = study.variables().len();
         match asked.ask(study, &Unwatched) {
             Ok(values) => {
                 let next = |k: usize| number(values.x_next.as_ref().map(|next| &next[k]));
                 let determinants = [number(Some(&values.det_matrix)), number(values.det_jacobian.as_ref())];
-                (0..at.len()).map(next).chain(determinants).collect()
+                (0..variables).map(next).chain(determinants).collect()
             }
-            Err(_) => vec![number(None); at.len() + 2],
+            Err(_) => vec![number(None); variables + 2],
         }
     }
 }

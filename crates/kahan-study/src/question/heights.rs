@@ -113,7 +113,7 @@ impl AtCell for Heights {
 
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
         let asked = Heights { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
-        let none = |growth: &str| (0, growth.to_owned(), f64::NAN, vec![f64::NAN; at.len()]);
+        let none = |growth: &str| (0, growth.to_owned(), f64::NAN, vec![f64::NAN; study.variables().len()]);
         let (steps, growth, entropy, last) = match asked.ask(study, &Unwatched) {
             Ok(found) => match found.survey.heights.last() {
                 Some(last) => {

@@ -14,11 +14,11 @@ pub(in crate::question) trait AtCell: Sync {
     /// ε and the point of the question as it stands, where it has them.
     fn place(&self) -> (Option<&Rational>, Option<&[Rational]>);
 
-    /// The columns of what is found, in a field of these variables.
+    /// The columns of what is found, in a field of these variables, which are all of a lifted one.
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
 
-    /// What is found at another ε and point; also where there is no answer, as many entries as
-    /// columns.
+    /// What is found at another ε and point, which of a lifted field has the original variables
+    /// alone. There are as many entries as columns, also where there is no answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 
