@@ -262,7 +262,7 @@ pub(crate) struct Piece<'a, T: Float> {
     eps: &'a [T],
     parameters: Vec<&'a [T]>,
     caller: &'a Caller,
-    /// How each ended so far; empty before the first step.
+    /// The end of each trajectory so far; empty before the first step.
     ends: Vec<End>,
     /// The steps that were made, and those of them that the caller was not told of.
     pub(crate) made: u64,
@@ -285,7 +285,7 @@ impl<'a, T: Float> Piece<'a, T> {
         Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
     }
 
-    /// Goes so many steps on, or to where the caller wants no more.
+    /// Makes `steps` steps, or as many as the caller wants.
     pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
         let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
@@ -328,7 +328,8 @@ impl<'a, T: Float> Piece<'a, T> {
         (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
     }
 
-    /// How each ended. Without a step each is complete, unless its start is not finite.
+    /// Returns the end of each trajectory. Without a step each is complete, unless its start is not
+    /// finite.
     pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;

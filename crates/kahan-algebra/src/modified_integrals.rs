@@ -97,7 +97,7 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
 /// The basis is in reduced echelon form read from the end of `order`, a permutation of the states:
 /// the last variable of each, in that order, occurs in no other one.
 ///
-/// It is empty beyond a bounded amount of work.
+/// The basis is empty beyond a bounded amount of work.
 ///
 /// # Panics
 /// If `order` names a state that the field has not.

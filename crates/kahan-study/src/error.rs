@@ -26,7 +26,7 @@ use crate::trade::CannotTrade;
 pub enum StudyError {
     /// The catalog has no such system.
     UnknownSystem {
-        /// What was asked for.
+        /// The value that was given.
         name: String,
         /// The name that is probably meant.
         nearest: Option<&'static str>,
@@ -39,7 +39,7 @@ pub enum StudyError {
     NoFamily,
     /// So many sites have more than [`MOST_VARIABLES`] variables.
     ManySites {
-        /// What was asked for.
+        /// The value that was given.
         sites: usize,
     },
     /// The field has no such parameter.
@@ -112,7 +112,7 @@ pub enum StudyError {
     },
     /// Relations of this degree are out of reach.
     Degree {
-        /// What was asked for.
+        /// The value that was given.
         asked: u32,
         /// How many variables there are.
         variables: usize,
@@ -211,7 +211,7 @@ pub enum StudyError {
     },
     /// No observable has such a column.
     UnknownColumn {
-        /// What was asked for.
+        /// The value that was given.
         name: String,
         /// The columns of all observables.
         known: Vec<String>,

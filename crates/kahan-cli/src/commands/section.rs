@@ -151,7 +151,7 @@ pub(super) fn section(
     Ok((rate, Direction::Falling))
 }
 
-/// What to say of orbits that end early.
+/// Returns a note about orbits that end early.
 fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     let early: Vec<&Crossed> = orbits.iter().filter(|one| one.end.is_early()).collect();
     let (first, system) = (early.first()?, study.name());

@@ -69,7 +69,7 @@ impl Start {
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// The same with all first points.
+    /// Returns the field, all first points, and ε.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
@@ -87,7 +87,7 @@ impl Start {
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// The same with all first points.
+    /// Returns the field, all first points, and ε.
     pub(crate) fn starts_over(
         &self,
         axes: &[Axis],

@@ -63,7 +63,7 @@ impl Condensed {
 
     /// Solves them together with conditions r·(dx, de) = s.
     pub(super) fn solve(&self, conditions: &[(&DVector<f64>, f64)]) -> Option<Solution> {
-        /// What rounding leaves of a zero, relative to the largest singular value.
+        /// A singular value that is 0 but for rounding, relative to the largest one.
         const ZERO: f64 = 1e-13;
 
         let (n, columns) = (self.closing.nrows(), self.closing.ncols() - 1);

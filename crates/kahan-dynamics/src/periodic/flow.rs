@@ -125,7 +125,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
         /// Newton's method doubles digits: what does not converge in so many does not converge.
         const ROUNDS: usize = 60;
-        /// What is left, in units of the cycle's size, where one more step leaves roundings only.
+        /// A defect, in units of the cycle's size, that one more step reduces to roundings.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -209,7 +209,7 @@ impl Extrapolated {
     pub fn of([coarse, middle, fine]: [f64; 3]) -> Self {
         let [first, second] = [(coarse, middle), (middle, fine)].map(|(n, n2)| n2 + (n2 - n) / 3.0);
         let value = second + (second - first) / 15.0;
-        // Where the error is not of order 2, nothing was gained.
+        // The extrapolation gains nothing where the error is not of order 2.
         let ratio = (middle - coarse) / (fine - middle);
         let is_regular = (2.0..8.0).contains(&ratio) || fine == middle;
         let error = if is_regular { 2.0 * (value - second).abs() } else { (value - fine).abs() };

@@ -42,7 +42,7 @@ pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -
 /// The shortest solution of least squares; singular values that are zero but for rounding count as
 /// zero.
 pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    /// What rounding leaves of a zero, relative to the largest singular value.
+    /// A singular value that is 0 but for rounding, relative to the largest one.
     const ZERO: f64 = 1e-10;
 
     if !matrix.iter().all(|entry| entry.is_finite()) {

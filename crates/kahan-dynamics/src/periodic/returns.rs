@@ -7,7 +7,8 @@ pub struct CloseReturn {
     pub at: usize,
     /// The steps until it is back.
     pub steps: usize,
-    /// How far it passes from where it was, across its direction, in units of the orbit's extent.
+    /// The distance at which it passes its earlier point, across its direction, in units of the
+    /// orbit's extent.
     pub distance: f64,
 }
 
@@ -23,10 +24,10 @@ pub struct CloseReturn {
 /// If the points have not all as many coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// How many starts there are at most, and returns.
+    /// The most starts, and the most returns.
     const STARTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// What is further away is no return, and what has not gone this far has not left.
+    /// A return comes nearer than this, in units of the extent, after it was further away than this.
     const NEAR: f64 = 0.1;
     /// Returns that pass closer are equally close: steps are straight, and the orbit is not.
     const ALIKE: f64 = 1e-4;

@@ -22,7 +22,7 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
-    /// What the stages of one step at another ε read.
+    /// The constants of the stages of one step at another ε.
     pub(super) stages: Vec<Vec<V>>,
     /// Columns before steps that a guard may refuse, and the guard.
     pub(super) guarded: Vec<V>,

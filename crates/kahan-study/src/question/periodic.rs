@@ -281,7 +281,7 @@ impl Family {
         }
     }
 
-    /// What is held, as equations.
+    /// Returns the integrals that are held, as equations.
     fn equations(&self) -> Vec<String> {
         self.held.iter().map(|integral| integral.equation(&self.study)).collect()
     }

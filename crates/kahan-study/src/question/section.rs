@@ -116,7 +116,7 @@ pub struct Crossed {
     pub end: End,
     /// Why, where the end is one of the lift.
     pub why: Option<String>,
-    /// How many crossings it has.
+    /// The number of its crossings.
     pub crossings: u64,
     /// How often the formula changes its sign in the directions that count, but has no zero: at a
     /// pole of the formula or of the map, or where the formula jumps.
@@ -239,7 +239,7 @@ impl Rows for Few<'_> {
 }
 
 impl SectionFound {
-    /// How the only orbit ended, or the first of several.
+    /// Returns the only orbit, or the first of several.
     ///
     /// # Panics
     /// Without an orbit.
@@ -248,7 +248,7 @@ impl SectionFound {
         &self.orbits[0]
     }
 
-    /// How many crossings there are.
+    /// Returns the number of crossings.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows.count()

@@ -38,7 +38,7 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// As an object of JSON.
+    /// Returns an object of JSON.
     pub(super) fn object(&self, eps: f64) -> Value {
         json!({
             "eps": eps,

@@ -22,7 +22,7 @@ const STEPS: u64 = 1024;
 /// Fewer orbits than these are followed one by one.
 const FEWEST: usize = 4;
 
-/// What is asked of all orbits.
+/// The part of the question that all orbits share.
 pub(super) struct Asked<'a> {
     pub(super) study: &'a Study,
     pub(super) direction: Direction,

@@ -18,7 +18,7 @@ pub(super) struct Course {
     pub(super) made: u64,
     pub(super) kept: Kept,
     pub(super) jumps: u64,
-    /// How it ended; `None` where it can go on.
+    /// Its end; `None` where it can go on.
     pub(super) end: Option<End>,
 }
 
@@ -28,11 +28,11 @@ pub(super) struct Kept {
     steps: Vec<i64>,
     times: Vec<f64>,
     points: Vec<Vec<f64>>,
-    /// How many there were, with those that were taken away.
+    /// The number of all crossings, with those that were taken away.
     pub(super) all: u64,
-    /// How many are wanted in all.
+    /// The number of crossings that are wanted in all.
     most: u64,
-    /// How many are kept until somebody takes them.
+    /// The number of crossings that are kept until somebody takes them.
     room: usize,
 }
 
@@ -158,7 +158,7 @@ impl Course {
         }
     }
 
-    /// So many steps were asked for, and this came of them.
+    /// Adds the steps of a run that was asked to make `asked` of them.
     fn ends(&mut self, end: End, asked: u64) {
         let before = self.made;
         self.made += end.steps(asked);

@@ -57,7 +57,7 @@ impl<'a> Orbits<'a> {
         let (place, (in_doubles, _)) = (cells.exactly(0), cells.in_doubles(0));
         Plane::of(system, &place.parameters, &place.eps, &asked.plane)?;
         if !asked.is_of_many() {
-            // What is wrong with the only orbit is told.
+            // A mistake in the only orbit is an error.
             study.in_floats(&place.at, &place.eps)?;
         }
         study.within_range(&in_doubles.at, in_doubles.eps)?;
@@ -153,7 +153,7 @@ impl<'a> Orbits<'a> {
         }
     }
 
-    /// Why an orbit of a lifted field ends, in words.
+    /// Returns the reason why an orbit of a lifted field ends, in words.
     fn why(&self, index: u64, end: End, course: &Course) -> Option<String> {
         if !end.is_early() || self.study.lift().is_none() {
             return None;

@@ -66,7 +66,7 @@ impl Plane {
         self.0.last_variable()
     }
 
-    /// How far a point is from the section, as the formula measures it.
+    /// Returns the value of the formula at a point.
     pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
         // Integrals stand behind the variables, and are computed where the formula names one.
         let variables = at.map().field().variables().len();
