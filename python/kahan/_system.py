@@ -649,7 +649,7 @@ class System(Formulas):
         >>> s = kahan.System("xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);")
         >>> d = s.diagram({"c": (2, 4, 3)}, [1, 1, 0], 0.02, maxima="x", crossings=5, transient=10_000)
         >>> list(d), d["x"].round(2)[:5]
-        (['start', 'c', 'n', 't', 'x', 'y', 'z'], array([3.67, 3.67, 3.67, 3.67, 3.67]))
+        (['start', 'c', 'n', 't', 'x', 'y', 'z'], array([3.9, 3.9, 3.9, 3.9, 3.9]))
         """
         if len(over) != 1:
             raise ValueError('over: one name goes through values, as over={"c": (2, 6, 400)}')

@@ -246,9 +246,8 @@ mod tests {
             ..plain.clone()
         };
         let over = of(&diagram);
-        let (plane, direction) = (Some("x - y".to_owned()), kahan_study::Direction::Both);
-        let crossed =
-            study::Diagram { plane, direction, crossings: Some(5), steps: None, carry: true, ..diagram };
+        let plane = Some("x - y".to_owned());
+        let crossed = study::Diagram { plane, crossings: Some(5), steps: None, carry: true, ..diagram };
         let crossed = of(&crossed);
         let rich = Shown { at: line, spread, axes, windows, lines: true, reembed: true, ..plain.clone() };
         for asked in [section, heights, over, crossed, rich, plain] {

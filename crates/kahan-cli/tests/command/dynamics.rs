@@ -257,7 +257,7 @@ fn the_examples_of_the_help_run() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(examples_run("dynamics", folder.path()), 4);
     assert_eq!(examples_run("section", folder.path()), 4);
-    assert_eq!(examples_run("chart", folder.path()), 4);
+    assert_eq!(examples_run("chart", folder.path()), 2);
 }
 
 /// Cells of a table: the two coordinates, and what is shown, empty where nothing is; not how orbits
