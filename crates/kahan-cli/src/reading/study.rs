@@ -62,6 +62,9 @@ impl Source {
     }
 }
 
+/// First points, each with its coordinates.
+type Points = Vec<Vec<Rational>>;
+
 impl Start {
     /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
@@ -70,7 +73,7 @@ impl Start {
     }
 
     /// Returns the field, all first points, and ε.
-    pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
+    pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), Refusal> {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
@@ -88,10 +91,7 @@ impl Start {
     }
 
     /// Returns the field, all first points, and ε.
-    pub(crate) fn starts_over(
-        &self,
-        axes: &[Axis],
-    ) -> Result<(Study, Vec<Vec<Rational>>, Option<Rational>), Refusal> {
+    pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), Refusal> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;
         let starts = points(self.at.as_deref(), &study)?;
