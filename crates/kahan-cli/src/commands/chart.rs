@@ -127,7 +127,8 @@ impl TypedValueParser for Colours {
 
     fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Shade, clap::Error> {
         // Of the listed names each is a shade, so that a name that is none is refused.
-        let refused = |()| listed().parse_ref(cmd, arg, value).map(|of| Shade::named(of.name()).expect("listed"));
+        let refused =
+            |()| listed().parse_ref(cmd, arg, value).map(|of| Shade::named(of.name()).expect("listed"));
         value.to_str().and_then(Shade::named).ok_or(()).or_else(refused)
     }
 

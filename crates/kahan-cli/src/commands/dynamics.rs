@@ -96,9 +96,13 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } = *self;
+        let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } =
+            *self;
         let (transient, reembed, observe) = (before.transient, stepping.reembed, observe.clone());
-        Ok((study, Observe { eps, at, transient, steps, order, renormalize, spectrum, escape, reembed, observe }))
+        Ok((
+            study,
+            Observe { eps, at, transient, steps, order, renormalize, spectrum, escape, reembed, observe },
+        ))
     }
 
     /// The answers; a complaint where the orbit ends early.

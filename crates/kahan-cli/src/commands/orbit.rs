@@ -155,7 +155,8 @@ impl Asking for Orbit {
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
-        let place = |start: usize| has_places.then(|| Kept::Integer(vec![start as i64])).into_iter().collect();
+        let place =
+            |start: usize| has_places.then(|| Kept::Integer(vec![start as i64])).into_iter().collect();
         let orbits = begun.into_iter().enumerate().map(|(start, orbit)| (place(start), orbit)).collect();
         let names = if has_places { &names[..] } else { &[] };
         self.write(head, names, orbits, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))

@@ -144,9 +144,10 @@ fn text(found: &CycleFound) -> String {
     let steps = cycle.points.len();
     let blurred = if cycle.is_blurred() { BLURRED } else { "" };
     let (period, multipliers) = match &found.flow {
-        Some(flow) => {
-            (format!("{}, in {steps} steps of eps = {:?}", with_error(&flow.period), found.eps), &flow.multipliers)
-        }
+        Some(flow) => (
+            format!("{}, in {steps} steps of eps = {:?}", with_error(&flow.period), found.eps),
+            &flow.multipliers,
+        ),
         None => (steps.to_string(), &cycle.multipliers),
     };
     let mut cycle_lines = vec![

@@ -97,7 +97,8 @@ impl Asking for Section {
             self.start.starts_over(&axes)?
         };
         let at = if starts.len() == 1 { starts.swap_remove(0) } else { Vec::new() };
-        let (plane, direction) = section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
+        let (plane, direction) =
+            section(&study, self.plane.as_deref(), self.maxima.as_deref(), self.direction)?;
         let Section { steps, crossings, before, order, carry, stepping, .. } = *self;
         let (over, params) = (axes.into_iter().map(Into::into).collect(), Vec::new());
         let reembed = stepping.reembed;
@@ -131,7 +132,8 @@ impl Asking for Section {
         let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
         let watch = Prompt::beside_rows(sink.is_some(), 0);
-        let mut rows = Late { table: None, begin: Some((sink.unwrap_or_else(Sink::standard), head)), broken: None };
+        let mut rows =
+            Late { table: None, begin: Some((sink.unwrap_or_else(Sink::standard), head)), broken: None };
         let orbits = asked.find(&study, &mut rows, &watch)?;
         rows.end()?;
         jumps(&asked.plane, orbits.iter().map(|one| one.jumps).sum()).iter().for_each(|note| warn(note));

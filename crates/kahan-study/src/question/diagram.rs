@@ -161,7 +161,8 @@ impl Diagram {
         let mut shown = Shown { column: columns - study.shown().len() + shown, values: Vec::new() };
         let orbits = asked.find(study, &mut shown, watch)?;
         let mut left = shown.values.into_iter();
-        found.points = orbits.iter().map(|one| left.by_ref().take(one.crossings as usize).collect()).collect();
+        found.points =
+            orbits.iter().map(|one| left.by_ref().take(one.crossings as usize).collect()).collect();
         found.values = self.over.range.values().take(orbits.len()).collect();
         found.ended = orbits.iter().filter(|one| one.end.is_early()).count();
         let has_all = |one: &Crossed| Some(one.crossings) == self.crossings;

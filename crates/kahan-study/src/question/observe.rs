@@ -108,7 +108,18 @@ impl Observe {
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
-        Observe { eps, at, transient: 0, steps, order, renormalize, spectrum: None, escape: None, reembed: false, observe }
+        Observe {
+            eps,
+            at,
+            transient: 0,
+            steps,
+            order,
+            renormalize,
+            spectrum: None,
+            escape: None,
+            reembed: false,
+            observe,
+        }
     }
 
     /// Observes so many steps of orbits whose first points and ε are given beside the question.
@@ -352,7 +363,8 @@ impl Observe {
             let refused = self.observe.iter().find(|one| !one.is_of_points());
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
         }
-        for (what, count) in [("renormalize", self.renormalize), ("spectrum", self.spectrum.map_or(1, |k| k as u64))]
+        for (what, count) in
+            [("renormalize", self.renormalize), ("spectrum", self.spectrum.map_or(1, |k| k as u64))]
         {
             if count == 0 {
                 return Err(StudyError::NotPositive { what, value: Rational::zero() });

@@ -140,7 +140,8 @@ impl NoOrbit {
         let [projective, reembed, order] = ["projective", "reembed", "order"].map(|name| set(name, ""));
         match self {
             Self::Irrational(asked) => {
-                let (asked, f64, kahan) = (set("order", &asked.to_string()), set("scalar", "f64"), set("order", "2"));
+                let (asked, f64, kahan) =
+                    (set("order", &asked.to_string()), set("scalar", "f64"), set("order", "2"));
                 write!(
                     f,
                     "{asked} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \

@@ -140,7 +140,11 @@ impl Periodic {
         let family = Family::of(self, study)?;
         let system = study.name().to_owned();
         if self.free == Some(Free::Eps) {
-            let count = Count::new("cycles", 3 * self.over.as_ref().map_or(1, |axis| axis.range.count() as u64), watch);
+            let count = Count::new(
+                "cycles",
+                3 * self.over.as_ref().map_or(1, |axis| axis.range.count() as u64),
+                watch,
+            );
             let (cycle, flow, branch) = family.flow_found(self, &count)?;
             return Ok(CycleFound {
                 system,
@@ -190,7 +194,9 @@ impl CycleFound {
         let of_field = match change {
             Change::Fold => "fold, two steady states meet",
             Change::ThroughOne => "an eigenvalue of f' goes through 0",
-            Change::ThroughCircle => "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis",
+            Change::ThroughCircle => {
+                "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis"
+            }
             Change::ThroughMinusOne => return change.to_string(),
         };
         if self.cycle.points.len() == 1 { of_field.to_owned() } else { change.to_string() }

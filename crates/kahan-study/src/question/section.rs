@@ -309,11 +309,15 @@ impl Serialize for SectionFound {
         let names: Vec<&str> = self.rows.columns.iter().map(|column| &*column.name).collect();
         let ends = |one: &Crossed| {
             let mut end = Map::from_iter([(names[0].to_owned(), json!(one.start))]);
-            end.extend(names[1..].iter().zip(&one.values).map(|(name, value)| ((*name).to_owned(), json!(value))));
+            end.extend(
+                names[1..].iter().zip(&one.values).map(|(name, value)| ((*name).to_owned(), json!(value))),
+            );
             let own = json!({
                 "ended": one.end.name(), "ended_step": one.steps, "crossings": one.crossings, "jumps": one.jumps,
             });
-            end.extend(own.as_object().into_iter().flatten().map(|(name, value)| (name.clone(), value.clone())));
+            end.extend(
+                own.as_object().into_iter().flatten().map(|(name, value)| (name.clone(), value.clone())),
+            );
             Value::Object(end)
         };
         object.serialize_entry("orbits", &self.orbits.iter().map(ends).collect::<Vec<_>>())?;

@@ -207,9 +207,10 @@ impl ClaimShown {
     #[must_use]
     pub fn of(system: &System, claim: &Claim, notation: &dyn Notation) -> Self {
         let pairs = match &claim.body {
-            ClaimBody::Tensor(entries) => {
-                entries.iter().map(|entry| [&entry.row, &entry.column].map(|name| name.text.clone())).collect()
-            }
+            ClaimBody::Tensor(entries) => entries
+                .iter()
+                .map(|entry| [&entry.row, &entry.column].map(|name| name.text.clone()))
+                .collect(),
             _ => Vec::new(),
         };
         ClaimShown {

@@ -63,10 +63,15 @@ impl Orbit {
             ([Kept::Integer(vec![index as i64])].into_iter().chain(values).collect(), (start, of))
         });
         self.write(head, &names, orbits.collect(), |(start, of), table, watch| {
-            let ending =
-                asked(start, of).and_then(|asked| Ok(asked.begin(&of.study)?.rows(0..u64::MAX, table, watch)));
+            let ending = asked(start, of)
+                .and_then(|asked| Ok(asked.begin(&of.study)?.rows(0..u64::MAX, table, watch)));
             // An orbit without a first point ends there.
-            Ok(ending.unwrap_or_else(|why| Ending { end: End::Range(0), step: 0, why: Some(why.to_string()), instead: None }))
+            Ok(ending.unwrap_or_else(|why| Ending {
+                end: End::Range(0),
+                step: 0,
+                why: Some(why.to_string()),
+                instead: None,
+            }))
         })
     }
 

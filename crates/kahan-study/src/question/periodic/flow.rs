@@ -4,8 +4,8 @@ use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_core::{Step, Stopped, Workspace};
 use kahan_dynamics::periodic::{
-    Branch, Differentiable, Extrapolated, FlowCycle, NoPeriodicPoint, OnLeaf, Parametric, Turn, close_returns,
-    flow_branch, flow_cycle,
+    Branch, Differentiable, Extrapolated, FlowCycle, NoPeriodicPoint, OnLeaf, Parametric, Turn,
+    close_returns, flow_branch, flow_cycle,
 };
 use kahan_runtime::ParametricAt;
 use serde_json::{Value, json};
@@ -132,13 +132,7 @@ impl Parametric for FlowAt<'_> {
 impl Family {
     /// The map at a value of what changes and an ε, its derivative being by the parameter that
     /// changes or by ε; without a value once the watch ended the work, so that all searches end.
-    fn flow_at(
-        &self,
-        value: f64,
-        eps: f64,
-        by: Option<usize>,
-        count: &Count<'_>,
-    ) -> OnLeaf<'_, FlowAt<'_>> {
+    fn flow_at(&self, value: f64, eps: f64, by: Option<usize>, count: &Count<'_>) -> OnLeaf<'_, FlowAt<'_>> {
         let values = self.values_at(value);
         let eps = if count.tell(0).is_break() { f64::NAN } else { eps };
         let map = self.study.map_at(&values);
@@ -235,7 +229,8 @@ impl Family {
         let cycles: [FlowCycle; 3] = cycles().map_err(no_cycle)?;
         let multiplier = |k: usize| {
             let all = cycles.each_ref().map(|cycle| cycle.cycle.multipliers[k]);
-            let [re, im] = [all.map(|one| one.re), all.map(|one| one.im)].map(|all| Extrapolated::of(all).value);
+            let [re, im] =
+                [all.map(|one| one.re), all.map(|one| one.im)].map(|all| Extrapolated::of(all).value);
             Complex::new(re, im)
         };
         let mut found = FlowFound {
@@ -244,7 +239,8 @@ impl Family {
             turns: None,
         };
         let branch = asked.over.as_ref().map(|axis| {
-            let [mut coarse, middle, fine] = cycles.each_ref().map(|cycle| self.flow_branch(cycle, axis, count));
+            let [mut coarse, middle, fine] =
+                cycles.each_ref().map(|cycle| self.flow_branch(cycle, axis, count));
             found.turns = turns([&coarse, &middle, &fine]);
             for (turn, found) in coarse.turns.iter_mut().zip(found.turns.iter().flatten()) {
                 turn.parameter = found.value;

@@ -202,8 +202,7 @@ pub(super) fn follow(asked: &Asked<'_>, maps: &[&MapAt<f64>], planes: &[&Plane],
     let variables = courses[0].x.len();
     let names_integrals = planes[0].last_variable().is_some_and(|last| last >= variables);
     let begun = courses.iter_mut().zip(maps).zip(&levels);
-    let mut lanes: Vec<_> =
-        begun.map(|((course, at), level)| Lane::new(asked, course, at, level)).collect();
+    let mut lanes: Vec<_> = begun.map(|((course, at), level)| Lane::new(asked, course, at, level)).collect();
     let mut made = lanes.iter().filter(|lane| lane.goes_on()).map(|lane| *lane.made).min().unwrap_or(0);
     let is_stopped = Cell::new(false);
     let tell = |steps| {
