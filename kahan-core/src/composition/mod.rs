@@ -7,10 +7,8 @@
 //! tests check both their conditions and the order that is measured.
 
 mod coefficients;
-#[cfg_attr(not(feature = "std"), expect(unreachable_pub, reason = "ensembles alone show it"))]
 mod composed;
 mod decimal;
-#[cfg_attr(not(feature = "std"), expect(unreachable_pub, reason = "ensembles alone show it"))]
 mod stages;
 
 use core::fmt;
