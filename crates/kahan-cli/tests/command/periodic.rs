@@ -242,6 +242,22 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
 }
 
 #[test]
+fn limit_cycles_keep_the_totals_of_their_start() {
+    let field = format!("{TORUS} wdot = b*x - x*z + 3*y;");
+    let line = ["periodic", "--field", &field, "--param", "b=1", "--free", "eps", "--eps", "0.02"];
+    let line = [&line[..], &["--at", "0.5,0,1,1"]].concat();
+    let found = object(&[&line[..], &["--json"]].concat());
+    assert_eq!(found["held"], serde_json::json!(["x + w = 3/2"]));
+    assert!((number(&found["flow"]["period"]) - 2.0 * std::f64::consts::PI / 3.0).abs() < 1e-8, "{found}");
+    let totals = found["points"].as_array().expect("points").iter().map(|x| number(&x[0]) + number(&x[3]));
+    assert!(totals.into_iter().all(|total| (total - 1.5).abs() < 1e-15), "{found}");
+    // Without it the cycles are a family, one for each total.
+    let free = kahan(&[&line[..], &["--hold", "none"]].concat());
+    assert_eq!(free.status.code(), Some(1));
+    assert!(text(&free.stderr).contains("family"), "{}", text(&free.stderr));
+}
+
+#[test]
 fn changes_of_limit_cycles_are_extrapolated() {
     let line =
         ["periodic", "--field", TORUS, "--free", "eps", "--eps", "0.02", "--at", "1,0,0.6", "--period", "52"];
