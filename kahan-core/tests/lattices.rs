@@ -178,8 +178,8 @@ fn a_step_whose_digits_are_known_needs_no_residual() {
     let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
     let mut state = vec![8.803_863_726_421_91e96, 1.0];
     crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
-    // With a = 1/r² and b = q/r² it is x(1 + εa)/(1 − εa + 2εbx), near a/(2b) for the first one; the
-    // other one hardly moves.
+    // With a = 1/r² and b = q/r² it is x(1 + εa)/(1 − εa + 2εbx), near a/(2b) for the first one;
+    // the other one hardly moves.
     assert_eq!(state, [0.5 / q, 1.0]);
 }
 

@@ -45,8 +45,8 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
-    /// Follows an orbit. Returns its rows, the first after `transient` steps, the number of all steps, its end (complete, range or
-    /// reembed), and the reason for an end of a lifted field.
+    /// Follows an orbit. Returns its rows, the first after `transient` steps, the number of all
+    /// steps, its end (complete, range or reembed), and the reason for an end of a lifted field.
     #[pyo3(name = "_points", signature = (x, eps, steps, *, transient = 0, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(

@@ -17,8 +17,8 @@ type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 
 #[pymethods]
 impl Field {
-    /// The crossings that a question about a section finds, which is JSON: its columns, and how each
-    /// orbit ended.
+    /// The crossings that a question about a section finds, which is JSON: its columns, and how
+    /// each orbit ended.
     #[pyo3(name = "_crossings", signature = (question, *, threads = None, listener = None))]
     fn crossings<'py>(
         &self,

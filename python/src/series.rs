@@ -1,8 +1,8 @@
 //! The points of many trajectories on their way.
 //!
-//! In: an ensemble, and which points of each trajectory are shown. Out: their rows, trajectory after
-//! trajectory, with the bits of single orbits. Trajectories go side by side in columns; those of a
-//! lifted field that have gone beyond their ends are followed once more, alone.
+//! In: an ensemble, and which points of each trajectory are shown. Out: their rows, trajectory
+//! after trajectory, with the bits of single orbits. Trajectories go side by side in columns; those
+//! of a lifted field that have gone beyond their ends are followed once more, alone.
 
 use std::num::NonZeroU64;
 use std::sync::{Mutex, PoisonError};
@@ -24,9 +24,9 @@ const TOGETHER: usize = 128;
 
 #[pymethods]
 impl Field {
-    /// Follows many trajectories. Returns the points of each after `transient` steps and after every
-    /// `every` of the `steps` behind them, of shape (trajectories, rows, variables), NaN behind an
-    /// early end; how each ended, and after how many steps in all.
+    /// Follows many trajectories. Returns the points of each after `transient` steps and after
+    /// every `every` of the `steps` behind them, of shape (trajectories, rows, variables), NaN
+    /// behind an early end; how each ended, and after how many steps in all.
     #[pyo3(name = "_series", signature = (points, eps, steps, *, every, transient = 0, parameters = Vec::new(), order = 2, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn series<'py>(
@@ -95,8 +95,8 @@ pub(crate) struct Stride {
 }
 
 impl<T: Float> Many<T> {
-    /// Follows points that stand row by row in `from`, and writes some points of each trajectory, one
-    /// after the other, into `to`: NaN behind its end. Returns how each ended.
+    /// Follows points that stand row by row in `from`, and writes some points of each trajectory,
+    /// one after the other, into `to`: NaN behind its end. Returns how each ended.
     fn series(
         &self,
         from: &[T],

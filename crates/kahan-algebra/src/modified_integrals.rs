@@ -91,8 +91,8 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
     flow.polarised(integral, &mut budget()).or_else(|_| flow.rotated(integral, &mut budget())).ok()
 }
 
-/// Returns a basis of the linear integrals Σ cₖ xₖ of a field whose coefficients are numbers, each as
-/// pairs (k, cₖ); they hold at all values of the parameters and ε, and Kahan's map keeps them.
+/// Returns a basis of the linear integrals Σ cₖ xₖ of a field whose coefficients are numbers, each
+/// as pairs (k, cₖ); they hold at all values of the parameters and ε, and Kahan's map keeps them.
 ///
 /// The basis is in reduced echelon form read from the end of `order`, a permutation of the states:
 /// the last variable of each, in that order, occurs in no other one.

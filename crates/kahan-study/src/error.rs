@@ -263,8 +263,8 @@ impl StudyError {
     }
 }
 
-/// Spells a part of a question, by its name and its value, in messages of a front. The value is empty
-/// where the message is about the part with any value.
+/// Spells a part of a question, by its name and its value, in messages of a front. The value is
+/// empty where the message is about the part with any value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// The [`Spelling`] of JSON, TOML and Python: the name, then the value.

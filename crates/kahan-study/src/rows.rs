@@ -226,8 +226,8 @@ pub struct Ending {
     pub end: End,
     /// The steps to the last point: all, where the orbit is complete.
     pub step: u64,
-    /// Why no step leads on, where that is, in a sentence; `None` of an orbit that is complete or was
-    /// stopped.
+    /// Why no step leads on, where that is, in a sentence; `None` of an orbit that is complete or
+    /// was stopped.
     pub why: Option<String>,
     /// The part of the question, and its value, that could be tried instead.
     pub instead: Option<[&'static str; 2]>,

@@ -1,7 +1,7 @@
 //! The number of each orbit that a chart shows.
 //!
-//! In: the name that a front calls a color, and a table with an orbit a row. Out: a number a row. It
-//! must not know pictures.
+//! In: the name that a front calls a color, and a table with an orbit a row. Out: a number a row.
+//! It must not know pictures.
 
 use kahan_runtime::Observable;
 
@@ -15,7 +15,8 @@ use crate::study::Study;
 pub struct Shade {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. That of [`Observable::Drift`] itself means the largest of all drifts.
+    /// The name of the column. That of [`Observable::Drift`] itself means the largest of all
+    /// drifts.
     pub column: String,
 }
 
@@ -56,8 +57,8 @@ impl Shade {
     }
 
     /// Returns a number for each row of a table in which the observable alone is observed; not a
-    /// number where the orbit ended early. Under [`Observable::Escape`] that is where no variable is
-    /// beyond the size.
+    /// number where the orbit ended early. Under [`Observable::Escape`] that is where no variable
+    /// is beyond the size.
     ///
     /// # Panics
     /// If the table is another.

@@ -420,8 +420,8 @@ impl Study {
         self.read.field.get_or_init(|| Field::of(self.system()))
     }
 
-    /// The component f_x of the field as a formula, which vanishes where the variable x is largest or
-    /// least.
+    /// The component f_x of the field as a formula, which vanishes where the variable x is largest
+    /// or least.
     ///
     /// # Errors
     /// A name that is none of the variables'.

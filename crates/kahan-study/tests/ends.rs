@@ -127,7 +127,8 @@ fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     assert_eq!((observed.end, &json!(observed)["escaped"]), (End::Complete, &json!(13)));
 }
 
-/// Behind a transient an orbit has the numbers of the orbit from the point where the transient ends.
+/// Behind a transient an orbit has the numbers of the orbit from the point where the transient
+/// ends.
 #[test]
 fn a_transient_is_not_observed() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
@@ -164,7 +165,8 @@ fn a_transient_is_not_observed() {
     }
 }
 
-/// The first exponents are those of all of them, as far as both have converged; alone and beside others.
+/// The first exponents are those of all of them, as far as both have converged; alone and beside
+/// others.
 #[test]
 fn a_spectrum_may_have_its_first_exponents_alone() {
     let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";

@@ -158,7 +158,8 @@ fn a_transient_is_not_shown() {
         let found = answer(&lv(), &late);
         let cells = |table: &Table, row: usize| -> Vec<String> {
             let all = table.values.iter().map(|kept| kept.values().cell(row).to_string());
-            // The series of the flow begin anew behind the transient: the last of 32 digits may differ.
+            // The series of the flow begin anew behind the transient: the last of 32 digits may
+            // differ.
             let digits = if plain.method == Method::Flow { 30 } else { usize::MAX };
             all.map(|cell| cell.chars().take(digits).collect()).collect()
         };

@@ -24,7 +24,8 @@ use crate::reading::{Start, Stepping, Transient, one_of, order, scalar, whole};
 ///
 /// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
 /// after orbit, and a first column `start` says which, 0, 1, and so on. With --over each start has
-/// an orbit for each value, which stands in a column behind it. An orbit that ends early ends alone.
+/// an orbit for each value, which stands in a column behind it. An orbit that ends early ends
+/// alone.
 ///
 /// The integrals are those of the block without `when`, and those `when` what holds for the orbit.
 /// A cell is empty where an integral is undefined, or beyond the range of the scalar. Floats are

@@ -27,10 +27,10 @@ use crate::reading::{Start, one_of, over, whole};
 /// leaves as they are. Where the points are fractions of a few digits, the cycle is proved exactly,
 /// and its stability is decided by the exact characteristic polynomial of that derivative.
 ///
-/// Cycles of period 1 are the steady states of the field. They are the same for each eps, which need
-/// not be given; the eigenvalues of the derivative f' of the field are told, too. Linear integrals
-/// of the field, as the total of a closed population, keep their values at the first point, and
-/// multipliers are those along their common level; --hold none holds nothing.
+/// Cycles of period 1 are the steady states of the field. They are the same for each eps, which
+/// need not be given; the eigenvalues of the derivative f' of the field are told, too. Linear
+/// integrals of the field, as the total of a closed population, keep their values at the first
+/// point, and multipliers are those along their common level; --hold none holds nothing.
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle. The table has about as many rows as the range has
@@ -54,7 +54,8 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,
 
-    /// A multiple of the period; the smallest period is told. With --free eps: the steps of a cycle.
+    /// A multiple of the period; the smallest period is told. With --free eps: the steps of a
+    /// cycle.
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS))]
     period: usize,
 

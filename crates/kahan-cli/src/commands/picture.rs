@@ -29,8 +29,9 @@ use starts::{At, Spread};
 ///
 /// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
 /// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
-/// it is after the transient: at each step, or with --plane or --maxima at the crossings. Heights that grow like a power of n are drawn over log n, and those
-/// that grow exponentially over n: either way they come near a straight line.
+/// it is after the transient: at each step, or with --plane or --maxima at the crossings. Heights
+/// that grow like a power of n are drawn over log n, and those that grow exponentially over n:
+/// either way they come near a straight line.
 ///
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
 /// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
@@ -98,7 +99,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "X", conflicts_with = "plane", requires = "over")]
     maxima: Option<String>,
 
-    /// With --over: so many crossings of each orbit.
+    /// With --over: the number of crossings of each orbit.
     #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX), requires = "over")]
     crossings: Option<u64>,
 

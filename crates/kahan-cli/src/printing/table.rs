@@ -28,7 +28,8 @@ pub(crate) enum Format {
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
-    /// The first cells of all rows of an orbit, which say where it is among several; one value each.
+    /// The first cells of all rows of an orbit, which say where it is among several; one value
+    /// each.
     place: Vec<Kept>,
     /// The row being written, kept so that its memory is.
     line: String,

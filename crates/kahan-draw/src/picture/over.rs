@@ -34,8 +34,8 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// The first variable of each point of a cycle over what changes along its branch, of a cycle of the
-/// flow its largest and smallest values: stable cycles and others apart.
+/// The first variable of each point of a cycle over what changes along its branch, of a cycle of
+/// the flow its largest and smallest values: stable cycles and others apart.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &Look) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

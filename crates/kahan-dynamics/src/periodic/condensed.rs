@@ -1,7 +1,7 @@
 //! Newton's equations around a long cycle, reduced to as many unknowns as one point has.
 //!
-//! In: a map, the points of a cycle, and how the map depends on a few further unknowns e, as ε. Out:
-//! solutions of
+//! In: a map, the points of a cycle, and how the map depends on a few further unknowns e, as ε.
+//! Out: solutions of
 //!
 //! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ
 //!
@@ -98,8 +98,8 @@ impl Condensed {
     }
 }
 
-/// The direction along the cycle, of length 1, in which its points may slide; 0 for `others` further
-/// unknowns.
+/// The direction along the cycle, of length 1, in which its points may slide; 0 for `others`
+/// further unknowns.
 pub(super) fn along(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };

@@ -43,8 +43,8 @@ impl FlowCycle {
     }
 }
 
-/// Finds a cycle of the flow near the orbit of `start` at `eps`, which comes back after about `steps`
-/// steps. `map` makes the map at each ε, with its derivative by ε.
+/// Finds a cycle of the flow near the orbit of `start` at `eps`, which comes back after about
+/// `steps` steps. `map` makes the map at each ε, with its derivative by ε.
 ///
 /// ```
 /// use kahan_core::Dual;
@@ -66,8 +66,8 @@ impl FlowCycle {
 /// assert!((period - 1.558652210716).abs() < 1e-6);
 /// ```
 ///
-/// Cost: some rounds of Newton's method, each of N derivatives of the map and one decomposition of a
-/// matrix with a row for each variable.
+/// Cost: some rounds of Newton's method, each of N derivatives of the map and one decomposition of
+/// a matrix with a row for each variable.
 ///
 /// # Errors
 /// [`NoPeriodicPoint`] where the start does not fit, the orbit is not finite, none is found, or the
@@ -90,7 +90,8 @@ pub fn flow_cycle<M: Parametric>(
     Search::from(&map, points, eps)?.run()
 }
 
-/// Newton's method for the points, in units of their size, and behind them ε, in units of the first.
+/// Newton's method for the points, in units of their size, and behind them ε, in units of the
+/// first.
 struct Search<'a, F> {
     map: &'a F,
     unit: Unit,
@@ -123,7 +124,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// Newton's method doubles digits: what does not converge in so many does not converge.
+        /// The most rounds of Newton's method, which doubles the digits in each.
         const ROUNDS: usize = 60;
         /// A defect, in units of the cycle's size, that one more step reduces to roundings.
         const NEAR: f64 = 1e-13;
@@ -203,8 +204,8 @@ pub struct Extrapolated {
 }
 
 impl Extrapolated {
-    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε². The
-    /// error that is told also holds where they have odd powers from ε³ on.
+    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε².
+    /// The error that is told also holds where they have odd powers from ε³ on.
     #[must_use]
     pub fn of([coarse, middle, fine]: [f64; 3]) -> Self {
         let [first, second] = [(coarse, middle), (middle, fine)].map(|(n, n2)| n2 + (n2 - n) / 3.0);

@@ -1,5 +1,5 @@
-//! Cycles of the flow as a parameter changes: ε is found with the points, as many steps always close
-//! up.
+//! Cycles of the flow as a parameter changes: ε is found with the points, as many steps always
+//! close up.
 
 use std::ops::ControlFlow;
 
@@ -63,8 +63,8 @@ pub fn flow_branch<M: Parametric>(
     follow(&arc, place, [from, to], steps, see)
 }
 
-/// The curve of cycles of a flow. A place has the points, of which all together have a size of about
-/// 1, then ε in units of the first one, then the parameter in units of the range.
+/// The curve of cycles of a flow. A place has the points, of which all together have a size of
+/// about 1, then ε in units of the first one, then the parameter in units of the range.
 struct FlowArc<F> {
     map: F,
     unit: Unit,

@@ -12,8 +12,8 @@ pub struct CloseReturn {
     pub distance: f64,
 }
 
-/// Finds the returns of an orbit that pass closest, after at least `least` and at most `most` steps,
-/// the closest and shortest first. Coordinates are measured by their ranges on the orbit.
+/// Finds the returns of an orbit that pass closest, after at least `least` and at most `most`
+/// steps, the closest and shortest first. Coordinates are measured by their ranges on the orbit.
 ///
 /// A return after more steps counts besides one after fewer only where it is ten times as close: of
 /// an orbit that is near a cycle it is not told that two rounds lead back, too.
@@ -27,7 +27,8 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     /// The most starts, and the most returns.
     const STARTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// A return comes nearer than this, in units of the extent, after it was further away than this.
+    /// A return comes nearer than this, in units of the extent, after it was further away than
+    /// this.
     const NEAR: f64 = 0.1;
     /// Returns that pass closer are equally close: steps are straight, and the orbit is not.
     const ALIKE: f64 = 1e-4;

@@ -94,9 +94,9 @@ impl<T: RuntimeFloat> CodedStages<T> {
         }
     }
 
-    /// Replaces a state by the one a step later at another ε, without an allocation. Returns `false`
-    /// and changes nothing where the code is not compiled, refuses steps, or is that of another form
-    /// of the step than the one at this ε.
+    /// Replaces a state by the one a step later at another ε, without an allocation. Returns
+    /// `false` and changes nothing where the code is not compiled, refuses steps, or is that of
+    /// another form of the step than the one at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,

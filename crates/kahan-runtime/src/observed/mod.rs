@@ -27,7 +27,8 @@ pub struct Observing<'a> {
     pub steps: u64,
     /// Steps between two times that tangent vectors are made orthogonal, at least 1.
     pub renormalize: u64,
-    /// The number of exponents in the spectrum, at least 1, if it has so many: the largest.
+    /// The number of exponents in the spectrum, at least 1 and at most the number of variables: the
+    /// largest ones.
     pub exponents: usize,
     /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
@@ -48,8 +49,8 @@ impl Observing<'_> {
 /// A float of the machine whose orbits are observed.
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// Observes the orbit of `start`, which ends where its points are not finite or are beyond the
-    /// bound. `step` makes the orbit, or the map where that is `None`; observers always ask the map.
-    /// `tell` hears of steps, and may stop the orbit.
+    /// bound. `step` makes the orbit, or the map where that is `None`; observers always ask the
+    /// map. `tell` hears of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if the start has not an entry a variable.

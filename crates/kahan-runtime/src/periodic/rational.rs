@@ -33,8 +33,8 @@ pub struct RationalCycle {
 }
 
 impl RationalCycle {
-    /// Returns the cycle among those with its values of so many independent integrals, each of which
-    /// has a multiplier 1 of its own: the others are left.
+    /// Returns the cycle with the multipliers on the common level of `integrals` independent
+    /// integrals. Each integral has a multiplier 1 of its own, which is left out.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();

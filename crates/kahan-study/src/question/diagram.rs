@@ -46,7 +46,8 @@ pub struct Diagram {
     /// steps, which it needs where it counts no crossings.
     #[serde(default)]
     pub steps: Option<u64>,
-    /// What vanishes on the section whose crossings are shown; all steps where there is none.
+    /// The formula that vanishes on the section whose crossings are shown; without one all steps
+    /// are shown.
     #[serde(default)]
     pub plane: Option<String>,
     /// Which sign changes count.

@@ -236,8 +236,8 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit behind its transient. Steps end where those of a lifted field do; with the
-    /// reason.
+    /// Observes one orbit behind its transient. Steps end where those of a lifted field do; with
+    /// the reason.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -387,7 +387,7 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
 
-/// What is seen of an orbit that is observed behind so many steps of it.
+/// Adds the steps of the transient to all step numbers of a report.
 fn later(found: Followed<Vec<Seen>>, before: u64) -> Followed<Vec<Seen>> {
     let later = |seen| match seen {
         Seen::Step(step) => Seen::Step(step.map(|step| step + before)),

@@ -49,7 +49,7 @@ pub struct Orbit {
     pub transient: u64,
     /// The number of steps.
     pub steps: u64,
-    /// Every so many steps a point becomes a row, the first point behind the transient first.
+    /// The steps from row to row; the first row is the first point behind the transient.
     #[serde(default = "one")]
     pub every: u64,
     /// The numbers to compute with.

@@ -37,7 +37,8 @@ const MOST_UNKNOWNS: usize = 250;
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
     /// ε, half the time step; the first value of `over` where that is of ε. Steady states are the
-    /// same for each ε: where the period is 1, it is chosen by the field's rates if it is not given.
+    /// same for each ε: where the period is 1, it is chosen by the field's rates if it is not
+    /// given.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle, a coordinate for each variable; none for that of the text.

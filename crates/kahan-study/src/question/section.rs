@@ -56,8 +56,8 @@ pub struct Section {
     /// The first steps of an orbit, which are not looked at.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method; a crossing is on its step with a part of ε, so its time has an error
-    /// of that order, too.
+    /// The order of the method; a crossing is on its step with a part of ε, so its time has an
+    /// error of that order, too.
     #[serde(default = "usual_order")]
     pub order: u32,
     /// Whether each step of a lifted field is projected symmetrically onto the relations between
@@ -73,8 +73,8 @@ pub struct Section {
     /// What goes through values, all multiplied with each other and with the first points.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
     pub over: Vec<Varied>,
-    /// Whether an orbit begins at the last point of that at the value before, of the last axis. Only
-    /// the first one begins at its first point.
+    /// Whether an orbit begins at the last point of that at the value before, of the last axis.
+    /// Only the first one begins at its first point.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carry: bool,
 }

@@ -1,7 +1,8 @@
 //! The table of orbits: where it goes, and what becomes of an orbit that ends early.
 //!
 //! In: what is known before the first row, where each orbit is among several, and who hands on its
-//! rows. Out: the table, and an answer that says why orbits ended. What a step is, this module must not know.
+//! rows. Out: the table, and an answer that says why orbits ended. What a step is, this module must
+//! not know.
 
 use kahan_study::{Ending, Kept};
 use serde_json::{Map, Value, json};

@@ -46,7 +46,8 @@ pub(crate) enum What {
     Portrait,
     /// Where orbits cross the section on which a formula vanishes.
     Section(String),
-    /// What orbits tend to, over a parameter or eps: of which first points and steps the picture says.
+    /// An orbit diagram over a parameter or eps; its first points and steps are those of the
+    /// picture.
     Over(Box<Diagram>),
     /// How the heights of an exact orbit grow.
     Heights,

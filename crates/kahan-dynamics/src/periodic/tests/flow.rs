@@ -29,7 +29,7 @@ fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCyc
     (cycles, Extrapolated::of(periods))
 }
 
-/// Points of an orbit, after so many steps.
+/// Returns points of an orbit behind its transient.
 fn orbit(map: &impl Step<Scalar = f64>, start: &[f64], transient: u64, steps: usize) -> Vec<Vec<f64>> {
     let (mut x, mut workspace) = (start.to_vec(), Workspace::new());
     map.advance(&mut x, transient, &mut workspace).expect("no pole");
@@ -44,8 +44,8 @@ fn orbit(map: &impl Step<Scalar = f64>, start: &[f64], transient: u64, steps: us
 fn the_shortest_cycles_of_the_lorenz_system_are_found_from_close_returns() {
     const STEPS: usize = 200;
 
-    // Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004); multipliers, and
-    // all periods again, by shooting with DOP853 of SciPy, tolerance 1e-13.
+    // Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004); multipliers,
+    // and all periods again, by shooting with DOP853 of SciPy, tolerance 1e-13.
     for (period, multiplier) in
         [(1.558652210716, 4.71294727), (2.305907263940, 9.16549182), (3.023583703434, 16.1136589)]
     {
@@ -117,9 +117,9 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
 }
 
 kahan! {
-    /// In polar coordinates r' = (z − b) r, z' = 3/5 + z − z² − r² + u/10, and a cycle at z = b; two
-    /// of them meet at p = 0, the root of u. Its period is 2π/3, and a pair of multipliers is on the
-    /// circle at b = 1/2 where u = 0.
+    /// In polar coordinates r' = (z − b) r, z' = 3/5 + z − z² − r² + u/10, and a cycle at z = b;
+    /// two of them meet at p = 0, the root of u. Its period is 2π/3, and a pair of multipliers is
+    /// on the circle at b = 1/2 where u = 0.
     struct Torus { b, p }
     xdot = x*z - b*x - 3*y;
     ydot = 3*x + y*z - b*y;

@@ -71,8 +71,8 @@ pub struct ChainHead {
 }
 
 impl Chain {
-    /// What is known beforehand of the steps to the first row, those behind them, and those from row
-    /// to row.
+    /// Returns the head of an orbit, given the steps to its first row, the steps behind them, and
+    /// the steps from row to row.
     #[must_use]
     pub fn head(&self, [transient, steps, every]: [u64; 3]) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
@@ -99,8 +99,9 @@ impl Chain {
         }
     }
 
-    /// Makes the steps that [`head`](Self::head) describes from the state. Hands on rows as an [`Orbit`](super::Orbit) does, and
-    /// shows `see` the state of each before, which ends the work by [`ControlFlow::Break`].
+    /// Makes the steps that [`head`](Self::head) describes from the state. Hands on rows as an
+    /// [`Orbit`](super::Orbit) does, and shows `see` the state of each before, which ends the work
+    /// by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
         paces: [u64; 3],

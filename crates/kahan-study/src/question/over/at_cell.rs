@@ -17,8 +17,8 @@ pub(in crate::question) trait AtCell: Sync {
     /// The columns of what is found, in a field of these variables, which are all of a lifted one.
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
 
-    /// What is found at another ε and point, which of a lifted field has the original variables
-    /// alone. There are as many entries as columns, also where there is no answer.
+    /// Asks at another ε and point. The point of a lifted field has its original variables alone.
+    /// There are as many entries as columns, also where there is no answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 

@@ -60,7 +60,7 @@ impl<'a> Cells<'a> {
         Self::with_starts(over, 0, study)
     }
 
-    /// The cells where so many of the axes, the last ones, have a value for each first point, and
+    /// Returns the cells where the last `with_starts` axes have a value for each first point, and
     /// are not multiplied with the others.
     ///
     /// # Errors

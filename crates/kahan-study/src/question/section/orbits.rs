@@ -65,8 +65,8 @@ impl<'a> Orbits<'a> {
         Ok(Orbits { asked, study, cells, composition, columns, limit, room: ROOM })
     }
 
-    /// The orbit of a cell at its first point, of which `room` crossings are kept at a time. It ends
-    /// there where the field, the plane or the point has no value.
+    /// The orbit of a cell at its first point, of which `room` crossings are kept at a time. It
+    /// ends there where the field, the plane or the point has no value.
     fn begun(&self, index: u64, room: usize) -> (Option<Begun>, Course) {
         let place = self.cells.exactly(index);
         let is_own = self.study.values().is_ok_and(|values| values == place.parameters);
@@ -118,14 +118,16 @@ impl<'a> Orbits<'a> {
         courses
     }
 
-    /// Hands on the crossings of an orbit, all that it has.
+    /// Hands on the crossings of an orbit, all that it has, and adds to `found` how it ended. Returns
+    /// the orbit at its end.
     fn finish(
         &self,
         index: u64,
         mut course: Course,
         rows: &mut dyn Rows,
         count: &Count<'_>,
-    ) -> ControlFlow<Crossed, (Crossed, Course)> {
+        found: &mut Vec<Crossed>,
+    ) -> ControlFlow<(), Course> {
         let (_, values) = self.cells.in_doubles(index);
         let (values, start) = (self.cells.varying(&values), self.cells.start(index));
         let front = self.asked.is_of_many().then_some(start);
@@ -138,7 +140,7 @@ impl<'a> Orbits<'a> {
             }
         }
         let (end, steps) = (course.end.unwrap_or(End::Stopped(course.made)), course.made);
-        let crossed = Crossed {
+        found.push(Crossed {
             start,
             values,
             steps,
@@ -146,11 +148,8 @@ impl<'a> Orbits<'a> {
             why: self.why(index, end, &course),
             crossings: course.kept.all,
             jumps: course.jumps,
-        };
-        match flow {
-            ControlFlow::Continue(()) => ControlFlow::Continue((crossed, course)),
-            ControlFlow::Break(()) => ControlFlow::Break(crossed),
-        }
+        });
+        flow.map_continue(|()| course)
     }
 
     /// Returns the reason why an orbit of a lifted field ends, in words.
@@ -189,12 +188,8 @@ impl<'a> Orbits<'a> {
             let work = |place: usize| self.group(cells(place), room, count);
             let courses = threads::map(groups, Some(threads as usize), work);
             for (index, course) in (first..).zip(courses.into_iter().flatten()) {
-                match self.finish(index, course, rows, count) {
-                    ControlFlow::Continue((crossed, _)) => found.push(crossed),
-                    ControlFlow::Break(crossed) => {
-                        found.push(crossed);
-                        return found;
-                    }
+                if self.finish(index, course, rows, count, &mut found).is_break() {
+                    return found;
                 }
             }
             if count.is_stopped() {
@@ -213,16 +208,10 @@ impl<'a> Orbits<'a> {
                 last.into_iter().for_each(|x| course.x = x);
             }
             begun.iter().for_each(|begun| self.alone(begun, &mut course, count));
-            match self.finish(index, course, rows, count) {
-                ControlFlow::Continue((crossed, course)) => {
-                    last = course.x.iter().all(|x| x.is_finite()).then_some(course.x);
-                    found.push(crossed);
-                }
-                ControlFlow::Break(crossed) => {
-                    found.push(crossed);
-                    return found;
-                }
-            }
+            let ControlFlow::Continue(course) = self.finish(index, course, rows, count, &mut found) else {
+                break;
+            };
+            last = course.x.iter().all(|x| x.is_finite()).then_some(course.x);
             if count.is_stopped() {
                 break;
             }

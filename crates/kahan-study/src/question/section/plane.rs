@@ -28,8 +28,8 @@ fn formula_at(
 }
 
 impl Study {
-    /// A formula of the variables, the integrals that are claimed without `when`, the parameters and
-    /// `eps`. `what` it is called in reports.
+    /// A formula of the variables, the integrals that are claimed without `when`, the parameters
+    /// and `eps`. `what` it is called in reports.
     ///
     /// # Errors
     /// [`StudyError::Formula`], and values that are missing.
