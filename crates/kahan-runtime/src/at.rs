@@ -3,7 +3,7 @@
 mod adjoint;
 mod columns;
 mod drift;
-mod group;
+pub(crate) mod group;
 mod objects;
 mod observe;
 mod passed_poles;
@@ -155,7 +155,7 @@ impl<T: RuntimeFloat> MapAt<T> {
 
     /// Advances a state that fits, and its `carry` unless that is empty. Machine code makes the
     /// steps; the interpreter makes them where there is no code or where its guard refuses them.
-    fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
+    pub(crate) fn advance_checked(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
             self.engine().advance(self.kind, self.stages(), numbers, steps);
         };

@@ -191,6 +191,11 @@ impl Line {
         self.given
     }
 
+    /// The number of its results.
+    pub(crate) fn outputs(&self) -> usize {
+        self.program.outputs.len()
+    }
+
     /// How many registers it takes.
     pub(crate) fn registers(&self) -> usize {
         self.program.operations.len()

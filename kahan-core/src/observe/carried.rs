@@ -127,6 +127,58 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
     }
 }
 
+impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follower<I, M, K> {
+    /// Looks at the vectors if it is time to.
+    #[inline(always)]
+    fn look(&mut self, step: u64) {
+        if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
+            let sizes = self.carried.scale();
+            self.indicator.look(step, sizes);
+        }
+    }
+}
+
+/// An observer that need not see each point: a loop carries its tangent vectors along, and gives
+/// them back with a later point.
+///
+/// Up to step [`PAUSE`] it sees each point. From then on it sees at least those of steps that are
+/// powers of two, and of multiples of [`PAUSE`] at which the square of a vector's length is [not
+/// moderate](super::are_moderate).
+pub trait Resumed<T> {
+    /// The number of its tangent vectors.
+    fn vectors(&mut self) -> usize;
+
+    /// Tangent vector k at the point seen last.
+    fn vector(&mut self, k: usize) -> &[T];
+
+    /// Takes the point of a step, and the vectors there: entry i of vector k is `entry(k, i)`.
+    fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
+}
+
+impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> Resumed<T>
+    for Follower<I, M, K>
+{
+    fn vectors(&mut self) -> usize {
+        K
+    }
+
+    fn vector(&mut self, k: usize) -> &[T] {
+        self.carried.vectors[k].as_slice()
+    }
+
+    fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T) {
+        let carried = &mut self.carried;
+        for (k, vector) in carried.vectors.iter_mut().enumerate() {
+            vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, own)| *own = entry(k, i));
+        }
+        carried.place.as_mut_slice().copy_from_slice(x);
+        // A step is looked at once.
+        if core::mem::replace(&mut carried.steps, step) < step {
+            self.look(step);
+        }
+    }
+}
+
 impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> Observer<T>
     for Follower<I, M, K>
 {
@@ -138,10 +190,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
         self.carried.follow(step, x);
-        if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, T, K>() {
-            let sizes = self.carried.scale();
-            self.indicator.look(step, sizes);
-        }
+        self.look(step);
     }
 
     /// All are carried side by side where they are known to belong to one map that can.
@@ -159,6 +208,10 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         }
     }
 
+    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+        if looks_at_each::<I, T, K>() { None } else { Some(self) }
+    }
+
     fn report(self) -> I::Report {
         self.indicator.report(self.carried)
     }
@@ -168,7 +221,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 ///
 /// For a vector that was of moderate size to leave the range of an `f64` meanwhile, it has to grow
 /// or shrink by 2⁶⁰ at each of them; near a pole it does at one or two.
-const PAUSE: u64 = 16;
+pub const PAUSE: u64 = 16;
 
 /// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose
 /// range they may leave at any.

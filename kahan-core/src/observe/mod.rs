@@ -77,11 +77,14 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
+#[doc(hidden)]
+pub use carried::Resumed;
 /// What observes groups of trajectories of maps that are read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
     crate::ensemble::columns::{GROUP, Group},
+    carried::PAUSE,
     ensemble::observe_group,
     growth::are_moderate,
 };
@@ -172,6 +175,13 @@ pub trait Observer<T> {
 
     /// The answer for the points seen.
     fn report(self) -> Self::Report;
+
+    /// Returns this as an observer that need not see each point; `None` where it has to.
+    #[doc(hidden)]
+    #[inline]
+    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+        None
+    }
 
     /// Looks at some points of a group of trajectories, each with an observer of its own: here, at
     /// one trajectory after the other.

@@ -102,8 +102,8 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     const SIDE: usize = 1024;
 
     let (across, upwards) = (SIDE.div_ceil(columns), SIDE.div_ceil(rows));
-    let row = |cells: &[u8]| cells.iter().flat_map(|cell| vec![*cell; across]).collect::<Vec<u8>>();
-    let pixels: Vec<u8> = cells.chunks(columns).flat_map(|cells| row(cells).repeat(upwards)).collect();
+    let row = |cells: &[u8]| cells.iter().map(|cell| vec![*cell; across]).collect::<Vec<_>>().concat();
+    let pixels = cells.chunks(columns).map(|cells| row(cells).repeat(upwards)).collect::<Vec<_>>().concat();
     let png = png(across * columns, upwards * rows, &pixels)
         .expect("there are cells, and memory takes what is written");
     // The old name of `href`, as Inkscape knows no other.

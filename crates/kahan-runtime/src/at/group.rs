@@ -9,20 +9,20 @@ use super::{MachineFloat, RuntimePoint};
 /// Groups of numbers that begin with cache lines, so that no register crosses from one to the next.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub(super) struct Aligned<T, const N: usize>(pub(super) [Group<T>; N]);
+pub(crate) struct Aligned<T, const N: usize>(pub(crate) [Group<T>; N]);
 
 impl<T: MachineFloat, const N: usize> Aligned<T, N> {
-    pub(super) fn zeros() -> Self {
+    pub(crate) fn zeros() -> Self {
         Aligned([[T::zero(); GROUP]; N])
     }
 }
 
 /// The most variables of a step that is a straight line.
-pub(super) const MOST: usize = 8;
+pub(crate) const MOST: usize = 8;
 
 /// A column a variable.
 #[derive(Debug)]
-pub(super) struct RuntimeGroup<T> {
+pub(crate) struct RuntimeGroup<T> {
     columns: Aligned<T, MOST>,
     variables: usize,
 }
@@ -30,7 +30,7 @@ pub(super) struct RuntimeGroup<T> {
 impl<T: MachineFloat> RuntimeGroup<T> {
     /// As many trajectories from this one on as make a group; where they are fewer, copies of the
     /// last one fill it. `None` where there are too many variables.
-    pub(super) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
+    pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
             *own = from_fn(|lane| column[(first + lane).min(column.len() - 1)]);
@@ -39,7 +39,7 @@ impl<T: MachineFloat> RuntimeGroup<T> {
     }
 
     /// Puts them back.
-    pub(super) fn scatter(&self, columns: &mut [&mut [T]], first: usize) {
+    pub(crate) fn scatter(&self, columns: &mut [&mut [T]], first: usize) {
         for (column, group) in columns.iter_mut().zip(self.as_ref()) {
             column[first..].iter_mut().zip(group).for_each(|(entry, own)| *entry = *own);
         }

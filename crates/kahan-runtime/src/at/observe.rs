@@ -13,7 +13,7 @@ use kahan_core::{EnsembleScalar, Level, Scalar};
 use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::dimension::Argument;
-use crate::engine::Abreast;
+use crate::engine::{Abreast, CodedStages};
 use crate::follow::{is_within, pause};
 use crate::{DimensionError, End, Followed};
 
@@ -61,6 +61,24 @@ impl<T: MachineFloat> MapAt<T> {
         observers: impl Fn(usize) -> O,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Vec<O::Report>, DimensionError> {
+        Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
+    }
+
+    /// The same, where `has_observed` may observe a group of orbits in a way of its own: it is given
+    /// their maps, their points, their observers and whom to tell of steps.
+    pub(crate) fn observe_groups<O: Observer<T>>(
+        maps: &[&Self],
+        columns: &mut [&mut [T]],
+        steps: u64,
+        observers: impl Fn(usize) -> O,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+        has_observed: impl Fn(
+            [&Self; GROUP],
+            &mut RuntimeGroup<T>,
+            &mut [O],
+            &mut dyn FnMut(u64) -> ControlFlow<()>,
+        ) -> bool,
+    ) -> Result<Vec<O::Report>, DimensionError> {
         let pause = pause(columns.len());
         let orbits = columns.first().map_or(0, |column| column.len());
         if maps.len() != 1 {
@@ -84,8 +102,17 @@ impl<T: MachineFloat> MapAt<T> {
                 flow
             };
             let group = (end - first) as u64;
-            if !Self::has_observed_group(own, columns, first, &mut observed, steps, |more| tell(more * group))
-            {
+            let points = RuntimeGroup::gather(columns, first);
+            let is_seen = points.is_some_and(|mut points| {
+                let tell = &mut |more| tell(more * group);
+                let is_seen = has_observed(own, &mut points, &mut observed, tell)
+                    || Self::has_observed_group(own, &mut points, &mut observed, steps, tell);
+                if is_seen {
+                    points.scatter(columns, first);
+                }
+                is_seen
+            });
+            if !is_seen {
                 for (orbit, (map, observer)) in (first..).zip(own.into_iter().zip(&mut observed)) {
                     map.observe_alone(columns, orbit, observer, steps, tell);
                 }
@@ -96,19 +123,16 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     /// Observes orbits side by side; `false` where there is no code for that.
-    fn has_observed_group<O: Observer<T>>(
+    pub(crate) fn has_observed_group<O: Observer<T>>(
         maps: [&Self; GROUP],
-        columns: &mut [&mut [T]],
-        first: usize,
+        points: &mut RuntimeGroup<T>,
         observers: &mut [O],
         steps: u64,
-        tell: impl FnMut(u64) -> ControlFlow<()>,
+        tell: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> bool {
-        let Some(abreast) = Self::abreast(maps, 0, Vec::new()) else { return false };
-        let Some(mut points) = RuntimeGroup::gather(columns, first) else { return false };
+        let Some(abreast) = Self::abreast(maps) else { return false };
         let advance = |points: &mut _| abreast.step(RuntimeGroup::as_mut(points));
-        observe_group(&mut points, observers, steps, Level::best(), advance, tell);
-        points.scatter(columns, first);
+        observe_group(points, observers, steps, Level::best(), advance, tell);
         true
     }
 
@@ -136,15 +160,46 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// What steps the orbits of these maps side by side, each with so many tangent vectors; `None`
-    /// where they have no code in common.
-    pub(super) fn abreast(maps: [&Self; GROUP], vectors: usize, workspace: Vec<T>) -> Option<Abreast<T>> {
+    /// What steps the orbits of these maps side by side; `None` where they have no code in common.
+    pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
+        let [first, ..] = maps;
+        first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
+    }
+
+    /// The same with so many tangent vectors behind each point and, where these are asked for, the
+    /// squares of their lengths behind all. Points have the bits that they have without vectors.
+    /// `None` for maps without a line for vectors, too.
+    pub(crate) fn abreast_with_vectors(
+        maps: [&Self; GROUP],
+        carried: (usize, bool),
+        workspace: Vec<T>,
+    ) -> Option<Abreast<T>> {
+        let [first, ..] = maps;
+        let constants = first.has_tangent_line().then(|| maps.map(|map| &map.constants[..]))?;
+        let stages = Self::coded_group(maps)?;
+        first.engine().abreast_with_vectors(stages, Some(constants), carried, first.set, workspace)
+    }
+
+    /// The same by the maps of the variational field; the squares come last.
+    pub(super) fn variational_abreast(
+        maps: [&Self; GROUP],
+        vectors: usize,
+        workspace: Vec<T>,
+    ) -> Option<Abreast<T>> {
+        let variational = maps.map(Self::variational);
+        let [first, ..] = variational;
+        let stages = Self::coded_group(variational)?;
+        first.engine().abreast_with_vectors(stages, None, (vectors, true), first.set, workspace)
+    }
+
+    /// The code of these maps, where they are of one kind.
+    fn coded_group(maps: [&Self; GROUP]) -> Option<[&CodedStages<T>; GROUP]> {
         let [first, ..] = maps;
         let mut stages = [first.coded.as_ref()?; GROUP];
         for (stages, map) in stages.iter_mut().zip(maps) {
             *stages = map.coded.as_ref().filter(|_| map.is_like(first))?;
         }
-        first.engine().abreast(stages, vectors, first.set, workspace)
+        Some(stages)
     }
 
     /// Whether it is of the same field, on the same instructions.
@@ -161,10 +216,10 @@ impl<T: MachineFloat> MapAt<T> {
 /// unseen.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
-    observers: O,
+    pub(crate) observers: O,
     /// The size of a variable beyond which the orbit has escaped.
-    bound: f64,
-    end: End,
+    pub(crate) bound: f64,
+    pub(crate) end: End,
 }
 
 impl<O> WhileFinite<O> {

@@ -4,11 +4,12 @@
 //! variables, which runs as the map itself does, as machine code where that can be had.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
+use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
 use super::group::Aligned;
-use crate::engine::{Scratch, determinant, with_scratch};
-use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat};
+use crate::engine::{Object, Scratch, determinant, with_scratch};
+use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint};
 
 /// Those of two vectors in four variables: with more there is no code.
 const MOST_COLUMNS: usize = 4 + 2 * 4 + 2;
@@ -20,8 +21,26 @@ impl<T: MachineFloat> MapAt<T> {
         Tangent::new(self.clone(), 1)
     }
 
+    /// Whether vectors are carried by the line for a known x̃; where not, by the map of the
+    /// variational field.
+    pub(super) fn has_tangent_line(&self) -> bool {
+        let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
+        let is_composed = self.composition.stages() > 1;
+        has_plain_steps && !is_composed && self.engine().line(Object::Tangent).is_some()
+    }
+
+    fn check_lengths(&self, x: &[T], v: &[T]) {
+        let n = self.dimension();
+        assert!(
+            x.len() == n && v.len() == n,
+            "a point of {} numbers and a vector of {} for a map of {n} variables",
+            x.len(),
+            v.len()
+        );
+    }
+
     /// The map of the variational field.
-    fn variational(&self) -> &Self {
+    pub(super) fn variational(&self) -> &Self {
         self.variational.get_or_init(|| self.sensitivities(&[By::Start]))
     }
 }
@@ -80,10 +99,25 @@ impl<T: RuntimeFloat> MapAt<T> {
 /// ```
 impl<T: MachineFloat> TangentMap for MapAt<T> {
     fn carry(&self, x: &[T], v: &mut Vec<T>) {
+        self.check_lengths(x, v);
+        if self.has_tangent_line() {
+            let mut next = RuntimePoint::from_slice(x);
+            self.advance_checked([&mut next, &mut []], 1);
+            return self.carry_to(x, &next, v);
+        }
         let mut both: SmallVec<[T; 16]> = x.iter().chain(v.iter()).copied().collect();
-        let carried = self.variational().advance(&mut both, 1);
-        assert!(carried.is_ok(), "a point of {} numbers for a map of {} variables", x.len(), v.len());
+        self.variational().advance_checked([&mut both, &mut []], 1);
         v.copy_from_slice(&both[x.len()..]);
+    }
+
+    fn carry_to(&self, x: &[T], next: &[T], v: &mut Vec<T>) {
+        if !self.has_tangent_line() {
+            return self.carry(x, v);
+        }
+        self.check_lengths(x, v);
+        self.check_lengths(next, v);
+        let state: SmallVec<[T; 32]> = [x, v, next, next].into_iter().flatten().copied().collect();
+        self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
     }
 
     /// With vectors as observers have them, one or two, where there is code.
@@ -91,10 +125,13 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,
     ) -> Option<usize> {
-        let variational = maps.map(MapAt::variational);
         let (variables, count) = (places.first()?.as_ref().len(), vectors.len());
         with_scratch(T::single(), |Scratch { given, .. }| {
-            let abreast = MapAt::abreast(variational, count, core::mem::take(given))?;
+            let workspace = core::mem::take(given);
+            let abreast = match maps[0].has_tangent_line() {
+                true => MapAt::abreast_with_vectors(maps, (count, true), workspace)?,
+                false => MapAt::variational_abreast(maps, count, workspace)?,
+            };
             // The point, the vectors, the squares of their lengths.
             let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
             let columns = columns.0.get_mut(..variables * (1 + count) + count)?;
@@ -105,7 +142,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
             let mut taken = 0;
             let mut squares = squares.chunks_exact_mut(count);
             for place in &places[..places.len() - 1] {
-                columns.iter_mut().zip(place.as_ref()).for_each(|(column, place)| *column = *place);
+                columns[..variables].copy_from_slice(place.as_ref());
                 abreast.step(columns);
                 let found = &columns[variables * (1 + count)..];
                 taken += 1;

@@ -6,18 +6,14 @@ use std::sync::{Arc, OnceLock};
 
 use kahan_core::observe::{GROUP, Group};
 
-use crate::machine::{InstructionSet, SideBySide, Sweep};
+use crate::machine::{Carrying, InstructionSet, SideBySide, Sweep};
 
 use super::coded::CodedStages;
 use super::floats::MachineFloat;
 use super::{Engine, in_turn};
 
-/// The most vectors that are carried at once.
-const MOST_VECTORS: usize = 2;
-
-/// The code for no tangent vector, one, and so on, once it was asked for; `None` where there is
-/// none.
-pub(crate) type AbreastOnce<T> = [OnceLock<Option<Arc<Sweep<T>>>>; MOST_VECTORS + 1];
+/// The code of steps, once it was asked for; `None` where there is none.
+pub(crate) type AbreastOnce<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
 /// The steps of a group's orbits, or another line over their columns.
 #[derive(Debug)]
@@ -29,25 +25,43 @@ pub(crate) struct Abreast<T> {
 }
 
 impl Engine {
-    /// The steps of orbits with these stages and so many tangent vectors each; `None` where they
-    /// have no code in common. `workspace` is used for the constants.
+    /// The steps of orbits with these stages; `None` where they have no code in common. `workspace`
+    /// is used for the constants.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
-        vectors: usize,
+        set: Option<InstructionSet>,
+        workspace: Vec<T>,
+    ) -> Option<Abreast<T>> {
+        let first = stages[0];
+        let count = first.is_like_all(&stages)?;
+        let work = SideBySide::Steps(first.kind);
+        let find = || self.codes.abreast(self, work, set.or_else(InstructionSet::best)?);
+        let code = Arc::clone(first.abreast.get_or_init(find).as_ref()?);
+        Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
+    }
+
+    /// The same with tangent vectors behind each point. `constants` are the parameters and ε of
+    /// each orbit, where the line of [`Object::Tangent`](super::Object) carries the vectors of a step
+    /// that has one stage; `None` where the stages are those of the variational field.
+    pub(crate) fn abreast_with_vectors<T: MachineFloat>(
+        &self,
+        stages: [&CodedStages<T>; GROUP],
+        constants: Option<[&[T]; GROUP]>,
+        (vectors, has_squares): (usize, bool),
         set: Option<InstructionSet>,
         workspace: Vec<T>,
     ) -> Option<Abreast<T>> {
         let [first, ..] = stages;
-        let count = first.constants.len();
-        let kind = first.kind;
-        if stages.iter().any(|own| own.kind != kind || own.constants.len() != count) {
-            return None;
-        }
-        let work = SideBySide::Steps(kind, vectors);
-        let find = || self.codes.abreast(self, work, set.or_else(InstructionSet::best)?);
-        let code = Arc::clone(first.abreast.get(vectors)?.get_or_init(find).as_ref()?);
-        Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
+        let count = first.is_like_all(&stages)?;
+        let is_variational = constants.is_none();
+        let work = SideBySide::Carrying(Carrying { kind: first.kind, is_variational, vectors, has_squares });
+        let code = self.codes.abreast(self, work, set.or_else(InstructionSet::best)?)?;
+        let own = first.constants[0].len();
+        Some(Abreast::of(code, count, workspace, |stage, lane, k| match (constants, k.checked_sub(own)) {
+            (Some(constants), Some(k)) => constants[lane][k],
+            _ => stages[lane].constants[stage][k],
+        }))
     }
 
     /// What writes the integrals of orbits behind their points; `constants` are the parameters and
@@ -88,6 +102,14 @@ impl<T: MachineFloat> Abreast<T> {
         let length = self.constants.len() / self.stages;
         let of_stage = |k: usize| &self.constants[k * length..][..length];
         in_turn(self.stages, |k| self.code.run(columns, of_stage(k), 1));
+    }
+
+    /// Replaces columns of a group by those so many steps later.
+    pub(crate) fn advance(&self, columns: &mut [Group<T>], steps: u64) {
+        match self.stages {
+            1 => self.code.run(columns, &self.constants, steps),
+            _ => (0..steps).for_each(|_| self.step(columns)),
+        }
     }
 
     /// The room of its constants.

@@ -38,6 +38,13 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
+    /// The number of stages that differ, where all of these have the kind of this and as many.
+    pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
+        let count = self.constants.len();
+        let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
+        all.iter().all(is_like).then_some(count)
+    }
+
     /// Whether it is the loops of a dense field, which step one state at a time.
     pub(crate) fn has_loops(&self) -> bool {
         self.compiled().is_some_and(OrbitCode::has_loops)

@@ -77,6 +77,8 @@ pub enum Object {
     RationalMap,
     /// The same, where a factor that depends on states is divided out.
     ReducedMap,
+    /// (∂x̃/∂x)·v where x̃ is known: the state is x, v, x̃ and as many numbers that nothing reads.
+    Tangent,
 }
 
 impl Object {
@@ -98,7 +100,8 @@ impl Object {
             Object::FieldAtEps => (11, Some(derived.field())),
             Object::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
             Object::PolarizedAtEps => (13, Some(derived.polarized())),
-            Object::Bracket(index) => (14 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
+            Object::Tangent => (14, derived.carry().map(|(_, plan)| plan)),
+            Object::Bracket(index) => (15 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
 }
@@ -194,7 +197,11 @@ impl Engine {
     /// such object, and for what is computed from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
-        let line = || Some(Line::of(plan?, &self.derived.system.field.symbols));
+        let symbols = || match object {
+            Object::Tangent => Some(self.derived.carry()?.0),
+            _ => Some(&self.derived.system.field.symbols),
+        };
+        let line = || Some(Line::of(plan?, symbols()?));
         self.lines.get(place)?.get_or_init(line).as_ref()
     }
 

@@ -138,8 +138,8 @@ impl Codes {
     ) -> Option<Arc<Sweep<T>>> {
         T::codes(self).abreast.get((work, instructions), || {
             let (program, fuses) = match work {
-                SideBySide::Steps(kind, 0) => (kind.program::<T>(engine)?, kind.fuses),
-                SideBySide::Steps(kind, vectors) => (kind.carrying::<T>(engine, vectors)?, kind.fuses),
+                SideBySide::Steps(kind) => (kind.program::<T>(engine)?, kind.fuses),
+                SideBySide::Carrying(carrying) => (carrying.program::<T>(engine)?, carrying.kind.fuses),
                 SideBySide::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
             };
             let shape = Shape { instructions, lanes: LaneCount::All, fuses };

@@ -25,11 +25,27 @@ pub(crate) struct StepKind {
 /// What is done with points side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum SideBySide {
-    /// They are stepped, each with so many tangent vectors; where these are some, the field is a
-    /// variational one.
-    Steps(StepKind, usize),
+    /// They are stepped.
+    Steps(StepKind),
+    /// They are stepped, with tangent vectors behind them.
+    Carrying(Carrying),
     /// Their integrals are written behind them; constants are the parameters and ε.
     Integrals,
+}
+
+/// A step that carries tangent vectors along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Carrying {
+    /// The step of the point, or that of the variational field.
+    pub(crate) kind: StepKind,
+    /// Whether it is the step of the variational field. Otherwise the line of
+    /// [`Object::Tangent`](crate::engine::Object) carries the vectors, and its constants, the
+    /// parameters and ε, come behind those of the step.
+    pub(crate) is_variational: bool,
+    /// The number of vectors.
+    pub(crate) vectors: usize,
+    /// Whether the squares of their lengths come behind them.
+    pub(crate) has_squares: bool,
 }
 
 impl StepKind {

@@ -12,4 +12,4 @@ mod traced;
 
 pub(crate) use codes::{Codes, CodesOf, ColumnsCode, OrbitCode};
 pub(crate) use kahan_jit::{InstructionSet, Sweep};
-pub(crate) use kind::{SideBySide, StepKind};
+pub(crate) use kind::{Carrying, SideBySide, StepKind};

@@ -9,7 +9,7 @@ use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
-use super::{InstructionSet, StepKind};
+use super::{Carrying, InstructionSet, StepKind};
 
 /// The most operations of an elimination that is compiled.
 const MOST_OPERATIONS: u32 = 50_000;
@@ -83,26 +83,6 @@ impl StepKind {
         })
     }
 
-    /// The program of a point that carries so many tangent vectors, each as many numbers as the
-    /// point; the engine is that of the variational field. The squares of the vectors' lengths are
-    /// results behind them, of states that nothing reads.
-    pub(super) fn carrying<T: MachineFloat>(self, engine: &Engine, vectors: usize) -> Option<Program> {
-        let step = engine.steps().form(self.is_general);
-        let n = engine.dimension() / 2;
-        traced::program(|| {
-            let (mut results, mut squares) = (Vec::new(), Vec::new());
-            for k in 0..vectors {
-                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)))?;
-                // All vectors have the same point; equal operations are compiled once.
-                results.extend(&next[if k == 0 { 0 } else { n }..]);
-                squares
-                    .extend(next[n..].iter().map(|entry| *entry * *entry).reduce(|sum, square| sum + square));
-            }
-            results.extend(squares);
-            Some(results)
-        })
-    }
-
     /// Whether there is code of a step that eliminates: this processor has instructions for it, the
     /// float is no double-double, the multiply-adds are those of this build, and the operations are
     /// few enough.
@@ -136,12 +116,59 @@ impl StepKind {
     }
 }
 
+impl Carrying {
+    /// The program of a point with tangent vectors behind it, each as many numbers as the point;
+    /// `None` where it is no straight line. Squares of lengths are results of states that nothing
+    /// reads.
+    pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
+        let step = engine.steps().form(self.kind.is_general);
+        let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
+        traced::program(|| {
+            let x = Traced::<T>::states(0..n);
+            let mut numbers = match self.is_variational {
+                true => Vec::new(),
+                false => self.kind.next(step, x.clone())?,
+            };
+            let mut squares = Vec::new();
+            for k in 1..=self.vectors {
+                // All vectors have the same point; equal operations are compiled once.
+                let v = Traced::states(k * n..(k + 1) * n);
+                let carried = if self.is_variational {
+                    let mut next = self.kind.next(step, [&x[..], &v].concat())?;
+                    let carried = next.split_off(n);
+                    numbers.extend(next.into_iter().filter(|_| k == 1));
+                    carried
+                } else {
+                    let next = &numbers[..n];
+                    tangent(engine, self.kind, &[&x[..], &v, next, next].concat())?
+                };
+                squares
+                    .extend(carried.iter().map(|entry| *entry * *entry).reduce(|sum, square| sum + square));
+                numbers.extend(carried);
+            }
+            numbers.extend(squares.into_iter().filter(|_| self.has_squares));
+            Some(numbers)
+        })
+    }
+}
+
+/// A tangent vector at the next point, from a state of [`Object::Tangent`]. Constants are those of
+/// the step, then the parameters and ε.
+fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
+    let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
+    let (line, first) = (engine.line(Object::Tangent)?, prepared.outputs());
+    let count = engine.derived.system.field.symbols.parameters.len() + 1;
+    let constants = (first..first + count).map(|k| Traced::input(Input::Constant(k)));
+    Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
+}
+
 /// The program of an object from a state, and the parameters with ε behind them; `None` where the
 /// field has none, or no straight line for it.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
-        let (state, constants) = (Traced::<T>::states(0..n), constants(engine));
+        let points = if object == Object::Tangent { 4 } else { 1 };
+        let (state, constants) = (Traced::<T>::states(0..points * n), constants(engine));
         match object {
             Object::Matrix => {
                 let mut slopes =

@@ -2,7 +2,7 @@
 //! so that code has the interpreter's operations in their order.
 
 use core::ops::Neg;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::marker::PhantomData;
 
 use kahan_core::num_traits::{One, Zero};
@@ -16,6 +16,16 @@ use kahan_program::{Float, Node};
 thread_local! {
     /// What this thread is writing.
     static OPERATIONS: RefCell<Vec<Instruction>> = RefCell::default();
+    /// Whether multiply-adds are written as products and sums.
+    static IS_UNFUSED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Numbers whose multiply-adds are two operations, also in a program that fuses others.
+pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
+    IS_UNFUSED.set(true);
+    let result = compute();
+    IS_UNFUSED.set(false);
+    result
 }
 
 /// The program of the numbers that `compute` gives, if it gives some.
@@ -139,6 +149,9 @@ impl<T: FloatScalar> Scalar for Traced<T> {
     }
 
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        if IS_UNFUSED.get() {
+            return self * factor + addend;
+        }
         Self::of(match self.negated() {
             Some(inner) => SubtractProduct(addend.place, inner, factor.place),
             None => MultiplyAdd(self.place, factor.place, addend.place),
@@ -146,10 +159,16 @@ impl<T: FloatScalar> Scalar for Traced<T> {
     }
 
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        if IS_UNFUSED.get() {
+            return self * factor - subtrahend;
+        }
         Self::of(MultiplySubtract(self.place, factor.place, subtrahend.place))
     }
 
     fn subtract_product(self, a: Self, b: Self) -> Self {
+        if IS_UNFUSED.get() {
+            return self - a * b;
+        }
         Self::of(SubtractProduct(self.place, a.place, b.place))
     }
 }

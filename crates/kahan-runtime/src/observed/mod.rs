@@ -4,6 +4,7 @@
 //! loops are compiled here, for the floats of the machine, because the steps and the group of
 //! orbits that they look at are: in another unit of compilation they take up to twice the time.
 
+mod carried;
 mod observable;
 mod running;
 mod tangent;

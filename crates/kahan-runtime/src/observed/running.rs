@@ -11,11 +11,12 @@ use std::ops::ControlFlow;
 
 use kahan_core::observe::{
     Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
-    Sali, Spectrum,
+    Resumed, Sali, Spectrum,
 };
 use kahan_core::{EmbedScalar, Step};
 
 use super::Observing;
+use super::carried::has_carried;
 use super::observable::{About, Of, Seen};
 use super::tangent::Carrier;
 use crate::{
@@ -102,6 +103,12 @@ macro_rules! observables {
                         Observer::observe_burst(&mut own, burst);
                     })*
                     None => {}
+                }
+            }
+
+            fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+                match self {
+                    $(Running::$name(one) => one.resumed(),)*
                 }
             }
 
@@ -250,10 +257,47 @@ where
         }
     }
 
+    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+        let can_resume = self.running.iter_mut().all(|(_, running)| running.resumed().is_some());
+        if can_resume && self.carrier.plane.is_none() { Some(self) } else { None }
+    }
+
     fn report(self) -> Self::Report {
         let mut middles = None;
         let seen = self.running.into_iter().map(|(_, running)| running.report(&mut middles)).collect();
         (seen, middles)
+    }
+}
+
+/// Its vectors are those of all observers, one after another.
+impl<T: MachineFloat + EmbedScalar, M, B> Resumed<T> for All<'_, T, M, B>
+where
+    T: PartialOrd,
+    M: Observer<T, Report = Middles<T>>,
+    B: Fn(&[T]) -> bool,
+{
+    fn vectors(&mut self) -> usize {
+        self.running.iter_mut().filter_map(|(_, running)| running.resumed()).map(Resumed::vectors).sum()
+    }
+
+    fn vector(&mut self, k: usize) -> &[T] {
+        let mut before = 0;
+        for resumed in self.running.iter_mut().filter_map(|(_, running)| running.resumed()) {
+            let own = resumed.vectors();
+            if k < before + own {
+                return resumed.vector(k - before);
+            }
+            before += own;
+        }
+        unreachable!("there are {before} vectors")
+    }
+
+    fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T) {
+        let mut before = 0;
+        for resumed in self.running.iter_mut().filter_map(|(_, running)| running.resumed()) {
+            resumed.resume(step, x, &|k, i| entry(before + k, i));
+            before += resumed.vectors();
+        }
     }
 }
 
@@ -293,7 +337,11 @@ pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
 ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
     let observers = |orbit: usize| WhileFinite::within(asked.bound(), all(maps[orbit], asked));
     let points = &mut starts.to_vec();
-    let first = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;
+    let by_code =
+        |maps: [&MapAt<T>; GROUP], points: &mut _, observers: &mut [_], tell: &mut dyn FnMut(u64) -> _| {
+            has_carried(maps, points, observers, asked.steps, tell)
+        };
+    let first = MapAt::observe_groups(maps, &mut slices(points), asked.steps, observers, tell, by_code)?;
     let turns = if asked.of.contains(&Observable::Rotation) {
         let observers = |orbit: usize| {
             let Followed { report: (_, middles), end } = &first[orbit];

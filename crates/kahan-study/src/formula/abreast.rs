@@ -78,7 +78,7 @@ impl Arithmetic for Lanes {
 
     #[inline(always)]
     fn negate(&self, a: &Group<f64>) -> Group<f64> {
-        a.map(|a| -a)
+        each(a, a, |a, _| -a)
     }
 
     #[inline(always)]

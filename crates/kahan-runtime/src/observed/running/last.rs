@@ -1,6 +1,6 @@
 //! The last point of an orbit.
 
-use kahan_core::observe::{Burst, Grouped, Observer, Observers};
+use kahan_core::observe::{Burst, Grouped, Observer, Observers, Resumed};
 
 use super::super::observable::{About, Of, Seen};
 use crate::observed::Observing;
@@ -41,8 +41,26 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
         }
     }
 
+    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+        Some(self)
+    }
+
     #[inline]
     fn report(self) -> Vec<T> {
         self.0
+    }
+}
+
+impl<T: MachineFloat> Resumed<T> for Last<T> {
+    fn vectors(&mut self) -> usize {
+        0
+    }
+
+    fn vector(&mut self, k: usize) -> &[T] {
+        unreachable!("a point has no vector {k}")
+    }
+
+    fn resume(&mut self, step: u64, x: &[T], _: &dyn Fn(usize, usize) -> T) {
+        self.observe(step, x);
     }
 }

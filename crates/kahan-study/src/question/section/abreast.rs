@@ -111,11 +111,10 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
         if !last.as_ref().iter().flatten().all(|x| x.is_finite()) {
             return show(group, burst);
         }
-        let mut heights = [f64::NAN; GROUP];
-        let mut directions = [Direction::Both; GROUP];
+        let (mut heights, mut go_on) = ([f64::NAN; GROUP], [false; GROUP]);
         for (lane, own) in group.iter().enumerate() {
             let Some(own) = own.as_ref().filter(|own| own.lane.goes_on()) else { continue };
-            (heights[lane], directions[lane]) = (own.lane.height, own.lane.direction);
+            (heights[lane], go_on[lane]) = (own.lane.height, true);
         }
         let mut earlier: Option<&P> = None;
         for (step, points) in burst.steps() {
@@ -126,12 +125,12 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
                     own.lane.height = heights[lane];
                     earlier.into_iter().for_each(|points| points.read(lane, own.lane.x));
                     own.lane.look(own.before + step, points.of(lane).as_ref(), now[lane]);
+                    go_on[lane] = own.lane.goes_on();
                 }
             }
             // An orbit that is done changes its sign no more.
-            for (lane, height) in heights.iter_mut().enumerate() {
-                let goes_on = group[lane].as_ref().is_some_and(|own| own.lane.goes_on());
-                *height = if goes_on { now[lane] } else { f64::NAN };
+            for ((height, now), goes_on) in heights.iter_mut().zip(now).zip(go_on) {
+                *height = if goes_on { now } else { f64::NAN };
             }
             earlier = Some(points);
         }

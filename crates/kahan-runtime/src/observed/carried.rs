@@ -1,0 +1,129 @@
+//! The orbits of a group, whose points and tangent vectors one loop of code carries along.
+//!
+//! In: maps, the points of a group, and observers that need not see each point. Out: the points and
+//! the observers, with the bits of orbits that are followed alone. The loop makes [`PAUSE`] steps at
+//! once, and shows nothing on the way. Observers take their vectors back at the steps at which they
+//! look. An orbit that has left the range of floats goes back those steps, and is followed alone.
+
+use core::array::from_fn;
+use std::ops::ControlFlow;
+
+use kahan_core::observe::{GROUP, Group, Observer, PAUSE, are_moderate};
+
+use crate::at::group::{Aligned, MOST, RuntimeGroup};
+use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
+
+/// The most columns of a group: points, and three tangent vectors.
+const MOST_COLUMNS: usize = 4 * MOST;
+
+/// Follows a group of orbits for so many steps; `false` where that is not possible, and nothing was
+/// done.
+pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
+    maps: [&MapAt<T>; GROUP],
+    points: &mut RuntimeGroup<T>,
+    observers: &mut [WhileFinite<O>],
+    steps: u64,
+    tell: &mut dyn FnMut(u64) -> ControlFlow<()>,
+) -> bool {
+    let first = observers.first_mut().filter(|first| first.bound == f64::MAX && steps > PAUSE);
+    let Some(vectors) = first.and_then(|first| Some(first.observers.resumed()?.vectors())) else {
+        return false;
+    };
+    let variables = points.as_ref().len();
+    let count = variables * (1 + vectors);
+    if count > MOST_COLUMNS {
+        return false;
+    }
+    let Some(code) = MapAt::abreast_with_vectors(maps, (vectors, false), Vec::new()) else { return false };
+    if !MapAt::has_observed_group(maps, points, observers, PAUSE, tell) {
+        return false;
+    }
+    let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
+    let columns = &mut columns.0[..count];
+    let mut before = Aligned::<T, MOST_COLUMNS>::zeros();
+    let before = &mut before.0[..count];
+    columns[..variables].copy_from_slice(points.as_ref());
+    take_vectors(observers, &mut columns[variables..], variables);
+    let mut step = PAUSE;
+    while step < steps {
+        let now = PAUSE.min(steps - step);
+        before.copy_from_slice(columns);
+        code.advance(columns, now);
+        let are_finite = are_finite(&columns[..variables]);
+        for (lane, own) in observers.iter_mut().enumerate() {
+            if !are_finite[lane] && own.end == End::Complete {
+                resume(own, step, before, lane, variables);
+                let mut x: RuntimePoint<T> = before[..variables].iter().map(|column| column[lane]).collect();
+                for step in step + 1..=step + now {
+                    maps[lane].advance_checked([&mut x, &mut []], 1);
+                    own.observe(step, &x);
+                }
+            }
+        }
+        step += now;
+        let flow = tell(now);
+        let is_over = step == steps || flow.is_break();
+        if is_over || step.is_power_of_two() || !have_moderate(&columns[variables..], variables) {
+            for (lane, own) in observers.iter_mut().enumerate().filter(|(_, own)| own.end == End::Complete) {
+                resume(own, step, columns, lane, variables);
+            }
+            take_vectors(observers, &mut columns[variables..], variables);
+        }
+        if flow.is_break() {
+            break;
+        }
+    }
+    points.as_mut().copy_from_slice(&columns[..variables]);
+    true
+}
+
+/// Writes the tangent vectors of orbits that go on into columns.
+fn take_vectors<T: MachineFloat, O: Observer<T>>(
+    observers: &mut [WhileFinite<O>],
+    columns: &mut [Group<T>],
+    variables: usize,
+) {
+    let going_on = observers.iter_mut().enumerate().filter(|(_, own)| own.end == End::Complete);
+    for (lane, resumed) in going_on.filter_map(|(lane, own)| Some((lane, own.observers.resumed()?))) {
+        for (k, vector) in columns.chunks_exact_mut(variables).enumerate() {
+            for (column, entry) in vector.iter_mut().zip(resumed.vector(k)) {
+                column[lane] = *entry;
+            }
+        }
+    }
+}
+
+/// Gives an observer its point and its vectors.
+fn resume<T: MachineFloat, O: Observer<T>>(
+    own: &mut WhileFinite<O>,
+    step: u64,
+    columns: &[Group<T>],
+    lane: usize,
+    variables: usize,
+) {
+    let (x, vectors) = columns.split_at(variables);
+    let x: RuntimePoint<T> = x.iter().map(|column| column[lane]).collect();
+    if let Some(resumed) = own.observers.resumed() {
+        resumed.resume(step, &x, &|k, i| vectors[k * variables + i][lane]);
+    }
+}
+
+/// Whether the point of each orbit is finite.
+fn are_finite<T: MachineFloat>(points: &[Group<T>]) -> [bool; GROUP] {
+    let mut all = [true; GROUP];
+    for column in points {
+        all = from_fn(|lane| all[lane] & (column[lane].approximate().abs() <= f64::MAX));
+    }
+    all
+}
+
+/// Whether the length of each vector is moderate.
+fn have_moderate<T: MachineFloat>(vectors: &[Group<T>], variables: usize) -> bool {
+    vectors.chunks_exact(variables).all(|vector| {
+        let mut squares = [T::zero(); GROUP];
+        for column in vector {
+            squares = from_fn(|lane| squares[lane] + column[lane] * column[lane]);
+        }
+        are_moderate(&[squares])
+    })
+}

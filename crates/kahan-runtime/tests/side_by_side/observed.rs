@@ -1,0 +1,44 @@
+//! Observables of many orbits, bit for bit those of each alone.
+
+use std::ops::ControlFlow;
+
+use kahan_core::Composition;
+use kahan_runtime::{End, MapAt, Observable, ObservedFloat, Observing};
+
+use super::support::{columns, maps};
+
+/// The number of orbits, more than two groups.
+const ORBITS: usize = 37;
+
+fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observing<'_>) -> Vec<End> {
+    let go_on = |_| ControlFlow::Continue(());
+    let found = T::abreast(&[at; ORBITS], starts, asked, &go_on).expect("columns that fit");
+    for (orbit, found) in found.iter().enumerate() {
+        let start: Vec<T> = starts.iter().map(|column| column[orbit]).collect();
+        let alone = T::alone(None, at, &start, asked, &go_on).expect("a number a variable");
+        assert_eq!(format!("{found:?}"), format!("{alone:?}"), "{:?}: orbit {orbit}", asked.of);
+    }
+    found.iter().map(|found| found.end).collect()
+}
+
+/// Numbers of steps with looks at their end or elsewhere, and fewer than come before the first look.
+#[test]
+fn observables_are_those_of_each_orbit_alone() {
+    use Observable::{Extrema, Fli, Last, Lyapunov, Sali};
+
+    let mut ends = Vec::new();
+    // Those of more variables have no code for vectors.
+    for (field, map) in maps().take(4) {
+        let starts = columns::<f64>(field.variables().len(), ORBITS);
+        for of in [&[Last][..], &[Lyapunov], &[Sali, Last], &[Lyapunov, Sali], &[Sali, Fli], &[Extrema]] {
+            for (eps, steps) in [(0.05, 7), (0.05, 131), (0.4, 128), (2.5, 50)] {
+                let asked =
+                    Observing { of, steps, renormalize: 1, exponents: 1, escape: None, relations: None };
+                ends.extend(agree(&map.at(eps), &starts, &asked));
+                agree(&map.at(eps).composed(Composition::SUZUKI_4), &starts, &asked);
+                agree(&map.at(eps), &starts, &Observing { escape: Some(2.0), ..asked });
+            }
+        }
+    }
+    assert!(ends.iter().any(|end| matches!(end, End::Range(step) if *step > 16)), "none left the range");
+}
