@@ -120,14 +120,14 @@ Class = TypeVar("Class", bound=type)
 
 
 def spelled(cls: Class) -> Class:
-    """The class, whose functions say of a mistyped argument which one is nearest.
+    """The class, whose functions, own and inherited ones, say of a mistyped argument which one is nearest.
 
     What is called right pays for one more call; names are compared only where a call was refused. The
     compiled ``step`` and ``try_step`` are left as they are, as a call of them takes no longer than that one.
     """
-    for name, function in list(vars(cls).items()):
-        if not name.startswith("_") and inspect.isfunction(function):
-            setattr(cls, name, _spelled(function, f"{cls.__name__}.{name}"))
+    for name, function in inspect.getmembers(cls, inspect.isfunction):
+        if not name.startswith("_") and function.__module__.startswith("kahan."):
+            setattr(cls, name, _spelled(inspect.unwrap(function), f"{cls.__name__}.{name}"))
     return cls
 
 

@@ -14,7 +14,7 @@ from typing import Any, Union
 
 import numpy as np
 
-__all__ = ["Number", "answer", "exact", "half_step", "nearest", "point", "whole"]
+__all__ = ["Number", "answer", "exact", "exact_or_none", "half_step", "nearest", "point", "whole", "whole_or_none"]
 
 Number = Union[int, float, Fraction, str]
 """A number as it is given: a float means the decimal that Python prints, 0.1 is 1/10."""
@@ -56,6 +56,11 @@ def exact(value: Any, name: str) -> str:
             raise ValueError(f"{name}: {value} is neither a fraction nor a float; give a nearby one, as {near!r}")
         return exact(near, name)
     raise TypeError(f"{name}: a number is needed, not {type(value).__name__}")
+
+
+def exact_or_none(value: Any, name: str) -> str | None:
+    """The number as text that is read exactly, and ``None`` for ``None``."""
+    return None if value is None else exact(value, name)
 
 
 def nearest(value: Any, name: str) -> float:
@@ -110,6 +115,11 @@ def whole(value: Any, name: str) -> int:
     if number < 0:
         raise ValueError(f"{name}: {number} is below 0")
     return number
+
+
+def whole_or_none(value: Any, name: str) -> int | None:
+    """A whole number from 0 on, and ``None`` for ``None``."""
+    return None if value is None else whole(value, name)
 
 
 def _digits(value: int) -> str:

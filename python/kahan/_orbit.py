@@ -138,7 +138,46 @@ class Frame(Table, dict[str, Array]):  # type: ignore[misc]
     __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _fixed
 
 
-class Stepped(Table):
+class Ended(Table):
+    """A table of the points of one orbit or of many, which end after so many ``steps``."""
+
+    x: Array
+    steps: Any
+    ended: Any
+
+    @property
+    def states(self) -> Array:
+        """The points, ``x``, which a variable may be called, too."""
+        return self.x
+
+    @property
+    def ended_step(self) -> Any:
+        """The steps to the last point of each orbit, ``steps``."""
+        return self.steps
+
+
+class Many(Frame, Ended):  # type: ignore[misc]
+    """A table of many orbits, whose ends come as words, the place of its word for each, and its steps."""
+
+    steps: Array
+    """The steps that each made, fewer than asked where it ended early."""
+    _ends: tuple[list[str], Array, Array]
+
+    def _end(self, ends: tuple[list[str], Array, Array]) -> None:
+        self._ends, self.steps = ends, ends[2].reshape(self.start.shape[:-1])
+
+    @cached_property
+    def ended(self) -> Array:
+        """How each ended, in a word."""
+        ended: Array = np.array(self._ends[0], dtype=object)[self._ends[1]].reshape(self.steps.shape)
+        return ended
+
+    def _early(self) -> str:
+        early = int(np.sum(self.ended != "complete"))
+        return f", {early} ended early" if early else ""
+
+
+class Stepped(Ended):
     """A table with a row after every so many steps of one orbit."""
 
     x: Array
@@ -153,19 +192,9 @@ class Stepped(Table):
     """Why it goes no further."""
 
     @property
-    def states(self) -> Array:
-        """The points, ``x``, which a variable may be called, too."""
-        return self.x
-
-    @property
     def n(self) -> Array:
         """The number of steps that leads to each row."""
         return self.transient + self.every * np.arange(len(self.x))
-
-    @property
-    def ended_step(self) -> int:
-        """The steps to the last point, ``steps``."""
-        return self.steps
 
 
 @spelled
@@ -294,7 +323,7 @@ class FloatOrbit(Frame, Orbit):  # type: ignore[misc]
 
 
 @spelled
-class Ensemble(Frame):
+class Ensemble(Many):
     """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory.
 
     ``ended`` says of each how it ended, as ``Orbit.ended`` says of one: ``"complete"``, ``"range"``, or
@@ -310,8 +339,6 @@ class Ensemble(Frame):
     """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
     x: Array
     """The last points, of the same shape: NaN where a trajectory ended early."""
-    steps: Array
-    """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
     """The observed columns by name: a number for each start, in ``spectrum`` one for each variable."""
     derivatives: dict[str, Array]
@@ -325,30 +352,13 @@ class Ensemble(Frame):
             return values if values.shape[: len(lead)] == lead else values.reshape(lead + values.shape[1:])
 
         self.system, self.start, self.given, self.x = system, start, given, shaped(x)
-        self._words, self._places, self.steps = ends[0], shaped(ends[1]), shaped(ends[2])
+        self._end(ends)
         self.observed = {name: shaped(values) for name, values in observed.items()}
         self.derivatives = in_order((), (), x)
 
-    @property
-    def states(self) -> Array:
-        """The last points, ``x``."""
-        return self.x
-
-    @cached_property
-    def ended(self) -> Array:
-        """How each ended, in a word."""
-        ended: Array = np.array(self._words, dtype=object)[self._places]
-        return ended
-
-    @property
-    def ended_step(self) -> Array:
-        """The steps that each made, ``steps``."""
-        return self.steps
-
     def __repr__(self) -> str:
         seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
-        early = int(np.sum(self.ended != "complete"))
-        return f"<Ensemble of {len(self)} trajectories{f', {early} ended early' if early else ''}{seen}>"
+        return f"<Ensemble of {len(self)} trajectories{self._early()}{seen}>"
 
     def columns(self) -> dict[str, Array]:
         """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, how and
@@ -453,7 +463,7 @@ class Chart(Table):
 
 
 @spelled
-class Section(Frame):
+class Section(Frame, Ended):  # type: ignore[misc]
     """Where orbits cross a section: a row a crossing.
 
     ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
@@ -497,16 +507,6 @@ class Section(Frame):
         self.steps, self.ended, self.jumps = steps, np.array(ended, dtype=object), jumps
         if is_one:
             self.steps, self.ended, self.jumps = int(steps[0]), ended[0], int(jumps[0])
-
-    @property
-    def states(self) -> Array:
-        """The crossings, ``x``."""
-        return self.x
-
-    @property
-    def ended_step(self) -> Any:
-        """The steps of the orbit, ``steps``."""
-        return self.steps
 
     def __repr__(self) -> str:
         count = int(np.sum(self.jumps))

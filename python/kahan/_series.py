@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import Named, needed, spelled, unknown
-from ._orbit import Array, Ensemble, Frame
+from ._orbit import Array, Ensemble, Many
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,7 +27,7 @@ Ends = tuple[list[str], Array, Array]
 
 
 @spelled
-class Series(Frame):
+class Series(Many):
     """Points of many orbits, ``x[i, k]`` that of start ``i`` after ``n[k]`` steps: one table, orbit after orbit.
 
     ``ended`` says of each how it ended, as ``Orbit.ended`` says of one, and ``steps`` after how many steps. Behind an
@@ -102,29 +102,9 @@ class Series(Frame):
         self._end(ends)
         return self
 
-    def _end(self, ends: Ends) -> None:
-        lead = self.start.shape[:-1]
-        self._ends, self.steps = ends, ends[2].reshape(lead)
-
     _first = 0
     _taken: dict[str, Array] = {}
     _names: list[str] | None
-
-    @property
-    def states(self) -> Array:
-        """The points, ``x``."""
-        return self.x
-
-    @cached_property
-    def ended(self) -> Array:
-        """How each ended, in a word."""
-        ended: Array = np.array(self._ends[0], dtype=object)[self._ends[1]].reshape(self.steps.shape)
-        return ended
-
-    @property
-    def ended_step(self) -> Array:
-        """The steps that each made, ``steps``."""
-        return self.steps
 
     @property
     def n(self) -> Array:
@@ -205,8 +185,7 @@ class Series(Frame):
         return self.steps.size * self._rows
 
     def __repr__(self) -> str:
-        early = int(np.sum(self.ended != "complete"))
-        return f"<Series of {self.system.name}: {self.steps.size} orbits of {self._rows} points{f', {early} ended early' if early else ''}>"
+        return f"<Series of {self.system.name}: {self.steps.size} orbits of {self._rows} points{self._early()}>"
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of the columns over ``start`` and ``t``, or over ``start`` and ``n`` where each start has its ``eps``.

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use kahan_runtime::{By, DimensionError, End, Followed, MapAt, threads};
-use kahan_study::{Observable, Observe, Study, Watch};
+use kahan_study::{Observable, Observe, Paces, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -16,7 +16,6 @@ use crate::beside::{Caller, Listener, beside};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
-use crate::series::Stride;
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
@@ -231,11 +230,11 @@ impl<T: Float> Many<T> {
         caller: &Caller,
     ) -> Result<(), DimensionError> {
         let Some(step) = study.lifted_step(&self.at) else { return Ok(()) };
-        let last = Stride { transient: self.steps, every: NonZeroU64::MIN, rows: 1, reembed: false };
+        let last = Paces { transient: self.steps, steps: 0, every: NonZeroU64::MIN };
         let width = study.variables().len();
         let rows = from.chunks_exact(width).zip(to.chunks_exact_mut(width)).zip(ends);
         for (k, ((from, to), end)) in rows.enumerate().filter(|(_, ((_, to), _))| step.is_beyond(to)) {
-            *end = self.alone(k, from, to, study, &last, caller)?;
+            *end = self.alone(k, from, to, study, (&last, false), caller)?;
         }
         Ok(())
     }

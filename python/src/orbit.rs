@@ -2,10 +2,9 @@
 
 use std::num::NonZeroU64;
 
-use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Increments, SingularStep, Step};
 use kahan_runtime::{DimensionError, End, Follow, Followed, RuntimeFloat};
-use kahan_study::{LiftedStep, Study};
+use kahan_study::{LiftedStep, Paces, Study};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -286,7 +285,7 @@ impl Field {
     }
 }
 
-fn of_map<'py, T>((rows, _, end, steps): (Bound<'py, PyAny>, Vec<T>, End, u64)) -> Rows<'py> {
+fn of_map<'py, T>((rows, _, end, steps): Orbit<'py, T>) -> Rows<'py> {
     (rows, end.steps(steps), end.name(), None)
 }
 
@@ -323,35 +322,12 @@ fn follow<'py, S>(
 where
     S: Follow<Scalar: Float> + Sync,
 {
-    let every = stride(asked.every)?;
-    let (width, steps) = (x.len(), asked.steps);
-    let count = steps / every;
-    let sizes = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
-    let too_long = || too_long(count);
-    let rows = sizes.ok_or_else(too_long)?;
-    let transient = asked.transient;
-    let in_all = transient.saturating_add(steps);
-    // The report is the number of rows.
+    let paces = Paces { transient: asked.transient, steps: asked.steps, every: stride(asked.every)? };
+    let (rows, width, in_all) = (room(&paces)?, x.len(), paces.in_all());
     let mut run = |all: &mut [S::Scalar]| -> PyResult<Followed<usize>> {
-        let (first, rest) = all.split_at_mut(width);
         let numbers = in_all.saturating_mul(width as u64);
         beside_if_long(py, numbers, &asked.listener, |caller| {
-            if transient > 0 {
-                let settled = at.follow(&mut x, transient, |made| caller.made(made, in_all))?;
-                if settled.end != End::Complete {
-                    return Ok(Followed { report: 0, end: settled.end });
-                }
-            }
-            first.copy_from_slice(&x);
-            let rows = at.rows(&mut x, every, rest, |made| caller.made(made, in_all))?;
-            let report = rows.report + 1;
-            // The steps behind the last row show whether the orbit goes as far as it was asked.
-            let left = steps % every.get();
-            if rows.end != End::Complete || left == 0 {
-                return Ok(Followed { report, end: rows.end.after(transient) });
-            }
-            let end = at.follow(&mut x, left, |made| caller.made(made, in_all))?;
-            Ok(Followed { report, end: end.end.after(in_all - left) })
+            paces.follow(at, &mut x, all, |made| caller.made(made, in_all))
         })?
         .map_err(|error| of_dimension(&error))
     };
@@ -362,10 +338,7 @@ where
             (out.clone(), followed)
         }
         None => {
-            let mut all = Vec::new();
-            let length = rows.checked_mul(width).ok_or_else(too_long)?;
-            all.try_reserve_exact(length).map_err(|_| too_long())?;
-            all.resize(length, S::Scalar::zero());
+            let mut all = zeros(rows.checked_mul(width), &paces)?;
             let followed = run(&mut all)?;
             let array: Bound<'py, PyArray2<S::Scalar>> = all.into_pyarray(py).reshape([rows, width])?;
             (array.into_any(), followed)
@@ -385,8 +358,23 @@ pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
     NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
 }
 
+/// The number of rows of an orbit, if memory has so many places.
+pub(crate) fn room(paces: &Paces) -> PyResult<usize> {
+    let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
+    rows.ok_or_else(|| too_long(paces))
+}
+
+/// Room for so many numbers of rows, if memory has it.
+pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<Vec<T>> {
+    let (length, mut all) = (length.ok_or_else(|| too_long(paces))?, Vec::new());
+    all.try_reserve_exact(length).map_err(|_| too_long(paces))?;
+    all.resize(length, T::zero());
+    Ok(all)
+}
+
 /// More points than memory holds.
-pub(crate) fn too_long(points: u64) -> PyErr {
+fn too_long(paces: &Paces) -> PyErr {
+    let points = paces.steps / paces.every;
     PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }
 

@@ -4,11 +4,10 @@
 //! after trajectory, with the bits of single orbits. Trajectories go side by side in columns; those
 //! of a lifted field that have gone beyond their ends are followed once more, alone.
 
-use std::num::NonZeroU64;
 use std::sync::{Mutex, PoisonError};
 
-use kahan_runtime::{DimensionError, End, Follow, threads};
-use kahan_study::{Study, Watch};
+use kahan_runtime::{DimensionError, End, threads};
+use kahan_study::{Paces, Study, Watch};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -17,7 +16,7 @@ use crate::beside::{Caller, Listener, beside};
 use crate::ensemble::{Asked, Ends, Many, Piece, ends};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
-use crate::orbit::{stride, too_long};
+use crate::orbit::{room, stride, zeros};
 
 /// Trajectories that a thread takes at once: the rows that it writes stay in its cache.
 const TOGETHER: usize = 128;
@@ -44,10 +43,10 @@ impl Field {
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let in_all = transient.saturating_add(steps);
         let asked = Asked { eps, steps: in_all, parameters, order, threads, listener: Listener(listener) };
-        let every = stride(every)?;
+        let paces = Paces { transient, steps, every: stride(every)? };
         match floats(points, "points")? {
-            Floats::Double(points) => self.shown(&points, &asked, transient, every, reembed),
-            Floats::Single(points) => self.shown(&points, &asked, transient, every, reembed),
+            Floats::Double(points) => self.shown(&points, &asked, &paces, reembed),
+            Floats::Single(points) => self.shown(&points, &asked, &paces, reembed),
         }
     }
 }
@@ -57,8 +56,7 @@ impl Field {
         &self,
         points: &Bound<'py, PyArrayDyn<T>>,
         asked: &Asked<'_, 'py>,
-        transient: u64,
-        every: NonZeroU64,
+        paces: &Paces,
         reembed: bool,
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let py = points.py();
@@ -66,32 +64,16 @@ impl Field {
         let (many, shape) = (self.many::<T>(py, points.shape(), asked)?, points.shape());
         let study = self.study();
         study.can_reembed(reembed).map_err(|error| of_study(py, &error))?;
-        let count = (asked.steps - transient) / every;
-        let rows = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
-        let sizes = rows.and_then(|rows| Some((rows, rows.checked_mul(points.len())?)));
-        let (rows, length) = sizes.ok_or_else(|| too_long(count))?;
-        let mut to = Vec::new();
-        to.try_reserve_exact(length).map_err(|_| too_long(count))?;
-        to.resize(length, T::zero());
-        let (from, shown) = (points.as_slice()?, Stride { transient, every, rows, reembed });
+        let rows = room(paces)?;
+        let mut to = zeros(rows.checked_mul(points.len()), paces)?;
+        let from = points.as_slice()?;
         let found = beside(py, asked.threads, &asked.listener, |caller| {
-            many.series(from, &mut to, study, &shown, caller)
+            many.series(from, &mut to, study, (paces, reembed), caller)
         })?
         .map_err(|error| of_dimension(&error))?;
         let series = PyArray1::from_vec(py, to).reshape([shape[0], rows, shape[1]])?;
         Ok((series.into_any(), ends(py, asked.steps, shape[0], found.into_iter())))
     }
-}
-
-/// Which points of each trajectory are shown.
-pub(crate) struct Stride {
-    /// The steps to the first of them.
-    pub(crate) transient: u64,
-    /// The steps from one to the next.
-    pub(crate) every: NonZeroU64,
-    /// Their number.
-    pub(crate) rows: usize,
-    pub(crate) reembed: bool,
 }
 
 impl<T: Float> Many<T> {
@@ -102,41 +84,36 @@ impl<T: Float> Many<T> {
         from: &[T],
         to: &mut [T],
         study: &Study,
-        shown: &Stride,
+        (paces, reembed): (&Paces, bool),
         caller: &Caller,
     ) -> Result<Vec<End>, DimensionError> {
         let width = study.variables().len().max(1);
-        let room = shown.rows * width;
+        let rows = paces.rows() as usize;
+        let room = rows * width;
         let pieces: Vec<_> = from.chunks(TOGETHER * width).zip(to.chunks_mut(TOGETHER * room)).collect();
         let pieces: Vec<Mutex<_>> = pieces.into_iter().map(Mutex::new).collect();
         let found = threads::map(pieces.len(), Some(caller.threads()), |index| {
             let mut piece = pieces[index].lock().unwrap_or_else(PoisonError::into_inner);
             let (from, to) = &mut *piece;
             let first = index * TOGETHER;
-            if shown.reembed {
+            let alone = |k: usize, from: &[T], to: &mut [T]| {
+                self.alone(first + k, from, to, study, (paces, reembed), caller)
+            };
+            if reembed {
                 let one_by_one = from.chunks_exact(width).zip(to.chunks_exact_mut(room)).enumerate();
-                return one_by_one
-                    .map(|(k, (from, to))| self.alone(first + k, from, to, study, shown, caller))
-                    .collect();
+                return one_by_one.map(|(k, (from, to))| alone(k, from, to)).collect();
             }
             let mut piece = Piece::of(self, from, width, first, caller);
-            piece.advance(shown.transient)?;
-            for row in 0..shown.rows {
-                piece.advance(if row == 0 { 0 } else { shown.every.get() })?;
+            piece.advance(paces.transient)?;
+            for row in 0..rows {
+                piece.advance(if row == 0 { 0 } else { paces.every.get() })?;
                 piece.put(to.chunks_exact_mut(room).map(|rows| &mut rows[row * width..][..width]));
             }
             piece.advance(self.steps - piece.made)?;
             let beyond = piece.beyond(study);
             let mut ends = piece.ends()?;
             for k in beyond {
-                ends[k] = self.alone(
-                    first + k,
-                    &from[k * width..][..width],
-                    &mut to[k * room..][..room],
-                    study,
-                    shown,
-                    caller,
-                )?;
+                ends[k] = alone(k, &from[k * width..][..width], &mut to[k * room..][..room])?;
             }
             Ok(ends)
         });
@@ -150,27 +127,16 @@ impl<T: Float> Many<T> {
         from: &[T],
         to: &mut [T],
         study: &Study,
-        shown: &Stride,
+        (paces, reembed): (&Paces, bool),
         caller: &Caller,
     ) -> Result<End, DimensionError> {
         let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };
         let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
         let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
-        let step = study.steps(&maps[0], shown.reembed).expect("a field that was lifted");
-        let (mut x, tell) = (from.to_vec(), |steps| self.made(steps, 1, caller));
+        let step = study.steps(&maps[0], reembed).expect("a field that was lifted");
+        let mut x = from.to_vec();
         to.fill(T::near(f64::NAN));
-        let end = step.follow(&mut x, shown.transient, tell)?.end;
-        if end != End::Complete {
-            return Ok(step.end(end, &x));
-        }
-        let (row, rest) = to.split_at_mut(x.len());
-        row.copy_from_slice(&x);
-        let mut made = shown.transient;
-        let mut end = step.rows(&mut x, shown.every, rest, tell)?.end.after(made);
-        if end == End::Complete {
-            made += shown.every.get() * (shown.rows as u64 - 1);
-            end = step.follow(&mut x, self.steps - made, tell)?.end.after(made);
-        }
-        Ok(step.end(end, &x))
+        let followed = paces.follow(&step, &mut x, to, |steps| self.made(steps, 1, caller))?;
+        Ok(step.end(followed.end, &x))
     }
 }

@@ -244,12 +244,12 @@ function search() {
     list.textContent = lines.join('\n')
     list.hidden = $('copies-found').hidden = !lines.length
     $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}${answer.growth_proved ? ', proved' : ''}. Found in ${answer.seconds.toFixed(1)} s.`
-    const sheet = await workers.search.ask(asked, { ask: 'show' })
+    // Claims say for which values of parameters they are made, so the equations name these.
+    const sheet = await workers.search.ask({ ...asked, params: {} }, { ask: 'show' })
     if (!sheet?.answer || searched?.subject !== asked) return
     const right = sheet.answer.field_at_eps ?? sheet.answer.field
     const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${right[k]};`)
-    // The equations have the values that claims are made for; a lift's text has not.
-    searched = { ...searched, equations, lines: lifted ? lines : lines.map(line => line.replace(/ when [^{}]*;$/, ';')) }
+    searched = { ...searched, equations, lines, integrals: answer.integrals }
     move()
   }, ({ found }) => {
     if (!found) return
@@ -273,7 +273,7 @@ function claimed(lines) {
 
 // The field with integrals: its own, or those that were found.
 function measured() {
-  const integrals = searched?.lines?.filter(line => line.startsWith('integral')) || []
+  const integrals = searched?.integrals || []
   return integrals.length && !sheetOf.claims.some(({ kind }) => kind === 'integral') ? claimed(integrals) : subject()
 }
 

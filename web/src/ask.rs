@@ -6,8 +6,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Form, Heights, Kept, Lift, Orbit, Poles, Show, Study, StudyError, Subject, Systems,
-    Table, Watch, list,
+    Answer, Discover, Form, Heights, Kept, Lift, Orbit, Orbited, Poles, Show, Study, StudyError, Subject,
+    Systems, Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
@@ -19,6 +19,8 @@ use crate::shown::{self, formulas, part};
 #[derive(Default)]
 pub struct Asker {
     last: Option<(Value, Study)>,
+    /// The ε of the last orbit of its map, and the study with the integrals that are claimed there.
+    at_step: Option<(Rational, Study)>,
 }
 
 /// An answer.
@@ -101,7 +103,10 @@ impl Asker {
         Ok(match name.as_str() {
             Some("show") => shown_formulas(study, &read(question)?, watch)?,
             Some("scene") => scene(study)?,
-            Some("orbit") => orbit(study, &read(question)?, watch)?,
+            Some("orbit") => {
+                let asked = read(question)?;
+                orbit(&self.study_of_orbit(&asked)?, &asked, watch)?
+            }
             Some("relations") => relations(study, &read(question)?)?,
             Some("discover") => {
                 Reply::of(Answer::Discover(Box::new(read::<Discover>(question)?.ask(study, watch)?)))
@@ -118,10 +123,23 @@ impl Asker {
             let read: Subject = read(subject.clone())?;
             let study = read.study_to_show(&Systems);
             let study =
-                study.map_err(|error| Mistake { lifts: read.calls_for_a_lift(), ..Mistake::from(error) })?;
-            self.last = Some((subject, study));
+                study.map_err(|error| Mistake { lifts: read.calls_for_a_lift(), ..Mistake::from(error) });
+            self.last = Some((subject, study?));
+            self.at_step = None;
         }
         Ok(&self.last.as_ref().expect("it was put there").1)
+    }
+
+    /// The last study with the integrals that an orbit keeps. Orbits of one map share it.
+    fn study_of_orbit(&mut self, asked: &Orbit) -> Result<Study, StudyError> {
+        let (_, study) = self.last.as_ref().expect("a subject was read");
+        if !asked.is_of_the_map() {
+            return asked.study(study);
+        }
+        if self.at_step.as_ref().is_none_or(|(eps, _)| *eps != asked.eps) {
+            self.at_step = Some((asked.eps.clone(), asked.study(study)?));
+        }
+        Ok(self.at_step.as_ref().expect("it was put there").1.clone())
     }
 }
 
@@ -183,12 +201,9 @@ fn scene(study: &Study) -> Result<Reply, StudyError> {
 
 /// The rows of an orbit in doubles, each column after the other.
 fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    let begun = asked.begin_in_doubles(study)?;
-    let head = json!(begun.head);
-    let mut table = Table::default();
-    let ending = begun.rows(0..u64::MAX, &mut table, watch);
-    let mut columns = Vec::with_capacity(table.count() * table.values.len());
-    for kept in &table.values {
+    let Orbited { head, rows, ending } = asked.begin_in_doubles(study)?.in_memory(watch);
+    let mut columns = Vec::with_capacity(rows.count() * rows.values.len());
+    for kept in &rows.values {
         match kept {
             Kept::F64(values) => columns.extend_from_slice(values),
             Kept::Integer(values) => columns.extend(values.iter().map(|&value| value as f64)),
@@ -196,7 +211,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
         }
     }
     let stopped = ending.why.map(|_| json!({"step": ending.step}));
-    let answer = json!({"head": head, "rows": table.count(), "stopped": stopped});
+    let answer = json!({"head": head, "rows": rows.count(), "stopped": stopped});
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 

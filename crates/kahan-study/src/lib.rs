@@ -69,7 +69,7 @@ pub use named::Names;
 pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use relations::RelationErrors;
-pub use rows::{Cell, Column, Ending, Exact, Kept, MOST_CELLS, Rows, Table, Values, free_name};
+pub use rows::{Cell, Column, Ending, Exact, Kept, MOST_CELLS, Rows, Table, Values, csv_line, free_name};
 pub use shade::Shade;
 pub use shown_orbit::ShownOrbit;
 pub use study::{MOST_VARIABLES, NoStep, Study};

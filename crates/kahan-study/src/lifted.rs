@@ -116,7 +116,7 @@ impl Lifted {
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
             Some(system) => (given.clone(), system),
-            None => quadratic(&lift, &claims(given)?)?,
+            None => quadratic(&lift, claims(given)?)?,
         };
         let known = &system.field.symbols.parameters;
         let place = |name: &String| known.iter().position(|known| known == name);
@@ -152,8 +152,9 @@ impl Lifted {
     }
 }
 
-/// The constants of a text that are numbers, and its claims, as written, one a line.
-fn claims(given: &FieldText) -> Result<String, StudyError> {
+/// Returns the constants of a text that are numbers and its claims, as written, one a line, and the
+/// names that they give.
+fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
         let block = parse_lifted(tokens, &mut mistakes);
@@ -207,12 +208,19 @@ fn claims(given: &FieldText) -> Result<String, StudyError> {
         }
     }
     let constant = |(name, value): &(&str, Expr)| format!("\nconst {name} = {};", expression_text(value));
-    let constants = constants.iter().filter(|(name, _)| named.contains(*name)).map(constant);
-    Ok(constants.chain(block.claims.iter().filter_map(claim)).collect())
+    let constants: Vec<_> = constants.iter().filter(|(name, _)| named.contains(*name)).collect();
+    let claims: Vec<_> = block.claims.iter().filter_map(|one| Some((&*one.name.text, claim(one)?))).collect();
+    let names = constants.iter().map(|(name, _)| *name).chain(claims.iter().map(|(name, _)| *name));
+    let names = names.map(str::to_owned).collect();
+    Ok((constants.into_iter().map(constant).chain(claims.into_iter().map(|(_, text)| text)).collect(), names))
 }
 
-/// The text of a lift with these claims besides its own, and the system that it says.
-fn quadratic(lift: &Lift, given: &str) -> Result<(FieldText, System), StudyError> {
+/// Returns the text of a lift with these claims and their names besides its own, and the system
+/// that it says.
+fn quadratic(
+    lift: &Lift,
+    (given, names_given): (String, Vec<String>),
+) -> Result<(FieldText, System), StudyError> {
     let symbols = &lift.field.symbols;
     let is_used = |k: &usize| {
         let variable = symbols.parameter(*k);
@@ -226,7 +234,6 @@ fn quadratic(lift: &Lift, given: &str) -> Result<(FieldText, System), StudyError
         Some(header) => format!("struct {} {{ {} }}\n", header.name.text, names(&used).join(", ")),
         None => String::new(),
     };
-    let names_given = given.lines().filter_map(|line| line.split(' ').nth(1)).map(str::to_owned);
     let mut taken: Vec<String> =
         lift.variables().iter().chain(&lift.parameters).cloned().chain(names_given).collect();
     let mut free = |name: String| {

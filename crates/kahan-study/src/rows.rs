@@ -1,7 +1,7 @@
 //! Answers that are tables, handed on in blocks while they are made, so that the length of a table
 //! costs no memory.
 
-use std::fmt;
+use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
 
 use kahan_core::Dd;
@@ -145,7 +145,7 @@ pub enum Cell<'a> {
     Text(&'a str),
 }
 
-impl fmt::Display for Cell<'_> {
+impl Display for Cell<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Float(number) if number.is_finite() => number.fmt(f),
@@ -157,6 +157,17 @@ impl fmt::Display for Cell<'_> {
             Self::Text(text) => f.write_str(text),
         }
     }
+}
+
+/// Appends a line of CSV to a text. Names are identifiers and numbers have no commas, so that the
+/// cells of our tables need no quotes, and the crate `csv`, which looks at each byte for what would
+/// need some, has nothing to do here.
+pub fn csv_line(text: &mut String, cells: impl IntoIterator<Item = impl Display>) {
+    for (place, cell) in cells.into_iter().enumerate() {
+        let comma = if place == 0 { "" } else { "," };
+        write!(text, "{comma}{cell}").expect("a string takes all text");
+    }
+    text.push('\n');
 }
 
 impl Serialize for Cell<'_> {

@@ -13,7 +13,7 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{Kept, MOST_VARIABLES, Method, Orbit as Question, Study};
+use kahan_study::{Kept, MOST_VARIABLES, Method, Orbit as Question, Paces, Study};
 use serde_json::json;
 
 use super::line::Asking;
@@ -188,7 +188,8 @@ impl Orbit {
         let sizes = if arrays == 1 { vec![chain.sites] } else { vec![chain.sites, arrays] };
         let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
         let mut array = array.transpose()?;
-        let paces = [self.before.transient, self.steps, self.every];
+        let paces = Paces::new(self.before.transient, self.steps, self.every);
+        let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
         self.write(json!(head), &[], vec![(Vec::new(), &mut chain)], |chain, table, watch| {
             // The file is wanted even where nobody reads the table.

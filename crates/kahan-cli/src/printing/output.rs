@@ -4,6 +4,7 @@ use std::io::{self, ErrorKind, Write};
 
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::render::folded;
+use kahan_study::csv_line;
 use serde::Serialize;
 use serde_json::json;
 
@@ -118,5 +119,7 @@ pub(crate) fn joined<T: ToString>(items: impl IntoIterator<Item = T>, between: &
 
 /// Rows of cells without commas as CSV.
 pub(crate) fn csv(rows: &[Vec<String>]) -> String {
-    rows.iter().map(|row| row.join(",") + "\n").collect()
+    let mut text = String::new();
+    rows.iter().for_each(|row| csv_line(&mut text, row));
+    text
 }

@@ -1,17 +1,13 @@
 //! A table while it grows: CSV, or the rows of a JSON object.
 //!
-//! In: what is known beforehand, and rows in blocks. Out: text in a sink. Names are identifiers and
-//! numbers have no commas, so that no cell needs quotes. The crate `csv`, which looks at each byte
-//! of a cell for what would, has nothing to do here but to put commas.
+//! In: what is known beforehand, and rows in blocks. Out: text in a sink.
 
-use std::fmt::Write;
 use std::ops::ControlFlow;
 
-use kahan_study::{Cell, Column, Kept, Rows, Values};
+use kahan_study::{Cell, Column, Kept, Rows, Values, csv_line};
 use serde_json::{Map, Value};
 
 use super::layout::{after_commas, terminal_width};
-use super::output::joined;
 use super::sink::{Broken, Sink};
 
 /// How a table is written.
@@ -50,7 +46,8 @@ impl Table {
         let text = match format {
             Format::Csv => {
                 let columns = head.get("columns").and_then(Value::as_array).into_iter().flatten();
-                let line = joined(columns.filter_map(Value::as_str), ",") + "\n";
+                let mut line = String::new();
+                csv_line(&mut line, columns.filter_map(Value::as_str));
                 width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
             }
             Format::Json => {
@@ -80,13 +77,7 @@ impl Table {
     fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), Broken> {
         self.line.clear();
         match self.format {
-            Format::Csv => {
-                for (place, cell) in cells.enumerate() {
-                    let comma = if place == 0 { "" } else { "," };
-                    write!(self.line, "{comma}{cell}").expect("a string takes all text");
-                }
-                self.line.push('\n');
-            }
+            Format::Csv => csv_line(&mut self.line, cells),
             Format::Json => {
                 self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
                 let row = serde_json::to_string(&cells.collect::<Vec<_>>());

@@ -7,6 +7,7 @@
 mod chain;
 mod maps;
 mod methods;
+mod paces;
 mod points;
 
 use std::fmt;
@@ -30,6 +31,7 @@ use super::{Observable, one, usual_order};
 
 pub use chain::{Chain, ChainHead};
 use maps::Moving;
+pub use paces::Paces;
 use points::{Course, Halt, Points, ended};
 
 /// Asks for the points of an orbit: rows of n, the time t = 2εn, the variables, the integrals that
@@ -269,6 +271,14 @@ impl Begun<'_> {
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
+
+    /// Keeps all rows in memory.
+    #[must_use]
+    pub fn in_memory(self, watch: &dyn Watch) -> Orbited {
+        let (head, mut rows) = (self.head.clone(), Table::default());
+        let ending = self.rows(0..u64::MAX, &mut rows, watch);
+        Orbited { head, rows, ending }
+    }
 }
 
 impl Orbit {
@@ -289,9 +299,9 @@ impl Orbit {
         }
     }
 
-    /// The steps to the first row, those behind them, and those from row to row.
-    fn paces(&self) -> [u64; 3] {
-        [self.transient, self.steps, self.every]
+    fn paces(&self) -> Result<Paces, StudyError> {
+        let zero = || StudyError::NotPositive { what: "every", value: Rational::zero() };
+        Paces::new(self.transient, self.steps, self.every).ok_or_else(zero)
     }
 
     /// The steps to the last row, the transient among them.
@@ -300,13 +310,18 @@ impl Orbit {
         self.transient.saturating_add(self.steps)
     }
 
+    /// Whether its steps are those of Kahan's map itself, of which claims are made.
+    #[must_use]
+    pub fn is_of_the_map(&self) -> bool {
+        self.method == Method::Kahan && self.order == usual_order() && !self.reembed
+    }
+
     /// The study with the integrals that the orbit keeps without a condition.
     ///
     /// # Errors
     /// Those of [`Study::at_step`].
     pub fn study(&self, study: &Study) -> Result<Study, StudyError> {
-        let is_the_map = self.method == Method::Kahan && self.order == usual_order() && !self.reembed;
-        if is_the_map { study.at_step(&self.eps) } else { Ok(study.clone()) }
+        if self.is_of_the_map() { study.at_step(&self.eps) } else { Ok(study.clone()) }
     }
 
     /// Begins the orbit of a system whose claims hold; of [its own](Self::study), with all
@@ -341,15 +356,8 @@ impl Orbit {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
         let study = self.study(study)?;
         let begun = self.begin(&study)?;
-        let head = begun.head.clone();
-        let count = (self.steps / self.every).saturating_add(1);
-        let cells = count.saturating_mul(head.columns.len() as u64);
-        if cells > MOST_CELLS {
-            return Err(StudyError::TooLong { cells });
-        }
-        let mut rows = Table::default();
-        let ending = begun.rows(0..count, &mut rows, watch);
-        Ok(Orbited { head, rows, ending })
+        let cells = self.paces()?.rows().saturating_mul(begun.head.columns.len() as u64);
+        if cells > MOST_CELLS { Err(StudyError::TooLong { cells }) } else { Ok(begun.in_memory(watch)) }
     }
 
     fn begin_in<'a, A: Moving>(
@@ -358,9 +366,7 @@ impl Orbit {
         study: &'a Study,
     ) -> Result<Begun<'a>, StudyError> {
         study.proved()?;
-        if self.every == 0 {
-            return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
-        }
+        let paces = self.paces()?;
         let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
         self.check(study).map_err(StudyError::Orbit)?;
         let (start, given) = (study.point(&self.at)?, study.values()?);
@@ -408,7 +414,7 @@ impl Orbit {
         };
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
-            let course = Course { arithmetic, columns: &all, eps, steps: self.paces() };
+            let course = Course { arithmetic, columns: &all, eps, paces };
             let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
             match course.hand_on(&mut *points, range, &mut chosen, watch) {
                 Ok(()) => Ending::plain(End::Complete, self.steps_in_all()),

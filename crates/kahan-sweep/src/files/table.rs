@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
+use kahan_study::csv_line;
 use kahan_study::number_file::{Entry, Numbers};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -27,13 +28,14 @@ pub(crate) enum NoTable {
 pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), NoTable> {
     let unreadable = |why: String| NoTable::Unreadable(format!("{} {why}", path.display()));
     let (names, rows) = rows(path, columns).map_err(unreadable)?;
-    let mut write = |line: &str| writeln!(to, "{line}").map_err(NoTable::Unwritten);
-    write(&names.join(","))?;
+    let mut line = String::new();
+    csv_line(&mut line, &names);
     for row in rows {
-        let entries: Vec<String> = row.map_err(unreadable)?.iter().map(shown).collect();
-        write(&entries.join(","))?;
+        to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)?;
+        line.clear();
+        csv_line(&mut line, row.map_err(unreadable)?.iter().map(shown));
     }
-    Ok(())
+    to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)
 }
 
 /// The numbers of columns of a file of Parquet, exactly as they stand there, or what is wrong with

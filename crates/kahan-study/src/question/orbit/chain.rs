@@ -16,6 +16,7 @@ use crate::named::{Names, by_name};
 use crate::numbers::ScalarKind;
 use crate::rows::{Column, Ending, Rows};
 
+use super::paces::Paces;
 use super::points::{Course, Halt, Points, Why, moment};
 use super::{columns, is_none, names};
 
@@ -71,10 +72,9 @@ pub struct ChainHead {
 }
 
 impl Chain {
-    /// Returns the head of an orbit, given the steps to its first row, the steps behind them, and
-    /// the steps from row to row.
+    /// Returns the head of an orbit.
     #[must_use]
-    pub fn head(&self, [transient, steps, every]: [u64; 3]) -> ChainHead {
+    pub fn head(&self, Paces { transient, steps, every }: Paces) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
         let range = |array: &String| [format!("{array}_min"), format!("{array}_max")];
         let states = match &self.variables[..] {
@@ -94,7 +94,7 @@ impl Chain {
             order: 2,
             transient,
             steps,
-            every,
+            every: every.get(),
             columns: columns(&states, &sums),
         }
     }
@@ -104,17 +104,17 @@ impl Chain {
     /// by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
-        paces: [u64; 3],
+        paces: Paces,
         range: Range<u64>,
         rows: &mut dyn Rows,
         see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
         watch: &dyn Watch,
     ) -> Ending {
         let columns = &self.head(paces).columns;
-        let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps: paces };
+        let course = Course { arithmetic: &Float64, columns, eps: self.eps, paces };
         let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
         match course.hand_on(&mut points, range, rows, watch) {
-            Ok(()) => Ending::plain(End::Complete, paces[0] + paces[1]),
+            Ok(()) => Ending::plain(End::Complete, paces.in_all()),
             Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
             Err(Halt::Ended(step, _)) => Ending {
                 end: End::Range(step),

@@ -18,6 +18,7 @@ use crate::study::Study;
 
 use super::Orbit;
 use super::maps::Moving;
+use super::paces::Paces;
 
 /// Why points do not go on.
 pub(super) enum Halt {
@@ -134,8 +135,7 @@ pub(super) struct Course<'a, A: Moving> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
     pub(super) eps: A::Value,
-    /// The steps to the first row, those behind them, and those from row to row.
-    pub(super) steps: [u64; 3],
+    pub(super) paces: Paces,
 }
 
 impl<A: Moving> Course<'_, A> {
@@ -148,29 +148,28 @@ impl<A: Moving> Course<'_, A> {
         rows: &mut dyn Rows,
         watch: &dyn Watch,
     ) -> Result<(), Halt> {
-        let [transient, steps, every] = self.steps;
-        let count = (steps / every).saturating_add(1);
-        let end = range.end.min(count);
+        let (paces, every) = (self.paces, self.paces.every.get());
+        let end = range.end.min(paces.rows());
         if range.start >= end {
             return Ok(());
         }
-        let progress = Count::new("steps", transient.saturating_add(steps), watch);
+        let progress = Count::new("steps", paces.in_all(), watch);
         let numbers = vec![Vec::new(); self.columns.len() - 2];
         let mut block = Block::<A> { counts: Vec::new(), times: Vec::new(), numbers };
         let (mut cells, mut next, mut gone) = (Vec::new(), range.start, Ok(()));
-        points.advance(transient + next * every, &progress)?;
+        points.advance(paces.steps_to(next), &progress)?;
         points.row(&mut cells);
         loop {
             block.fill(self, next, &mut cells);
             next += block.counts.len() as u64;
-            let made = transient + (next - 1) * every;
+            let made = paces.steps_to(next - 1);
             if block.hand_on(self.columns, rows).is_break() {
                 return Err(Halt::Stopped(made));
             }
             gone?;
             if next == end {
                 // The steps behind the last row may have no value.
-                let left = if end == count { transient + steps - made } else { 0 };
+                let left = if end == paces.rows() { paces.in_all() - made } else { 0 };
                 return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
             if progress.is_stopped() {
@@ -192,14 +191,14 @@ struct Block<A: Moving> {
 impl<A: Moving> Block<A> {
     /// Takes the rows of these cells, the first of which has this number, in place of those before.
     fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
-        let Course { arithmetic, eps, steps: [transient, _, every], .. } = course;
+        let Course { arithmetic, eps, paces, .. } = course;
         let time_step = arithmetic.add(eps, eps);
         let time = |n: &i64| A::cell(&arithmetic.multiply(&A::whole(*n), &time_step));
         let width = self.numbers.len();
         let rows = first..first + (cells.len() / width) as u64;
         self.counts.clear();
         self.counts.extend(
-            rows.map(|row| i64::try_from(transient + row * every).expect("nobody makes so many steps")),
+            rows.map(|row| i64::try_from(paces.steps_to(row)).expect("nobody makes so many steps")),
         );
         self.times.clear();
         self.times.extend(self.counts.iter().map(time));

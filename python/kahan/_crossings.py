@@ -1,0 +1,157 @@
+"""Sections, diagrams and charts: what orbits do over starts, parameters and eps."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ._arrays import by_name, read
+from ._charts import Range, axes_of, size
+from ._errors import choice
+from ._exact import Number, exact, exact_or_none, half_step, nearest, point, whole, whole_or_none
+from ._orbit import Array, Chart, Diagram, Section
+from ._points import Points
+from ._progress import listener
+from ._questions import question_text
+
+__all__ = ["Crossings"]
+
+Crossed = TypeVar("Crossed", bound=Section)
+
+
+class Crossings(Points):
+    """A field with what is seen of orbits over axes."""
+
+    def section(
+        self, x: Any, eps: Number | Array | None = None, steps: int | None = None, plane: str | None = None, *,
+        dt: Number | Array | None = None, direction: str = "rising", maxima: str | None = None, crossings: int | None = None,
+        transient: int = 0, order: int = 2, params: Any = None, over: Mapping[str, Range | Array] | None = None, carry: bool = False,
+        reembed: bool = False, threads: int | None = None, progress: bool = False,
+    ) -> Section:
+        """Where orbits cross ``plane`` = 0, a formula of the variables and integrals.
+
+        ``x`` is a point, or points of shape (orbits, variables), or a table, as in ``ensemble``; ``eps`` and the
+        parameters of ``params`` are one number, or one for each start. ``over`` maps names to values, as in ``chart``:
+        each start begins an orbit at each of them. Orbits run side by side on ``threads``, and each has the crossings
+        that it has alone.
+
+        ``direction`` is rising, falling or both; ``maxima="x"`` takes the place of a plane, and finds where x is
+        largest. Each crossing is refined on the curve that the step of this ``order`` draws as eps grows from 0, so its
+        time is of that order, too. A sign change without a zero, as at a pole of the formula or of the
+        map, is no crossing; ``jumps`` counts them. An orbit ends after ``crossings`` of them, or ``steps`` behind the
+        first ``transient``, which are not looked at; ``ended`` says which. With ``carry`` an orbit begins where that at the
+        value before came to. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
+
+        >>> import kahan
+        >>> s = kahan.System("xdot = y; ydot = -x;")
+        >>> s.section([[1, 0], [2, 0]], 0.01, plane="y", crossings=3)
+        <Section of 2 orbits of field at y = 0: 6 crossings>
+        """
+        plane, direction = self._plane(plane, maxima, direction)
+        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress,
+                             plane=plane, direction=direction, steps=whole_or_none(steps, "steps"), crossings=whole_or_none(crossings, "crossings"),
+                             transient=whole(transient, "transient"), order=whole(order, "order"), carry=carry, reembed=reembed)
+
+    def diagram(
+        self, over: Mapping[str, Range | Array], x: Any = None, eps: Number | None = None, *, plane: str | None = None,
+        maxima: str | None = None, dt: Number | None = None, direction: str = "rising", crossings: int = 100,
+        steps: int | None = None, transient: int = 1000, order: int = 2, carry: bool = False, show: str | None = None,
+        reembed: bool = False, threads: int | None = None, progress: bool = False,
+    ) -> Diagram:
+        """Where orbits cross a section over a parameter, or eps: a bifurcation diagram, which ``plot`` draws.
+
+        At each value of ``over`` an orbit begins at ``x``, or with ``carry`` where that at the value before came to; it
+        has so many ``crossings`` of ``plane`` = 0, or maxima of the variable ``maxima``, behind ``transient`` steps, at most
+        in ``steps``. ``show`` is the variable that ``plot`` draws: by default that of ``maxima``, or the first that ``plane`` does not name.
+
+        >>> import kahan
+        >>> s = kahan.System("xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);")
+        >>> d = s.diagram({"c": (2, 4, 3)}, [1, 1, 0], 0.02, maxima="x", crossings=5, transient=10_000)
+        >>> list(d), d["x"].round(2)[:5]
+        (['start', 'c', 'n', 't', 'x', 'y', 'z'], array([3.9, 3.9, 3.9, 3.9, 3.9]))
+        """
+        if len(over) != 1:
+            raise ValueError('over: one name goes through values, as over={"c": (2, 6, 400)}')
+        plane, direction = self._plane(plane, maxima, direction)
+        [name] = over
+        eps = half_step(eps, dt, is_needed=name != "eps")
+        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, plane=plane, direction=direction,
+                              steps=whole_or_none(steps, "steps"), crossings=whole(crossings, "crossings"), transient=whole(transient, "transient"),
+                              order=whole(order, "order"), carry=carry, reembed=reembed)
+        others = [variable for variable in self.variables if not re.search(rf"\b{variable}\b", plane)]
+        found.over, found.shown = name, show or maxima or (others or self.variables)[0]
+        return found
+
+    def _plane(self, plane: str | None, maxima: str | None, direction: str) -> tuple[str, str]:
+        """The formula of a section and its direction; of maxima those of the derivative."""
+        if maxima is not None and plane is not None:
+            raise ValueError("plane and maxima: one of both says what the section is")
+        if maxima is not None:
+            return self._rate(maxima), "falling"
+        if not isinstance(plane, str):
+            raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
+        return plane, choice(direction, "direction")
+
+    def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
+                 threads: int | None, progress: bool, **asked: Any) -> Crossed:
+        """Asks for the crossings of one orbit or many."""
+        points, own = read(self._at(x), self, "x", varies=True)
+        given = dict(by_name(params) or ()) | own
+        if "eps" in given:
+            eps = given.pop("eps")
+        each = {name: value for name, value in {**given, "eps": eps}.items() if np.ndim(value)}
+        rows = points if np.ndim(points) > 1 else [points] * max([np.size(value) for value in each.values()], default=1)
+        is_one = np.ndim(points) == 1 and not each
+        system = self._system(**{name: value for name, value in given.items() if not np.ndim(value)}) if len(each) < len(given) else self._system
+        starts = {"at": point(points)} if is_one else {"starts": [point(row) for row in rows]}
+        lists = {name: [exact(one, name) for one in np.ravel(value)] for name, value in each.items()}
+        half = None if eps is None or "eps" in each else eps
+        question = question_text("section", eps=exact_or_none(half, "eps"), **starts, params=lists or None, over=axes_of(over) or None, **asked)
+        columns, (ended, counts) = system._crossings(question, threads=whole_or_none(threads, "threads"), listener=listener(progress))
+        named = [(name, values) for name, _, values in columns]
+        return kind(system, asked["plane"], None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
+
+    def chart(
+        self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *,
+        dt: Number | None = None, steps: int = 1000, transient: int = 0,
+        color: str = "sali", order: int = 2, escape: float | None = None, reembed: bool = False,
+        threads: int | None = None, progress: bool = False,
+    ) -> Chart:
+        """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
+
+        ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
+        it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
+        number: sali, fli, megno, lyapunov, log_det, drift, escape, passed_poles, or a column, as drift_H or
+        spectrum_2. Costs an orbit a cell, in lanes and on all threads. ``transient`` steps are made before those that are observed.
+
+        An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
+        is beyond ``escape``, if that is given, and its cell is NaN. Some times the size of the region of
+        interest is a good bound. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
+        ``reembed`` projects the steps of a lifted field, as in ``orbit``, for the colors drift, escape, and columns of
+        final points, extrema and rotation.
+        """
+        if not over:
+            raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
+        axes = axes_of(over)
+        eps = half_step(eps, dt, is_needed="eps" not in over)
+        question = {"ask": "observe", "at": self._point(x), "transient": whole(transient, "transient"),
+                    "steps": whole(steps, "steps"), "order": whole(order, "order"), "escape": escape, "reembed": reembed, "over": axes}
+        if eps is not None:
+            question["eps"] = exact(eps, "eps")
+        (*columns, (_, meaning, shown)), _, _ = self._table(json.dumps(question), color=color, threads=whole_or_none(threads, "threads"),
+                                                            listener=listener(progress))
+        found = {name: values for name, _, values in columns}
+        # Cells are numbered with the last axis fastest; what has one value only is no column.
+        sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
+        along = {}
+        for k, name in enumerate(over):
+            places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
+            along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
+        of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
+        ended, ended_step = np.array(found["ended"], dtype=object).reshape(sizes), found["ended_step"].reshape(sizes)
+        return Chart(self._system, along, color, shown.reshape(sizes), ended, ended_step, meaning, of)
