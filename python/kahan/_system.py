@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from os import PathLike
+from pathlib import Path
 from typing import Any, TypeVar, cast, overload
 
 import numpy as np
@@ -28,7 +29,7 @@ from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Diagram, Ensemble, FloatOrbit, Orbit, Section
 from ._progress import listener
-from ._series import Series
+from ._series import Series, table_file
 from ._rhs import RightSide
 
 __all__ = ["Family", "System"]
@@ -264,6 +265,15 @@ class System(Formulas):
         if warning:
             warnings.warn(f"{warning} (at=, lift= and reembed=True)", stacklevel=3)
 
+    def _look_at_rates(self, x: Array, eps: float) -> None:
+        """Warns where steps do not resolve fast components along the first orbit at an eps."""
+        if self.__dict__.get("_is_looked_at") == eps:
+            return
+        self.__dict__["_is_looked_at"] = eps
+        note = self._rates_note(np.asarray(x[:: max(1, len(x) // 16)], dtype=float), eps)
+        if note:
+            warnings.warn(f"{note}; s.trade measures which eps resolves them", stacklevel=4)
+
     def _point(self, x: Any) -> list[str]:
         return point(self._one(x))
 
@@ -355,6 +365,7 @@ class System(Formulas):
             if not reembed:
                 self._judge(begun, half)
             in_all = rows[:, : len(self._all_variables)]
+            self._look_at_rates(in_all, half)
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
             orbit: Orbit = FloatOrbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
             orbit.why = why
@@ -607,7 +618,7 @@ class System(Formulas):
         self, x: Any, eps: Number | Array | None = None, steps: int | None = None, plane: str | None = None, *,
         dt: Number | Array | None = None, direction: str = "rising", maxima: str | None = None, crossings: int | None = None,
         transient: int = 0, order: int = 2, params: Any = None, over: Mapping[str, Range | Array] | None = None, carry: bool = False,
-        reembed: bool = False, threads: int | None = None, progress: bool = False,
+        reembed: bool = False, to: str | PathLike[str] | None = None, threads: int | None = None, progress: bool = False,
     ) -> Section:
         """Where orbits cross ``plane`` = 0, a formula of the variables and integrals.
 
@@ -623,13 +634,16 @@ class System(Formulas):
         first ``transient``, which are not looked at; ``ended`` says which. With ``carry`` an orbit begins where that at the
         value before came to. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
 
+        ``to`` names a file, F.parquet or F.arrow, to which the table is written while it is computed, in memory that does
+        not grow with it; the result then has no rows, and counts the crossings of each orbit. Needs pyarrow.
+
         >>> import kahan
         >>> s = kahan.System("xdot = y; ydot = -x;")
         >>> s.section([[1, 0], [2, 0]], 0.01, plane="y", crossings=3)
         <Section of 2 orbits of field at y = 0: 6 crossings>
         """
         plane, direction = self._plane(plane, maxima, direction)
-        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress,
+        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress, to,
                              plane=plane, direction=direction, steps=_whole(steps, "steps"), crossings=_whole(crossings, "crossings"),
                              transient=whole(transient, "transient"), order=whole(order, "order"), carry=carry, reembed=reembed)
 
@@ -656,7 +670,7 @@ class System(Formulas):
         plane, direction = self._plane(plane, maxima, direction)
         [name] = over
         eps = half_step(eps, dt, is_needed=name != "eps")
-        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, plane=plane, direction=direction,
+        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, None, plane=plane, direction=direction,
                               steps=_whole(steps, "steps"), crossings=whole(crossings, "crossings"), transient=whole(transient, "transient"),
                               order=whole(order, "order"), carry=carry, reembed=reembed)
         others = [variable for variable in self.variables if not re.search(rf"\b{variable}\b", plane)]
@@ -674,8 +688,8 @@ class System(Formulas):
         return plane, choice(direction, "direction")
 
     def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
-                 threads: int | None, progress: bool, **asked: Any) -> Crossed:
-        """Asks for the crossings of one orbit or many."""
+                 threads: int | None, progress: bool, to: str | PathLike[str] | None, **asked: Any) -> Crossed:
+        """Asks for the crossings of one orbit or many, and writes them to a file if one is named."""
         points, own = read(self._at(x), self, "x", varies=True)
         given = dict(by_name(params) or ()) | own
         if "eps" in given:
@@ -688,7 +702,15 @@ class System(Formulas):
         lists = {name: [exact(one, name) for one in np.ravel(value)] for name, value in each.items()}
         half = None if eps is None or "eps" in each else eps
         question = _question("section", eps=_exact(half, "eps"), **starts, params=lists or None, over=axes_of(over) or None, **asked)
-        columns, (ended, counts) = system._crossings(question, threads=_whole(threads, "threads"), listener=listener(progress))
+        workers, hear = _whole(threads, "threads"), listener(progress)
+        if to is None:
+            columns, (ended, counts) = system._crossings(question, threads=workers, listener=hear)
+        else:
+            with table_file(Path(to)) as write:
+                columns, (ended, counts) = system._crossings(
+                    question, part=lambda part: write({name: values for name, _, values in part}), threads=workers, listener=hear)
+                write({name: values for name, _, values in columns})
+            columns = [(name, meaning, values[:0]) for name, meaning, values in columns]
         named = [(name, values) for name, _, values in columns]
         return kind(system, asked["plane"], None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
 
