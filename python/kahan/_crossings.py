@@ -6,6 +6,8 @@ import json
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from os import PathLike
+from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,6 +20,7 @@ from ._orbit import Array, Chart, Diagram, Section
 from ._points import Points
 from ._progress import listener
 from ._questions import question_text
+from ._series import table_file
 
 __all__ = ["Crossings"]
 
@@ -31,7 +34,7 @@ class Crossings(Points):
         self, x: Any, eps: Number | Array | None = None, steps: int | None = None, plane: str | None = None, *,
         dt: Number | Array | None = None, direction: str = "rising", maxima: str | None = None, crossings: int | None = None,
         transient: int = 0, order: int = 2, params: Any = None, over: Mapping[str, Range | Array] | None = None, carry: bool = False,
-        reembed: bool = False, threads: int | None = None, progress: bool = False,
+        reembed: bool = False, to: str | PathLike[str] | None = None, threads: int | None = None, progress: bool = False,
     ) -> Section:
         """Where orbits cross ``plane`` = 0, a formula of the variables and integrals.
 
@@ -47,13 +50,16 @@ class Crossings(Points):
         first ``transient``, which are not looked at; ``ended`` says which. With ``carry`` an orbit begins where that at the
         value before came to. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
 
+        ``to`` names a file, F.parquet or F.arrow, to which the table is written while it is computed, in memory that does
+        not grow with it; the result then has no rows, and counts the crossings of each orbit. Needs pyarrow.
+
         >>> import kahan
         >>> s = kahan.System("xdot = y; ydot = -x;")
         >>> s.section([[1, 0], [2, 0]], 0.01, plane="y", crossings=3)
         <Section of 2 orbits of field at y = 0: 6 crossings>
         """
         plane, direction = self._plane(plane, maxima, direction)
-        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress,
+        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress, to,
                              plane=plane, direction=direction, steps=whole_or_none(steps, "steps"), crossings=whole_or_none(crossings, "crossings"),
                              transient=whole(transient, "transient"), order=whole(order, "order"), carry=carry, reembed=reembed)
 
@@ -80,7 +86,7 @@ class Crossings(Points):
         plane, direction = self._plane(plane, maxima, direction)
         [name] = over
         eps = half_step(eps, dt, is_needed=name != "eps")
-        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, plane=plane, direction=direction,
+        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, None, plane=plane, direction=direction,
                               steps=whole_or_none(steps, "steps"), crossings=whole(crossings, "crossings"), transient=whole(transient, "transient"),
                               order=whole(order, "order"), carry=carry, reembed=reembed)
         others = [variable for variable in self.variables if not re.search(rf"\b{variable}\b", plane)]
@@ -98,8 +104,8 @@ class Crossings(Points):
         return plane, choice(direction, "direction")
 
     def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
-                 threads: int | None, progress: bool, **asked: Any) -> Crossed:
-        """Asks for the crossings of one orbit or many."""
+                 threads: int | None, progress: bool, to: str | PathLike[str] | None, **asked: Any) -> Crossed:
+        """Asks for the crossings of one orbit or many, and writes them to a file if one is named."""
         points, own = read(self._at(x), self, "x", varies=True)
         given = dict(by_name(params) or ()) | own
         if "eps" in given:
@@ -112,7 +118,15 @@ class Crossings(Points):
         lists = {name: [exact(one, name) for one in np.ravel(value)] for name, value in each.items()}
         half = None if eps is None or "eps" in each else eps
         question = question_text("section", eps=exact_or_none(half, "eps"), **starts, params=lists or None, over=axes_of(over) or None, **asked)
-        columns, (ended, counts) = system._crossings(question, threads=whole_or_none(threads, "threads"), listener=listener(progress))
+        workers, hear = whole_or_none(threads, "threads"), listener(progress)
+        if to is None:
+            columns, (ended, counts) = system._crossings(question, threads=workers, listener=hear)
+        else:
+            with table_file(Path(to)) as write:
+                columns, (ended, counts) = system._crossings(
+                    question, part=lambda part: write({name: values for name, _, values in part}), threads=workers, listener=hear)
+                write({name: values for name, _, values in columns})
+            columns = [(name, meaning, values[:0]) for name, meaning, values in columns]
         named = [(name, values) for name, _, values in columns]
         return kind(system, asked["plane"], None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
 

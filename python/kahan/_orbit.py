@@ -516,7 +516,7 @@ class Section(Frame, Ended):  # type: ignore[misc]
         else:
             early = sum(ended not in ("complete", "stopped") for ended in self.ended)
             of, end = f" of {len(self.ended)} orbits", f", {early} ended early" if early else ""
-        return f"<{type(self).__name__}{of} of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{jumps}{end}>"
+        return f"<{type(self).__name__}{of} of {self.system.name} at {self.plane} = 0: {np.sum(self.crossings)} crossings{jumps}{end}>"
 
     def columns(self) -> dict[str, Array]:
         """What is ``given``, n, t and the variables, by name."""

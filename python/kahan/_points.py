@@ -102,6 +102,15 @@ class Points(Formulas):
         if warning:
             warnings.warn(f"{warning} (at=, lift= and reembed=True)", stacklevel=3)
 
+    def _look_at_rates(self, x: Array, eps: float) -> None:
+        """Warns where steps do not resolve fast components along the first orbit at an eps."""
+        if self.__dict__.get("_is_looked_at") == eps:
+            return
+        self.__dict__["_is_looked_at"] = eps
+        note = self._rates_note(np.asarray(x[:: max(1, len(x) // 16)], dtype=float), eps)
+        if note:
+            warnings.warn(f"{note}; s.trade measures which eps resolves them", stacklevel=4)
+
     def _point(self, x: Any) -> list[str]:
         return point(self._one(x))
 

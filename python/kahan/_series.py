@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -217,29 +218,44 @@ def _joined(ends: list[Ends]) -> Ends:
 
 
 def _written(series: Series, parts: Iterator[Series], path: Path) -> Ensemble:
-    """Writes the table part by part; the file appears when it is complete."""
+    """Writes the table part by part."""
+    ends: list[Ends] = []
+    last: list[Array] = []
+    with table_file(path) as write:
+        for part in parts:
+            write(part.columns())
+            ends.append(part._ends)
+            last.append(part.x[:, -1])
+    return Ensemble(series.system, series.start, series.given, np.concatenate(last), _joined(ends), {})
+
+
+@contextmanager
+def table_file(path: Path) -> Iterator[Callable[[dict[str, Array]], None]]:
+    """What appends columns to a table in a file, as a row group or a record batch; the file appears when it is complete."""
     if path.suffix not in (".parquet", ".arrow", ".feather"):
         raise ValueError(f"to: a table is written to F.parquet or F.arrow, not {path}")
     pyarrow = needed("pyarrow")
     unfinished = path.with_name(f".{path.name}.{os.getpid()}")
     writer: Any = None
-    ends: list[Ends] = []
-    last: list[Array] = []
-    try:
-        for part in parts:
-            table = pyarrow.table(part.columns())
-            if writer is None:
-                if path.suffix == ".parquet":
-                    from pyarrow import parquet
 
-                    writer = parquet.ParquetWriter(unfinished, table.schema)
-                else:
-                    writer = pyarrow.ipc.new_file(unfinished, table.schema)
-            writer.write_table(table)
-            ends.append(part._ends)
-            last.append(part.x[:, -1])
+    def write(columns: dict[str, Array]) -> None:
+        nonlocal writer
+        table = pyarrow.table(columns)
+        if writer is not None and not len(table):
+            # Columns without rows are of other types.
+            return
+        if writer is None:
+            if path.suffix == ".parquet":
+                from pyarrow import parquet
+
+                writer = parquet.ParquetWriter(unfinished, table.schema)
+            else:
+                writer = pyarrow.ipc.new_file(unfinished, table.schema)
+        writer.write_table(table)
+
+    try:
+        yield write
         writer.close()
         unfinished.replace(path)
     finally:
         unfinished.unlink(missing_ok=True)
-    return Ensemble(series.system, series.start, series.given, np.concatenate(last), _joined(ends), {})

@@ -99,6 +99,7 @@ class Trajectories(Points):
             if not reembed:
                 self._judge(begun, half)
             in_all = rows[:, : len(self._all_variables)]
+            self._look_at_rates(in_all, half)
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
             orbit: Orbit = FloatOrbit(self._system, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
             orbit.why = why

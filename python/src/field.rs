@@ -390,6 +390,16 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
+    /// A note on components that steps do not resolve, at some of these points of all variables.
+    #[pyo3(name = "_rates_note")]
+    fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
+        let x = doubles(x, "x")?;
+        let Some(mut rates) = self.study.rates(eps.0) else { return Ok(None) };
+        let stride = rates.stride(x.shape()[0] as u64) as usize;
+        x.as_slice()?.chunks_exact(rates.variables().max(1)).step_by(stride).for_each(|x| rates.look(x));
+        Ok(rates.note())
+    }
+
     /// Notes on what was read in a way that the writer of the text should know of.
     #[getter]
     fn notes(&self) -> Vec<String> {

@@ -1,11 +1,13 @@
-//! Crossings of orbits as arrays.
+//! Crossings of orbits as arrays, all of them or part by part.
 
-use kahan_study::{Crossed, Kept, Question, SectionFound};
+use std::ops::ControlFlow;
+
+use kahan_study::{Column, Crossed, Kept, Question, Rows, Table, Values};
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::beside::{Listener, apart};
+use crate::beside::{Listener, beside};
 use crate::errors::of_study;
 use crate::field::Field;
 use crate::table::array;
@@ -18,28 +20,42 @@ type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 #[pymethods]
 impl Field {
     /// The crossings that a question about a section finds, which is JSON: its columns, and how
-    /// each orbit ended.
-    #[pyo3(name = "_crossings", signature = (question, *, threads = None, listener = None))]
+    /// each orbit ended. With `part` this is called with columns of some crossings after the
+    /// other, and those that are returned are the last.
+    #[pyo3(name = "_crossings", signature = (question, *, part = None, threads = None, listener = None))]
     fn crossings<'py>(
         &self,
         py: Python<'py>,
         question: &str,
+        part: Option<Py<PyAny>>,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Columns<'py>, Ends<'py>)> {
-        let study = self.study().clone();
+        let study = self.study();
         let Question::Section(asked) = crate::field::question(question)? else {
             return Err(PyValueError::new_err("a question about a section is needed"));
         };
-        let found = apart(py, threads, &Listener(listener), move |caller| asked.ask(&study, caller))?;
-        let SectionFound { orbits, rows, .. } = found.map_err(|error| of_study(py, &error))?;
-        let mut values = rows.values.into_iter();
-        let columns = rows.columns.into_iter().map(|column| {
-            // Without crossings there are no values.
-            let kept = values.next().unwrap_or(Kept::F64(Vec::new()));
-            Ok((column.name, column.meaning, array(py, kept)?))
-        });
-        let columns = columns.collect::<PyResult<_>>()?;
+        let listener = Listener(listener);
+        let (orbits, rows) = match part {
+            None => {
+                let found = beside(py, threads, &listener, |caller| asked.ask(study, caller))?;
+                found.map(|found| (found.orbits, found.rows))
+            }
+            Some(part) => {
+                let columns = asked.columns(study).map_err(|error| of_study(py, &error))?;
+                let mut parts = Parts { columns, rows: Table::default(), part, raised: None };
+                let found = beside(py, threads, &listener, |caller| asked.find(study, &mut parts, caller))?;
+                parts.raised.map_or(Ok(()), Err)?;
+                let rows = if parts.rows.values.is_empty() {
+                    Table { columns: parts.columns, values: Vec::new() }
+                } else {
+                    parts.rows
+                };
+                found.map(|orbits| (orbits, rows))
+            }
+        }
+        .map_err(|error| of_study(py, &error))?;
+        let columns = in_arrays(py, rows)?;
         let counts = |of: fn(&Crossed) -> u64| {
             let counts: Vec<i64> = orbits.iter().map(|one| of(one) as i64).collect();
             counts.into_pyarray(py).into_any()
@@ -53,4 +69,44 @@ impl Field {
     fn rate(&self, py: Python<'_>, variable: &str) -> PyResult<String> {
         self.study().rate(variable).map_err(|error| of_study(py, &error))
     }
+}
+
+/// Hands crossings on to Python when there are many.
+struct Parts {
+    columns: Vec<Column>,
+    rows: Table,
+    part: Py<PyAny>,
+    /// The exception that Python raised.
+    raised: Option<PyErr>,
+}
+
+/// Numbers that are handed on at once.
+const AT_ONCE: usize = 1 << 20;
+
+impl Rows for Parts {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        self.rows.block(columns, values)?;
+        if self.rows.count() * columns.len() < AT_ONCE {
+            return ControlFlow::Continue(());
+        }
+        let rows = std::mem::take(&mut self.rows);
+        let told = Python::attach(|py| self.part.call1(py, (in_arrays(py, rows)?,)).map(|_| ()));
+        told.map_or_else(
+            |raised| {
+                self.raised = Some(raised);
+                ControlFlow::Break(())
+            },
+            ControlFlow::Continue,
+        )
+    }
+}
+
+/// The columns of a table as arrays; without rows all are of doubles.
+fn in_arrays(py: Python<'_>, rows: Table) -> PyResult<Columns<'_>> {
+    let mut values = rows.values.into_iter();
+    let columns = rows.columns.into_iter().map(|column| {
+        let kept = values.next().unwrap_or(Kept::F64(Vec::new()));
+        Ok((column.name, column.meaning, array(py, kept)?))
+    });
+    columns.collect()
 }

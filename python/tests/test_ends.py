@@ -1,5 +1,7 @@
 """The same start ends in the same way, after as many steps, wherever its orbit is followed."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -64,3 +66,13 @@ def test_steps_over_poles_are_counted_where_they_are_asked_for():
 def test_exact_orbits_end_at_poles():
     orbit = kahan.System("xdot = x^2;").orbit([1], "1/20", 11, scalar="exact")
     assert (orbit.ended, orbit.ended_step, orbit.x[-1, 0]) == ("pole", 9, 10)
+
+
+def test_an_orbit_warns_once_where_steps_do_not_resolve_fast_components():
+    stiff = kahan.System("xdot = -100*(x - y); ydot = -y;")
+    with pytest.warns(UserWarning, match="up to 20 for an eigenvalue .* s.trade measures"):
+        stiff.orbit([0, 1], 0.1, 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        stiff.orbit([0, 1], 0.1, 3)
+        stiff.orbit([0, 1], 0.001, 3)

@@ -64,3 +64,25 @@ def test_plots():
     axes = found.plot(ms=1)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("c", "x")
     assert len(HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=3).plot().lines) == 20
+
+
+@pytest.mark.parametrize("name", ["crossings.parquet", "crossings.arrow"])
+def test_crossings_are_written_while_they_are_found(tmp_path, name):
+    pyarrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    def read():
+        path = tmp_path / name
+        return parquet.read_table(path) if path.suffix == ".parquet" else pyarrow.ipc.open_file(path).read_all()
+
+    whole = HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=8000)
+    found = HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=8000, to=tmp_path / name)
+    table = read()
+    assert table.column_names == list(whole) and table.num_rows == 160_000
+    assert all((table[column].to_numpy() == whole[column]).all() for column in whole)
+    assert len(found) == 0 and (found.crossings == whole.crossings).all() and (found.steps == whole.steps).all()
+    assert "160000 crossings" in repr(found)
+    none = HENON_HEILES.section(STARTS, 0.05, plane="x - 50", steps=10, to=tmp_path / name)
+    assert none.crossings.sum() == 0 and read().num_rows == 0 and [path.name for path in tmp_path.iterdir()] == [name]
+    with pytest.raises(ValueError, match="F.parquet or F.arrow"):
+        HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=2, to=tmp_path / "crossings.csv")

@@ -364,10 +364,10 @@ async function orbits(asker, methods) {
       const reply = await asker.ask(asked, { ask: 'orbit', eps, at: at.split(','), steps, method })
       if (!reply || sheet !== sheetOf) return
       if (reply.mistake) { undrawn(reply.mistake); return }
-      const { head, rows, stopped } = reply.answer
+      const { head, rows, stopped, note } = reply.answer
       const columns = head.columns.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
       const first = 2 + head.variables.length
-      made.push({ names: head.columns, method, eps, at, columns, stopped, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] })
+      made.push({ names: head.columns, method, eps, at, columns, stopped, note, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] })
     }
   }
   if (asker === mover) {
@@ -391,6 +391,8 @@ function show(drawn) {
   $('ended').textContent = ended
     ? `${METHODS[ended.method][0]} blows up after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
     : `${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`
+  const noted = own.find(({ note }) => note)
+  if (noted) $('ended').textContent += `. Note: ${noted.note}.`
   const places = state.axes.map(name => (name === 't' ? 1 : 2 + pointVariables().indexOf(name)))
   const window = frame?.window || places.map(k => {
     const lists = orbits => orbits.map(({ columns }) => columns[k])

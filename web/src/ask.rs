@@ -211,7 +211,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
         }
     }
     let stopped = ending.why.map(|_| json!({"step": ending.step}));
-    let answer = json!({"head": head, "rows": rows.count(), "stopped": stopped});
+    let answer = json!({"head": head, "rows": rows.count(), "stopped": stopped, "note": ending.note});
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 

@@ -4,6 +4,7 @@
 use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
 
+use kahan_algebra::rational::Rational;
 use kahan_core::Dd;
 use kahan_runtime::{End, Fraction};
 use serde::ser::SerializeStruct;
@@ -145,6 +146,18 @@ pub enum Cell<'a> {
     Text(&'a str),
 }
 
+impl Cell<'_> {
+    /// The nearest double; NaN of what is no finite number.
+    pub(crate) fn to_f64(&self) -> f64 {
+        match self {
+            Self::Float(number) => number.to_f64(),
+            Self::Exact(Exact::Number(number)) => Rational::from(number).to_f64(),
+            Self::Integer(count) => *count as f64,
+            Self::Exact(_) | Self::Text(_) => f64::NAN,
+        }
+    }
+}
+
 impl Display for Cell<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -242,12 +255,14 @@ pub struct Ending {
     pub why: Option<String>,
     /// The part of the question, and its value, that could be tried instead.
     pub instead: Option<[&'static str; 2]>,
+    /// A finding about the orbit that is no end, in a sentence.
+    pub note: Option<String>,
 }
 
 impl Ending {
     /// An end that has no reason.
     pub(crate) fn plain(end: End, step: u64) -> Self {
-        Ending { end, step, why: None, instead: None }
+        Ending { end, step, why: None, instead: None, note: None }
     }
 
     /// Returns the reason with what else could be tried, whose part the spelling tells.
@@ -261,10 +276,14 @@ impl Ending {
 /// Its name, the step, and the reason.
 impl Serialize for Ending {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_struct("Ending", 3)?;
+        let mut object = serializer.serialize_struct("Ending", 3 + usize::from(self.note.is_some()))?;
         object.serialize_field("ended", self.end.name())?;
         object.serialize_field("ended_step", &self.step)?;
         object.serialize_field("stopped", &self.in_words(by_name))?;
+        match &self.note {
+            Some(note) => object.serialize_field("note", note)?,
+            None => object.skip_field("note")?,
+        }
         object.end()
     }
 }

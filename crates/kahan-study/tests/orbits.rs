@@ -319,3 +319,28 @@ fn what_is_claimed_at_one_step_is_a_column_there() {
     assert_eq!(columns(2, rational(1, 2)), "K");
     assert_eq!(columns(2, rational(1, 3)), "");
 }
+
+#[test]
+fn components_that_steps_do_not_resolve_are_noted() {
+    let decay = study(Subject::text("xdot = -100*(x - y); ydot = -y;"));
+    let oscillator = study(Subject::text("xdot = y; ydot = -x;"));
+    let at = |study: &Study, eps: Rational| {
+        ScalarKind::ALL.map(|scalar| {
+            let orbit = Orbit::new(eps.clone(), vec![Rational::zero(), Rational::one()], 20);
+            answer(study, &Orbit { scalar, ..orbit }).ending.note
+        })
+    };
+    // 2ελ = 20, 1.98 and 0.2.
+    for note in at(&decay, rational(1, 10)) {
+        assert!(note.is_some_and(|note| note.contains("up to 20 for an eigenvalue")));
+    }
+    assert_eq!(at(&decay, rational(99, 10_000)), [const { None }; 4]);
+    assert_eq!(at(&oscillator, rational(1, 10)), [const { None }; 4]);
+    // An oscillation whose phase is wrong.
+    assert!(at(&oscillator, rational(3, 2)).iter().all(Option::is_some));
+    let noted = Orbit::new(rational(1, 10), vec![Rational::zero(), Rational::one()], 3);
+    assert!(json!(answer(&decay, &noted))["note"].is_string());
+    assert_eq!(json!(answer(&oscillator, &noted)).get("note"), None);
+    // The flow is resolved whatever the step.
+    assert_eq!(answer(&decay, &Orbit { method: Method::Flow, ..noted }).ending.note, None);
+}

@@ -117,7 +117,8 @@ pub(crate) struct Orbit {
 
     /// Print one JSON object; exact numbers are strings p/q, floats are numbers.
     ///
-    /// Numbers of dd have 32 digits. With --out the rows are in the file only.
+    /// Numbers of dd have 32 digits. With --out the rows are in the file only. `note` says that
+    /// steps do not resolve fast components, where that is so at half of 16 points of the orbit.
     ///
     /// `runs_as` tells whether floats ran as machine code or
     /// were interpreted, as on other processors and in fields too large for a straight line.

@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::{Spelling, StudyError};
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
+use crate::rates::Rates;
 use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, Values, free_name};
 use crate::study::Study;
 
@@ -415,12 +416,17 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns: &all, eps, paces };
-            let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
-            match course.hand_on(&mut *points, range, &mut chosen, watch) {
+            // Rates grow beyond all bounds near infinity, and other methods are not Kahan's map.
+            let is_plain = self.method == Method::Kahan && !self.projective;
+            let rates = study.rates(self.eps.to_f64()).filter(|_| is_plain);
+            let looks = rates.map(|rates| Looks::new(rates, paces.rows()));
+            let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows, looks };
+            let ending = match course.hand_on(&mut *points, range, &mut chosen, watch) {
                 Ok(()) => Ending::plain(End::Complete, self.steps_in_all()),
                 Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
-            }
+            };
+            Ending { note: chosen.looks.and_then(|looks| looks.rates.note()), ..ending }
         };
         Ok(Begun { head, go_on: Box::new(go_on) })
     }
@@ -452,10 +458,41 @@ struct Chosen<'a> {
     columns: &'a [Column],
     places: Vec<usize>,
     rows: &'a mut dyn Rows,
+    looks: Option<Looks>,
+}
+
+/// The rates of the field at some of the rows.
+struct Looks {
+    rates: Rates,
+    /// Rows from one that is looked at to the next.
+    stride: u64,
+    /// Rows to the next one.
+    next: u64,
+}
+
+impl Looks {
+    fn new(rates: Rates, rows: u64) -> Self {
+        Looks { stride: rates.stride(rows), rates, next: 0 }
+    }
+
+    /// Looks at rows that have n, t and the variables.
+    fn rows(&mut self, values: &[Values<'_>]) {
+        let count = values[0].count() as u64;
+        while self.next < count {
+            let row = self.next as usize;
+            let x: Vec<f64> = values[2..][..self.rates.variables()].iter().map(|column| column.cell(row).to_f64()).collect();
+            self.rates.look(&x);
+            self.next += self.stride;
+        }
+        self.next -= count;
+    }
 }
 
 impl Rows for Chosen<'_> {
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        if let Some(looks) = &mut self.looks {
+            looks.rows(values);
+        }
         let values: Vec<Values<'_>> = self.places.iter().map(|&place| values[place]).collect();
         self.rows.block(self.columns, &values)
     }

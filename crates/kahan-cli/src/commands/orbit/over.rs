@@ -71,6 +71,7 @@ impl Orbit {
                 step: 0,
                 why: Some(why.to_string()),
                 instead: None,
+                note: None,
             }))
         })
     }

@@ -8,7 +8,7 @@ use kahan_study::{Ending, Kept};
 use serde_json::{Map, Value, json};
 
 use super::{Orbit, is_array};
-use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
+use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
 use crate::reading::option;
 
 impl Orbit {
@@ -42,6 +42,9 @@ impl Orbit {
             }
             _ => Answer::text(String::new()),
         };
+        if let Some(note) = stops.iter().find_map(|ending| ending.note.as_ref()) {
+            warn(&format!("{note}; `kahan trade` measures which eps resolves them"));
+        }
         Ok(answer.but(complaint(&stops)))
     }
 
@@ -70,20 +73,24 @@ impl Orbit {
     }
 }
 
-/// How orbits ended, as it stands in an object: `ended`, `ended_step`, and under `stopped` why it
-/// ended early or null; of several orbits lists of these.
+/// How orbits ended, as it stands in an object: `ended`, `ended_step`, under `stopped` why it
+/// ended early or null, and under `note` a finding about it, if there is one; of several orbits
+/// lists of these.
 fn ended(endings: &[Ending]) -> Map<String, Value> {
     let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,
         [one] => value(one),
         all => all.iter().map(value).collect(),
     };
-    let entries = [
+    let mut entries = vec![
         ("ended", of_all(|ending| json!(ending.end.name()))),
         ("ended_step", of_all(|ending| json!(ending.step))),
         ("stopped", of_all(|ending| json!(ending.in_words(option)))),
     ];
-    entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
+    if endings.iter().any(|ending| ending.note.is_some()) {
+        entries.push(("note", of_all(|ending| json!(ending.note))));
+    }
+    entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
 /// The same for standard error: of several orbits, how many ended early, and why the first of them.

@@ -126,6 +126,7 @@ impl Chain {
                     step + 1
                 )),
                 instead: None,
+                note: None,
             },
         }
     }

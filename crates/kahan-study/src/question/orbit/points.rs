@@ -271,5 +271,5 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         Why::Range => Some(["scalar", "exact"]),
         _ => None,
     };
-    Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")), instead }
+    Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")), instead, note: None }
 }

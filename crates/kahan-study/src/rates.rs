@@ -1,0 +1,138 @@
+//! Whether steps resolve the fast components of a field.
+//!
+//! In: a field at an ε and points of an orbit. Out: the largest |2ελ| over eigenvalues λ of f′ at
+//! some of them, in words where it is large. Kahan's map multiplies a component of rate λ by
+//! (1 + ελ)/(1 − ελ), which follows exp(2ελ) only while |2ελ| is small. From 2 on a decaying
+//! component changes its sign in each step, and a fast oscillation has a wrong phase.
+
+use kahan_runtime::MapAt;
+
+use crate::study::Study;
+
+/// The most points of an orbit that are looked at.
+const MOST_POINTS: u64 = 16;
+
+/// The most points of a field with more than [`MANY`] variables.
+const MOST_OF_MANY: u64 = 4;
+
+/// A number of variables from which a matrix costs more than a row of a table.
+const MANY: usize = 32;
+
+/// |2ελ| of components that are not resolved.
+const FAST: f64 = 2.0;
+
+/// Products of a vector by f′ before its growth is measured, and those by which it is.
+const PRODUCTS: [u32; 2] = [16, 32];
+
+/// The rates of a field at points of an orbit.
+pub struct Rates {
+    at: MapAt<f64>,
+    variables: usize,
+    jacobian: Vec<f64>,
+    /// Points that were looked at, and those with a fast component.
+    points: [u32; 2],
+    /// The largest |2ελ|.
+    largest: f64,
+}
+
+impl Study {
+    /// The rates of the field at its values, beside steps of 2ε; none where ε is 0.
+    #[must_use]
+    pub fn rates(&self, eps: f64) -> Option<Rates> {
+        let map = self.map().ok().filter(|_| eps != 0.0 && eps.is_finite())?;
+        let variables = self.variables().len();
+        let jacobian = vec![0.0; variables.pow(2)];
+        Some(Rates { at: map.at(eps), variables, jacobian, points: [0; 2], largest: 0.0 })
+    }
+}
+
+impl Rates {
+    /// The number of rows from one that is to be looked at to the next, given the number of all.
+    #[must_use]
+    pub fn stride(&self, rows: u64) -> u64 {
+        let most = if self.variables > MANY { MOST_OF_MANY } else { MOST_POINTS };
+        rows.div_ceil(most).max(1)
+    }
+
+    /// The number of variables of a point.
+    #[must_use]
+    pub fn variables(&self) -> usize {
+        self.variables
+    }
+
+    /// Looks at a point. Costs a matrix of f′, and some products by it where its norm is large.
+    pub fn look(&mut self, x: &[f64]) {
+        let Self { at, jacobian, points: [count, fast], largest, .. } = self;
+        if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {
+            return;
+        }
+        *count += 1;
+        let step = 2.0 * at.eps().abs();
+        // No eigenvalue is larger than the norm.
+        let bound = jacobian.chunks_exact(x.len()).map(|row| row.iter().map(|entry| entry.abs()).sum());
+        if bound.fold(0.0, f64::max) * step > FAST {
+            let size = spectral_radius(jacobian, x.len()) * step;
+            *fast += u32::from(size > FAST);
+            *largest = largest.max(size);
+        }
+    }
+
+    /// Says so where components are fast at half of the points.
+    #[must_use]
+    pub fn note(&self) -> Option<String> {
+        let [count, fast] = self.points;
+        // The size with two digits.
+        let largest = || format!("{:.1e}", self.largest).parse().unwrap_or(self.largest);
+        (fast > 0 && 2 * fast >= count).then(|| {
+            format!(
+                "fast components are not resolved: |2 eps lambda| is up to {} for an eigenvalue lambda of f' along the orbit, \
+                 and should be below {FAST}",
+                largest()
+            )
+        })
+    }
+}
+
+/// The largest size of an eigenvalue, nearly: the mean growth of a vector in products by the matrix.
+fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
+    // No symmetry of a field has this vector.
+    let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
+    let mut product = vec![0.0; n];
+    let [before, measured] = PRODUCTS;
+    let mut growth = 0.0;
+    for made in 0..before + measured {
+        for (entry, row) in product.iter_mut().zip(matrix.chunks_exact(n)) {
+            *entry = row.iter().zip(&x).map(|(a, x)| a * x).sum();
+        }
+        let length = product.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        // The matrix is nilpotent, or its entries are too large.
+        if length == 0.0 || !length.is_finite() {
+            return length;
+        }
+        product.iter_mut().for_each(|entry| *entry /= length);
+        std::mem::swap(&mut x, &mut product);
+        if made >= before {
+            growth += length.ln();
+        }
+    }
+    (growth / f64::from(measured)).exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spectral_radius;
+
+    #[test]
+    fn the_spectral_radius_is_that_of_the_largest_eigenvalue() {
+        let oscillator = [0.0, 1.0, -1e4, 0.0];
+        let decay = [-100.0, 100.0, 0.0, -1.0];
+        // Eigenvalues 3 ± 4i and 1.
+        let spiral = [3.0, 4.0, 0.0, -4.0, 3.0, 0.0, 7.0, 0.0, 1.0];
+        let found =
+            [spectral_radius(&oscillator, 2), spectral_radius(&decay, 2), spectral_radius(&spiral, 3)];
+        for (found, wanted) in found.into_iter().zip([100.0, 100.0, 5.0]) {
+            assert!((found / wanted - 1.0).abs() < 0.02, "{found} {wanted}");
+        }
+        assert_eq!(spectral_radius(&[0.0, 1e9, 0.0, 0.0], 2), 0.0);
+    }
+}
