@@ -159,7 +159,7 @@ impl Asking for Orbit {
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
         let place =
             |start: usize| has_places.then(|| Kept::Integer(vec![start as i64])).into_iter().collect();
-        let orbits = begun.into_iter().enumerate().map(|(start, orbit)| (place(start), orbit)).collect();
+        let orbits = begun.into_iter().enumerate().map(|(start, orbit)| (place(start), orbit));
         let names = if has_places { &names[..] } else { &[] };
         self.write(head, names, orbits, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
     }
@@ -192,7 +192,7 @@ impl Orbit {
         let paces = Paces::new(self.before.transient, self.steps, self.every);
         let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
-        self.write(json!(head), &[], vec![(Vec::new(), &mut chain)], |chain, table, watch| {
+        self.write(json!(head), &[], [(Vec::new(), &mut chain)].into_iter(), |chain, table, watch| {
             // The file is wanted even where nobody reads the table.
             table.outlive_reader(array.is_some());
             let mut written = Ok(());

@@ -12,10 +12,13 @@ use super::{Orbit, Question};
 use crate::printing::{Answer, Refusal};
 use crate::reading;
 
-/// The values that the ranges have together, and the field there.
-struct Combination {
-    study: Study,
-    values: Vec<Rational>,
+/// The values that ranges have together, one of each, the last range running fastest.
+struct Combinations<'a> {
+    study: &'a Study,
+    axes: &'a [Axis],
+    count: usize,
+    /// The fields of the first ones, each with its map.
+    few: Vec<Study>,
 }
 
 impl Orbit {
@@ -33,10 +36,10 @@ impl Orbit {
                 return Err(StudyError::AxisTwice { name: name.clone() }.into());
             }
         }
-        let combinations = Combination::all(&study, &axes)?;
-        let asked = |start: &[Rational], of: &Combination| -> Result<Question, StudyError> {
+        let mut all = Combinations::of(&study, &axes)?;
+        let asked = |start: &[Rational], values: &[Rational]| -> Result<Question, StudyError> {
             let (mut at, mut eps) = (start.to_vec(), eps.clone());
-            for (axis, value) in axes.iter().zip(&of.values) {
+            for (axis, value) in axes.iter().zip(values) {
                 let coordinate = study.coordinates().iter().position(|name| *name == axis.name);
                 match coordinate {
                     Some(place) => at[place] = value.clone(),
@@ -47,24 +50,31 @@ impl Orbit {
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
         // Nothing is written before each value and each start has begun once.
-        let first = asked(&starts[0], &combinations[0])?;
-        let head = json!(first.begin(&combinations[0].study)?.head);
-        for of in &combinations[1..] {
-            asked(&starts[0], of)?.begin(&of.study)?;
+        for index in 0..all.count {
+            let study = all.study(index)?;
+            asked(&starts[0], &all.values(index))?.begin(&study)?;
+            if index < KEPT {
+                all.few.push(study);
+            }
         }
+        let (first, study) = (all.values(0), &all.few[0]);
+        let head = json!(asked(&starts[0], &first)?.begin(study)?.head);
         for start in &starts[1..] {
-            asked(start, &combinations[0])?.begin(&combinations[0].study)?;
+            asked(start, &first)?.begin(study)?;
         }
         let names: Vec<String> =
             [&"start".to_owned()].into_iter().chain(axes.iter().map(|axis| &axis.name)).cloned().collect();
-        let all = starts.iter().enumerate().flat_map(|start| combinations.iter().map(move |of| (start, of)));
-        let orbits = all.map(|((index, start), of)| {
-            let values = of.values.iter().map(|value| self.cell(value));
-            ([Kept::Integer(vec![index as i64])].into_iter().chain(values).collect(), (start, of))
+        let count = starts.len() * all.count;
+        let orbits = (0..count).map(|index| {
+            let (start, index) = (index / all.count, index % all.count);
+            let values = all.values(index);
+            let cells = values.iter().map(|value| self.cell(value));
+            let place = [Kept::Integer(vec![start as i64])].into_iter().chain(cells).collect();
+            (place, (&starts[start], index, values))
         });
-        self.write(head, &names, orbits.collect(), |(start, of), table, watch| {
-            let ending = asked(start, of)
-                .and_then(|asked| Ok(asked.begin(&of.study)?.rows(0..u64::MAX, table, watch)));
+        self.write(head, &names, orbits, |(start, index, values), table, watch| {
+            let ending = asked(start, &values)
+                .and_then(|asked| Ok(asked.begin(&all.study(index)?)?.rows(0..u64::MAX, table, watch)));
             // An orbit without a first point ends there.
             Ok(ending.unwrap_or_else(|why| Ending {
                 end: End::Range(0),
@@ -85,33 +95,46 @@ impl Orbit {
     }
 }
 
-impl Combination {
-    /// All of them, the last range running fastest.
-    fn all(study: &Study, axes: &[Axis]) -> Result<Vec<Self>, StudyError> {
+impl<'a> Combinations<'a> {
+    fn of(study: &'a Study, axes: &'a [Axis]) -> Result<Self, StudyError> {
         let count = axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.range.count()));
         let count = count.filter(|count| *count <= MOST).ok_or(StudyError::ManyPoints { most: MOST })?;
-        let names = |axis: &Axis| axis.name == "eps" || study.coordinates().contains(&axis.name);
-        let of_field: Vec<bool> = axes.iter().map(|axis| !names(axis)).collect();
-        let combination = |index: usize| {
-            let mut rest = index;
-            let mut values: Vec<Rational> = axes
-                .iter()
-                .rev()
-                .map(|axis| {
-                    let value = axis.range.value(rest % axis.range.count());
-                    rest /= axis.range.count();
-                    value
-                })
-                .collect();
-            values.reverse();
-            let own = axes.iter().zip(&values).zip(&of_field).filter(|(_, is_own)| **is_own);
-            let own = own.map(|((axis, value), _)| (axis.name.clone(), value.clone()));
-            let given: Vec<(String, Rational)> = study.fixed().into_iter().chain(own).collect();
-            Ok(Combination { study: study.given_by_name(&given)?, values })
-        };
-        (0..count).map(combination).collect()
+        Ok(Combinations { study, axes, count, few: Vec::new() })
+    }
+
+    /// The values of one of them.
+    fn values(&self, index: usize) -> Vec<Rational> {
+        let mut rest = index;
+        let mut values: Vec<Rational> = self
+            .axes
+            .iter()
+            .rev()
+            .map(|axis| {
+                let value = axis.range.value(rest % axis.range.count());
+                rest /= axis.range.count();
+                value
+            })
+            .collect();
+        values.reverse();
+        values
+    }
+
+    /// The field at the values of one of them.
+    fn study(&self, index: usize) -> Result<Study, StudyError> {
+        if let Some(study) = self.few.get(index) {
+            return Ok(study.clone());
+        }
+        let values = self.values(index);
+        let names = |axis: &Axis| axis.name == "eps" || self.study.coordinates().contains(&axis.name);
+        let own = self.axes.iter().zip(&values).filter(|(axis, _)| !names(axis));
+        let own = own.map(|(axis, value)| (axis.name.clone(), value.clone()));
+        let given: Vec<(String, Rational)> = self.study.fixed().into_iter().chain(own).collect();
+        self.study.given_by_name(&given)
     }
 }
 
-/// The most combinations of values, each of which has a map.
+/// The most combinations of values, each of which is begun once before the first row.
 const MOST: usize = 1 << 20;
+
+/// The combinations whose maps are kept from one start to the next.
+const KEPT: usize = 1024;

@@ -18,7 +18,7 @@ impl Orbit {
         &self,
         head: Value,
         places: &[String],
-        orbits: Vec<(Vec<Kept>, O)>,
+        orbits: impl ExactSizeIterator<Item = (Vec<Kept>, O)>,
         fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
     ) -> Result<Answer, Refusal> {
         let Value::Object(mut head) = head else { unreachable!("a head is an object") };
@@ -53,7 +53,7 @@ impl Orbit {
         &self,
         sink: Sink,
         head: &Map<String, Value>,
-        orbits: Vec<(Vec<Kept>, O)>,
+        orbits: impl ExactSizeIterator<Item = (Vec<Kept>, O)>,
         mut fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
     ) -> Result<Vec<Ending>, Broken> {
         let steps = self.before.transient.saturating_add(self.steps);
