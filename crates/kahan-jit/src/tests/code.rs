@@ -187,7 +187,8 @@ fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)
 }
 
-const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
+const SCALAR: Shape =
+    Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
 #[test]
 #[should_panic(expected = "3 states")]
@@ -200,8 +201,8 @@ fn code_is_not_entered_with_too_few_states() {
 
 #[test]
 fn what_an_instruction_set_lacks_is_refused() {
-    let refusal =
-        Orbit::<f64>::compile(&small(), Shape { fuses: true, ..SCALAR }).expect_err("AVX fuses nothing");
+    let avx = Shape { instructions: InstructionSet::Avx, fuses: true, ..SCALAR };
+    let refusal = Orbit::<f64>::compile(&small(), avx).expect_err("AVX fuses nothing");
     assert!(refusal.to_string().contains("no multiply-adds"), "{refusal}");
 }
 

@@ -9,7 +9,8 @@ use crate::{
 
 use super::draw::{constant, literal, push, state};
 
-const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
+const SHAPE: Shape =
+    Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
 /// Whether there is no instruction set that could show it.
 fn is_unavailable() -> bool {
