@@ -182,6 +182,23 @@ fn a_sweep_advances_each_trajectory() {
     sweeps::<f32>();
 }
 
+/// Code that its jumps and its numbers are far apart in, where some processors take other
+/// instructions.
+#[test]
+fn long_code_computes_its_results() {
+    let program = random_program(&mut Draw(7), 3, 2, 24_000);
+    let (x, c) = ([0.5, -0.25, 1.5], [0.125, -2.0]);
+    for shape in shapes(LaneCount::One) {
+        let expected = (0..3).fold(x.to_vec(), |x, _| run(&program, &x, &c, shape.fuses));
+        let mut found = x;
+        Orbit::compile(&program, shape).expect("it compiles").run(&mut found, &c, 3);
+        assert_same(&found, &expected, &format!("{shape:?}"), &program);
+        let mut columns = x.map(|number| vec![number; 2]);
+        Sweep::compile(&program, shape, Constants::Shared).expect("it compiles").run(&mut columns, &c, 3);
+        assert_same(&columns.map(|column| column[1]), &expected, &format!("{shape:?}"), &program);
+    }
+}
+
 /// Three states on a straight line of plain operations, for what does not depend on the program.
 fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)

@@ -126,7 +126,7 @@ impl Assembler {
 
     /// Takes it back: ldp x29, x30
     pub(super) fn end_frame(&mut self, bytes: u32) {
-        self.word(0xa8c0_7bfd | bytes / 8 << 15);
+        self.word(0xa8c0_7bfd | (bytes / 8) << 15);
     }
 
     pub(super) fn store_pair(&mut self, pair: Pair, first: u32, offset: u32) {
@@ -139,7 +139,7 @@ impl Assembler {
 
     fn pair(&mut self, pair: Pair, load: u32, first: u32, offset: u32) {
         let word = if pair == Pair::Vectors { 0x6d00_03e0 } else { 0xa900_03e0 };
-        self.word(word | load | offset / 8 << 15 | (first + 1) << 10 | first);
+        self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
     }
 
     /// Moves the end of the stack by up to a page: sub sp, sp
