@@ -169,10 +169,9 @@ impl<T: 'static> Code<T> {
         type Entry = unsafe extern "sysv64" fn(usize, usize, usize, usize, usize);
         #[cfg(target_arch = "aarch64")]
         type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
-        self.pages.enter();
         // SAFETY: the pages begin with the first instruction of a function of this calling
         // convention, and stay as long as `self` does.
-        let entry: Entry = unsafe { core::mem::transmute(self.pages.start()) };
+        let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
         // SAFETY: the caller vouches for the arguments. The processor has the instructions, as no
         // code is made where it lacks them.
         unsafe { entry(a, b, c, d, e) }
@@ -184,7 +183,7 @@ impl<T: 'static> Code<T> {
     /// None is needed.
     #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     unsafe fn enter(&self, _: [usize; 5]) {
-        unreachable!("code at {:p} was made for another processor", self.pages.start())
+        unreachable!("code at {:p} was made for another processor", self.pages.entry())
     }
 }
 

@@ -42,12 +42,13 @@ impl Pages {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Makes sure that this thread runs what the pages hold; another one may have made them.
+    /// The address of the first byte, for a thread that is about to run it; another one may have
+    /// made the pages.
     #[inline]
-    #[cfg_attr(not(target_arch = "aarch64"), expect(clippy::unused_self, reason = "x86-64 sees to it"))]
-    pub(crate) fn enter(&self) {
+    pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]
-        cache::entered();
+        cache::discard_fetched();
+        self.start()
     }
 
     /// The address of the first byte, which begins a page.

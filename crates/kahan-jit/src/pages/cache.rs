@@ -8,7 +8,7 @@ use core::arch::asm;
 /// The sequence is that of the Arm Architecture Reference Manual (B2.2.5, "Concurrent modification
 /// and execution of instructions"): what was written goes from the caches of data to where
 /// instructions are fetched from, and afterwards no cache of instructions has what was there
-/// before. Each thread discards what it has fetched already by [`entered`].
+/// before. Each thread discards what it has fetched already by [`discard_fetched`].
 pub(super) fn publish(code: &[u8]) {
     let [data, instructions] = line_lengths();
     for line in lines(code, data) {
@@ -43,7 +43,7 @@ fn lines(code: &[u8], length: usize) -> impl Iterator<Item = usize> {
 
 /// Discards what this thread has fetched before now, so that it runs what was
 /// [published](publish) before.
-pub(crate) fn entered() {
+pub(super) fn discard_fetched() {
     // SAFETY: instructions that follow are fetched anew.
     unsafe { asm!("isb", options(nostack, preserves_flags)) };
 }
