@@ -1,5 +1,5 @@
-//! Steps and orbits have the same bits on every processor: those below were found on x86-64. Lorenz's
-//! orbit doubles a difference with each turn, so that the last bit of any step shows.
+//! Steps and orbits have the same bits on every processor: those below were found on x86-64.
+//! Lorenz's orbit doubles a difference with each turn, so that the last bit of any step shows.
 #![cfg(not(target_feature = "fma"))]
 
 use kahan_core::prelude::*;

@@ -102,8 +102,8 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// An instruction on three registers in the precision of the form; `scalar` and `packed` are its
-    /// words for one number and for a register of them.
+    /// An instruction on three registers in the precision of the form; its words are those for one
+    /// number and for a register of them.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));

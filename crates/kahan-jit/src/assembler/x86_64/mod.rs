@@ -79,8 +79,8 @@ impl Assembler {
         self.ret();
     }
 
-    /// to = a ∘ b. Where a sign of single numbers is flipped, other bits of the register are flipped
-    /// as well: a memory operand is 16 bytes at least.
+    /// to = a ∘ b. Where a sign of single numbers is flipped, other bits of the register are
+    /// flipped as well: a memory operand is 16 bytes at least.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
