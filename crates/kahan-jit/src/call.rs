@@ -40,8 +40,9 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The bytes begin with a function on numbers of type `T`, of the calling convention of System
     /// V on x86-64 and of the C language on 64-bit Arm, in instructions that this processor has. It
-    /// is entered by that method below which passes the arguments that it takes, and no other. Given these, and slices as long as `extent` says,
-    /// it reads and writes nothing else but its own stack.
+    /// is entered by that method below which passes the arguments that it takes, and no other. Given
+    /// these, and slices as long as `extent` says, it reads and writes nothing else but its own
+    /// stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
