@@ -39,9 +39,10 @@ impl<T: 'static> Code<T> {
     ///
     /// # Safety
     /// The bytes begin with a function on numbers of type `T`, of the calling convention of System
-    /// V, in instructions that this processor has. It is entered by that method below which passes
-    /// the arguments that it takes, and no other. Given these, and slices as long as `extent` says,
-    /// it reads and writes nothing else but its own stack.
+    /// V on x86-64 and of the C language on 64-bit Arm, in instructions that this processor has. It
+    /// is entered by that method below which passes the arguments that it takes, and no other. Given
+    /// these, and slices as long as `extent` says, it reads and writes nothing else but its own
+    /// stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
@@ -163,12 +164,15 @@ impl<T: 'static> Code<T> {
     /// # Safety
     /// The arguments are what the routine takes: addresses of as many numbers as it reads and
     /// writes, those that are written borrowed by the caller alone.
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     unsafe fn enter(&self, [a, b, c, d, e]: [usize; 5]) {
+        #[cfg(target_arch = "x86_64")]
         type Entry = unsafe extern "sysv64" fn(usize, usize, usize, usize, usize);
+        #[cfg(target_arch = "aarch64")]
+        type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
         // SAFETY: the pages begin with the first instruction of a function of this calling
         // convention, and stay as long as `self` does.
-        let entry: Entry = unsafe { core::mem::transmute(self.pages.start()) };
+        let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
         // SAFETY: the caller vouches for the arguments. The processor has the instructions, as no
         // code is made where it lacks them.
         unsafe { entry(a, b, c, d, e) }
@@ -178,9 +182,9 @@ impl<T: 'static> Code<T> {
     ///
     /// # Safety
     /// None is needed.
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     unsafe fn enter(&self, _: [usize; 5]) {
-        unreachable!("code at {:p} was made for another processor", self.pages.start())
+        unreachable!("code at {:p} was made for another processor", self.pages.entry())
     }
 }
 

@@ -1,12 +1,13 @@
 //! The sets of instructions that code is made of, and the floats it is made for.
 
+use crate::Refusal;
 use crate::assembler::{Element, Form, Width};
 
 /// An extension by Intel's name, and whether this processor has it and its system keeps its
 /// registers.
 type Extension = (&'static str, fn() -> bool);
 
-/// A set of instructions; a later one is larger.
+/// A set of instructions; of one processor, a later one is larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX: sixteen registers, used with 128 bits.
@@ -15,18 +16,50 @@ pub enum InstructionSet {
     Avx2,
     /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer.
     Avx512,
+    /// A64 with Advanced SIMD, which every 64-bit Arm has: thirty-two registers of 128 bits, fused
+    /// multiply-adds.
+    Neon,
 }
 
 impl InstructionSet {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Avx, Self::Avx2, Self::Avx512];
+    pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
+
+    /// The smallest for this processor that has what one number at a time takes.
+    #[must_use]
+    pub const fn least(fuses: bool) -> Self {
+        match (cfg!(target_arch = "aarch64"), fuses) {
+            (true, _) => Self::Neon,
+            (false, true) => Self::Avx2,
+            (false, false) => Self::Avx,
+        }
+    }
 
     /// Whether this processor can run it, its system keeps the registers, and there is memory for
     /// code.
     #[must_use]
     pub fn is_available(self) -> bool {
-        cfg!(all(target_arch = "x86_64", feature = "pages"))
+        let is_of_this = match self {
+            Self::Avx | Self::Avx2 | Self::Avx512 => cfg!(target_arch = "x86_64"),
+            Self::Neon => cfg!(target_arch = "aarch64") && self.may_run().is_ok(),
+        };
+        cfg!(feature = "pages")
+            && is_of_this
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
+    }
+
+    /// Whether the rules of this system are known by which code is made and called. On 64-bit Arm
+    /// they are those of Linux: elsewhere pages want other calls before code may run in them
+    /// (`MAP_JIT` on macOS), or nobody has tried.
+    ///
+    /// # Errors
+    /// [`Refusal::System`].
+    pub(crate) fn may_run(self) -> Result<(), Refusal> {
+        let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
+        if self == Self::Neon && cfg!(target_arch = "aarch64") && !is_known {
+            return Err(Refusal::System);
+        }
+        Ok(())
     }
 
     /// The extensions whose instructions code is made of. Code of a larger set also has
@@ -48,13 +81,14 @@ impl InstructionSet {
             // A register beyond the first sixteen takes the form of AVX-512 for any width, and
             // forms of less than 512 bits are those of AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
+            Self::Neon => &[],
         }
     }
 
     /// Whether it has multiply-adds that are rounded once.
     #[must_use]
     pub fn has_fused(self) -> bool {
-        self > Self::Avx
+        self != Self::Avx
     }
 
     /// The largest that this processor can run; `None` where it can run none.
@@ -64,7 +98,12 @@ impl InstructionSet {
     }
 
     pub(crate) fn registers(self) -> u8 {
-        if self == Self::Avx512 { 32 } else { 16 }
+        match self {
+            Self::Avx | Self::Avx2 => 16,
+            Self::Avx512 => 32,
+            // Two hold what an instruction needs on the way.
+            Self::Neon => 30,
+        }
     }
 }
 
@@ -98,7 +137,7 @@ impl Shape {
     pub(crate) fn form<T: Float>(self) -> Form {
         let width = match (self.lanes, self.instructions) {
             (LaneCount::One, _) => Width::Scalar,
-            (LaneCount::All, InstructionSet::Avx) => Width::Bits128,
+            (LaneCount::All, InstructionSet::Avx | InstructionSet::Neon) => Width::Bits128,
             (LaneCount::All, InstructionSet::Avx2) => Width::Bits256,
             (LaneCount::All, InstructionSet::Avx512) => Width::Bits512,
         };
@@ -138,7 +177,9 @@ mod tests {
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {
-        let available = InstructionSet::ALL.map(|set| {
+        const OWN: [InstructionSet; 3] = [InstructionSet::Avx, InstructionSet::Avx2, InstructionSet::Avx512];
+
+        let available = OWN.map(|set| {
             let all = set.extensions().iter().all(|(_, is_detected)| is_detected());
             assert_eq!(set.is_available(), all, "{set:?}");
             all
@@ -147,11 +188,18 @@ mod tests {
         // A larger set has all that a smaller one has.
         assert!(available.is_sorted_by(|smaller, larger| smaller >= larger), "{available:?}");
         let count = available.iter().filter(|&&is_available| is_available).count();
-        assert_eq!(InstructionSet::best(), count.checked_sub(1).map(|last| InstructionSet::ALL[last]));
+        assert_eq!(InstructionSet::best(), count.checked_sub(1).map(|last| OWN[last]));
+    }
+
+    #[cfg(all(target_arch = "aarch64", target_os = "linux", feature = "pages"))]
+    #[test]
+    fn every_arm_of_64_bits_has_its_set() {
+        assert_eq!(InstructionSet::best(), Some(InstructionSet::Neon));
+        assert_eq!(InstructionSet::ALL.map(InstructionSet::is_available), [false, false, false, true]);
     }
 
     #[test]
     fn all_but_the_smallest_set_fuse() {
-        assert_eq!(InstructionSet::ALL.map(InstructionSet::has_fused), [false, true, true]);
+        assert_eq!(InstructionSet::ALL.map(InstructionSet::has_fused), [false, true, true, true]);
     }
 }

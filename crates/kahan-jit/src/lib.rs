@@ -9,12 +9,13 @@
 //!
 //! A program is one of `kahan-program`, whose operations name values; lowering leaves fewer kinds
 //! of them, and registers are allocated for these. Machine instructions name registers, and are
-//! what the assembler has bytes for.
+//! what the assembler has bytes for, one for x86-64 and one for 64-bit Arm.
 //!
 //! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
-//! `call`. All `unsafe` code is in four files: `call.rs` enters machine code, and `function.rs`,
-//! `orbit.rs` and `sweep.rs` of `routine` each state why the code that they write is sound. Tests
-//! add one more, which puts inaccessible pages around slices.
+//! `call`. All `unsafe` code is in five files: `call.rs` enters machine code, `function.rs`,
+//! `orbit.rs` and `sweep.rs` of `routine` each state why the code that they write is sound, and
+//! `cache.rs` of `pages` tells the caches of 64-bit Arm of it. Tests add one more, which puts
+//! inaccessible pages around slices.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -3,6 +3,11 @@
 //! In: the bytes of code and its numbers. Out: pages that hold them, which can be read and run.
 //! They are writable before that, never both at once, and go back to the system when they are
 //! dropped. A system that gives no such memory answers with an error.
+//!
+//! Processors of 64-bit Arm fetch instructions through a cache of their own, which is told of them.
+
+#[cfg(all(target_arch = "aarch64", feature = "pages"))]
+mod cache;
 
 use std::io;
 
@@ -25,13 +30,25 @@ impl Pages {
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
         pages.copy_from_slice(bytes);
-        Ok(Pages(pages.make_exec()?))
+        let pages = pages.make_exec()?;
+        #[cfg(target_arch = "aarch64")]
+        cache::publish(&pages);
+        Ok(Pages(pages))
     }
 
     /// There are no pages.
     #[cfg(not(feature = "pages"))]
     pub(crate) fn new(_: &[u8]) -> io::Result<Self> {
         Err(io::ErrorKind::Unsupported.into())
+    }
+
+    /// The address of the first byte, for a thread that is about to run it; another one may have
+    /// made the pages.
+    #[inline]
+    pub(crate) fn entry(&self) -> *const u8 {
+        #[cfg(all(target_arch = "aarch64", feature = "pages"))]
+        cache::discard_fetched();
+        self.start()
     }
 
     /// The address of the first byte, which begins a page.

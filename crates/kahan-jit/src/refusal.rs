@@ -20,6 +20,8 @@ pub enum Refusal {
     },
     /// An operation reads one that does not stand before it, or a result is no operation.
     Malformed,
+    /// Nobody has shown that code made at run time is entered as this system wants.
+    System,
     /// The system gives no memory that code may run in.
     Pages(std::io::Error),
 }
@@ -40,6 +42,7 @@ impl core::fmt::Display for Refusal {
                 write!(f, "an array of {entries} numbers is longer than an instruction can reach")
             }
             Self::Malformed => write!(f, "an operation or a result reads what was not computed before"),
+            Self::System => write!(f, "how code made at run time is entered on this system is not known"),
             Self::Pages(error) => write!(f, "the system gives no memory for code: {error}"),
         }
     }

@@ -1,14 +1,14 @@
 //! The machine's floats as scalars.
 //!
 //! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics;
-//! poles show as results that are not finite. Multiply-adds are fused where the target is compiled
-//! for an instruction that does it; elsewhere `mul_add` would be a slow library call, so there they
-//! are a multiplication and an addition.
+//! poles show as results that are not finite. Multiply-adds are a multiplication and an addition,
+//! on every processor, so that all give the same bits. A program compiled for x86-64 with the
+//! feature `fma` fuses them: who names it has chosen other bits.
 
 use super::{Constant, Scalar};
 
 /// a·b + c. Without the standard library `mul_add` does not exist.
-#[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+#[cfg(all(feature = "std", target_feature = "fma"))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {
         ($a).mul_add($b, $c)
@@ -16,7 +16,7 @@ macro_rules! fused_or_not {
 }
 
 /// a·b + c, rounded twice.
-#[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+#[cfg(not(all(feature = "std", target_feature = "fma")))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {
         $a * $b + $c

@@ -38,7 +38,7 @@ fn levels() -> impl Iterator<Item = Level> {
 
 /// Whether multiply-adds on this level are rounded once.
 fn fuses(level: Level) -> bool {
-    level > Level::Baseline || cfg!(any(target_feature = "fma", target_arch = "aarch64"))
+    level > Level::Baseline || cfg!(target_feature = "fma")
 }
 
 /// `count` points with entries between ½ and 1, all different.

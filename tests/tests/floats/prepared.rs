@@ -64,7 +64,7 @@ fn every_way_to_step_gives_the_same_bits_in_single_precision() {
 /// The interpreter against generated code. Where the target fuses, generated code rounds a
 /// multiply-add once and the interpreter twice: there they agree to within rounding only, which
 /// `floats` bounds for both.
-#[cfg_attr(any(target_feature = "fma", target_arch = "aarch64"), ignore = "this target fuses multiply-adds")]
+#[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn the_interpreter_steps_with_the_same_bits() {
     interpreter_agrees(&Float64, 503);

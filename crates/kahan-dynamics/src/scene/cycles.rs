@@ -15,10 +15,10 @@ const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
 /// Seven operations a component, beside the chain from state to state.
 const COMPENSATED: f64 = 1.1;
 /// With fused multiply-adds an exact product takes two operations,
-#[cfg(any(target_feature = "fma", target_arch = "aarch64"))]
+#[cfg(target_feature = "fma")]
 const DOUBLE_DOUBLE: f64 = 6.0;
 /// without them seventeen.
-#[cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
+#[cfg(not(target_feature = "fma"))]
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 impl Scheme {

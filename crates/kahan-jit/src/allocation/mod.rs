@@ -93,6 +93,18 @@ impl MachineInstruction {
             Source::Memory(place) => Self::Load(to, place),
         }
     }
+
+    /// The register that it writes to.
+    fn written(&self) -> Option<Vector> {
+        match *self {
+            Self::Store(..) => None,
+            Self::Load(to, _)
+            | Self::Copy(to, _)
+            | Self::Binary(_, to, ..)
+            | Self::Fused(_, _, to, ..)
+            | Self::RoundToSingle(to, _) => Some(to),
+        }
+    }
 }
 
 impl Allocation {
@@ -102,6 +114,21 @@ impl Allocation {
         // Registers that nothing else takes hold what would be read again in each round.
         let kept = kept(program, plan, usize::from(registers - first.most_taken));
         if kept.is_empty() { first } else { Allocator::new(program, registers, plan.ends, &kept).run() }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &MachineInstruction> {
+        self.before.iter().chain(&self.round).chain(&self.after)
+    }
+
+    /// How many instructions there are.
+    pub(crate) fn instructions(&self) -> usize {
+        self.all().count()
+    }
+
+    /// How many registers there are from the first one to the last one that is written to.
+    pub(crate) fn vectors(&self) -> u8 {
+        let written = self.all().filter_map(MachineInstruction::written);
+        written.map(|register| register.0 + 1).max().unwrap_or(0)
     }
 }
 

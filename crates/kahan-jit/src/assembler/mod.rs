@@ -1,140 +1,76 @@
-//! An assembler for the instructions of x86-64 that straight lines of floats need.
+//! Assemblers for the instructions that straight lines of floats need, one for each processor.
 //!
-//! In: one call an instruction, on registers and memory. Out: bytes. Instructions are those of AVX,
-//! of FMA, and of AVX-512F and AVX-512VL where a register beyond the first sixteen or of 512 bits
-//! takes part.
-//! Numbers that stand in the code itself are in a pool behind it (Intel, Software Developer's
-//! Manual, volume 2).
+//! In: one call an instruction, on registers and memory. Out: bytes. The module of a processor has
+//! an `Assembler` and the names of its registers; both have the same interface, and code is made by
+//! the one of the target. Tests compile the others, too, and compare their bytes with what those
+//! who know the processor say.
+//!
+//! Numbers that stand in the code itself are in a pool behind it.
 
-mod encoding;
-mod general;
+#[cfg(any(target_arch = "aarch64", test))]
+mod a64;
 mod operands;
 mod pool;
-#[cfg(test)]
-mod tests;
+#[cfg(any(not(target_arch = "aarch64"), test))]
+mod x86_64;
 
-use encoding::Opcode;
-use pool::Pool;
+#[cfg(target_arch = "aarch64")]
+pub(crate) use a64::{Assembler, General, Memory};
+pub(crate) use operands::{Element, Form, Source, Vector, Width};
+#[cfg(not(target_arch = "aarch64"))]
+pub(crate) use x86_64::{Assembler, General, Memory};
 
-pub(crate) use general::Condition;
-pub(crate) use operands::{Element, Form, General, Memory, Source, Vector, Width};
-pub(crate) use pool::Entry;
-
-/// An operation on two operands, by its opcode.
+/// An operation on two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Binary {
-    Add = 0x58,
-    Subtract = 0x5c,
-    Multiply = 0x59,
-    Divide = 0x5e,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
     /// a where a > b, else b
-    Maximum = 0x5f,
+    Maximum,
     /// a where a < b, else b
-    Minimum = 0x5d,
-    /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
-    /// register are flipped as well: a memory operand is 16 bytes at least.
-    ExclusiveOr = 0x57,
+    Minimum,
+    /// The bits of a, those flipped that are set in b, which is −0.
+    ExclusiveOr,
 }
 
-/// A fused operation on a product: what it adds to the opcode of an [`Order`].
+/// A fused operation on a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
     /// product + addend
-    MultiplyAdd = 0,
+    MultiplyAdd,
     /// product − addend
-    MultiplySubtract = 2,
+    MultiplySubtract,
     /// addend − product
-    SubtractProduct = 4,
+    SubtractProduct,
 }
 
 /// Which of the operands d, b, c of a fused operation are multiplied; d is overwritten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     /// d·c and b
-    D132 = 0x98,
+    D132,
     /// b·d and c
-    D213 = 0xa8,
+    D213,
     /// b·c and d
-    D231 = 0xb8,
+    D231,
 }
 
-/// Code that is being written, for operands of one form.
-#[derive(Debug)]
-pub(crate) struct Assembler {
-    bytes: Vec<u8>,
-    form: Form,
-    pool: Pool,
+/// What a function takes beside its arguments.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Needs {
+    /// The bytes of its slots, which lie above the stack pointer.
+    pub(crate) stack: usize,
+    /// Whether it uses all of [`General::POINTERS`], some of which its caller finds again as they
+    /// were.
+    pub(crate) uses_pointers: bool,
+    /// How many registers of numbers it uses, from the first one on.
+    pub(crate) vectors: u8,
+    /// How many machine instructions are between its beginning and its end.
+    pub(crate) instructions: usize,
 }
 
-impl Assembler {
-    pub(crate) fn new(form: Form) -> Self {
-        Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
-    }
-
-    /// What its operands are.
-    pub(crate) fn form(&self) -> Form {
-        self.form
-    }
-
-    /// An entry of the array of operands that begins at a base.
-    pub(crate) fn entry(&self, base: General, index: usize) -> Memory {
-        let offset = i32::try_from(index * self.form.bytes());
-        Memory::At { base, offset: offset.expect("programs are short, and their arrays within reach") }
-    }
-
-    /// to = a ∘ b
-    pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
-        let opcode = match operator {
-            Binary::ExclusiveOr => Opcode::exclusive_or(self.form),
-            _ => Opcode::of(self.form, operator as u8),
-        };
-        self.vector(opcode, to, a, b);
-    }
-
-    /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
-    pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
-        self.vector(Opcode::fused(self.form, order as u8 + operator as u8), to, b, c);
-    }
-
-    /// Copies a whole register.
-    pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
-        self.vector(Opcode::packed(self.form, 0x28), to, Vector::NONE, Source::Register(from));
-    }
-
-    pub(crate) fn load(&mut self, to: Vector, from: Memory) {
-        self.vector(Opcode::of(self.form, 0x10), to, Vector::NONE, Source::Memory(from));
-    }
-
-    pub(crate) fn store(&mut self, to: Memory, from: Vector) {
-        self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
-    }
-
-    /// The number of single precision nearest to a number, as one of this form.
-    pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
-        if self.form.element == Element::Single {
-            return self.copy(to, from);
-        }
-        // The rest of the register comes from a further operand, which vectors have no use for.
-        let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
-        let (rest, rest_of_single) = (rest(from), rest(to));
-        let single = Form { element: Element::Single, ..self.form };
-        self.vector(Opcode::convert(self.form), to, rest, Source::Register(from));
-        self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
-    }
-
-    /// Leaves the upper halves of the registers as code that knows only their lower halves wants
-    /// them.
-    pub(crate) fn zero_upper(&mut self) {
-        self.bytes.extend([0xc5, 0xf8, 0x77]);
-    }
-
-    /// A place in the pool that holds a number in every lane; `bits` are those of one.
-    pub(crate) fn constant(&mut self, bits: u64) -> Entry {
-        self.pool.entry(bits)
-    }
-
-    /// The code and its pool.
-    pub(crate) fn finish(self) -> Vec<u8> {
-        self.pool.append_to(self.bytes)
-    }
-}
+/// The system enlarges a stack page by page, so that each page is touched before the next one. This
+/// is the smallest that pages are.
+const PAGE: usize = 4096;

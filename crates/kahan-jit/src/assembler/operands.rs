@@ -37,53 +37,32 @@ impl Form {
             (Width::Bits512, _) => 64,
         }
     }
+
+    /// An entry of the array of operands that begins at a base.
+    pub(crate) fn entry<G>(self, base: G, index: usize) -> Memory<G> {
+        let offset = i32::try_from(index * self.bytes());
+        Memory::At { base, offset: offset.expect("programs are short, and their arrays within reach") }
+    }
 }
 
 /// A register of numbers, from 0 to 31.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Vector(pub(crate) u8);
 
-impl Vector {
-    /// What stands where an instruction has no such operand.
-    pub(super) const NONE: Self = Vector(0);
-}
-
-/// A register of addresses and counts, by its number.
+/// A place in memory; G is a processor's registers of addresses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(dead_code, reason = "the numbers of registers have no gaps, whichever of them are used")]
-pub(crate) enum General {
-    Rax,
-    Rcx,
-    Rdx,
-    Rbx,
-    Rsp,
-    Rbp,
-    Rsi,
-    Rdi,
-    R8,
-    R9,
-    R10,
-    R11,
-    R12,
-    R13,
-    R14,
-    R15,
-}
-
-/// A place in memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Memory {
+pub(crate) enum Memory<G> {
     /// base + offset
-    At { base: General, offset: i32 },
-    /// base + index; the index is not `Rsp`.
-    Indexed { base: General, index: General },
+    At { base: G, offset: i32 },
+    /// base + index; neither is the stack pointer.
+    Indexed { base: G, index: G },
     /// A number of the pool.
     Pool(Entry),
 }
 
 /// The last operand of an instruction; M is what a place in memory is told by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Source<M = Memory> {
+pub(crate) enum Source<M> {
     Register(Vector),
     Memory(M),
 }

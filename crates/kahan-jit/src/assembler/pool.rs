@@ -25,7 +25,7 @@ impl Pool {
         Pool { form, entries: Vec::new(), uses: Vec::new() }
     }
 
-    /// The entry of a number, of which there is one.
+    /// The entry of a number, of which there is one; `bits` are those of a lane.
     pub(super) fn entry(&mut self, bits: u64) -> Entry {
         let known = self.entries.iter().position(|known| *known == bits);
         Entry(known.unwrap_or_else(|| {
@@ -34,17 +34,20 @@ impl Pool {
         }))
     }
 
-    /// The four bytes at `place` are the distance to an entry from what comes after them.
+    /// The code refers to an entry at `place`.
     pub(super) fn note_use(&mut self, place: usize, entry: Entry) {
         self.uses.push((place, entry));
     }
 
-    /// The code with its numbers behind it.
-    pub(super) fn append_to(self, mut code: Vec<u8>) -> Vec<u8> {
-        // What is never reached stops, should it be.
-        const BREAKPOINT: u8 = 0xcc;
-
-        code.resize(code.len().next_multiple_of(LINE), BREAKPOINT);
+    /// Appends the numbers to the code, behind the byte `filler` as often as it takes, which stops
+    /// whoever runs it; `refer` writes into the code at a place where an entry stands.
+    pub(super) fn append_to(
+        self,
+        mut code: Vec<u8>,
+        filler: u8,
+        refer: impl Fn(&mut [u8], usize, usize),
+    ) -> Vec<u8> {
+        code.resize(code.len().next_multiple_of(LINE), filler);
         let (start, length) = (code.len(), self.form.bytes().max(SHORTEST));
         for bits in &self.entries {
             match self.form.element {
@@ -53,9 +56,7 @@ impl Pool {
             }
         }
         for (place, Entry(entry)) in self.uses {
-            // Code and pool are short.
-            let distance = (start + entry * length) as i32 - (place as i32 + 4);
-            code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
+            refer(&mut code, place, start + entry * length);
         }
         code
     }

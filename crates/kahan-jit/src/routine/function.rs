@@ -23,11 +23,12 @@ impl<T: Float> Function<T> {
     /// [`Refusal`].
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
-        let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
+        let mut frame = Frame::open::<T>(program, shape, plan, false)?;
+        let [states, constants, results, ..] = General::ARGUMENTS;
         frame.round(&|assembler, place| match place {
-            Place::State(i) => assembler.entry(General::Rdi, i),
-            Place::Constant(k) => assembler.entry(General::Rsi, k),
-            Place::Result(i) => assembler.entry(General::Rdx, i),
+            Place::State(i) => assembler.form().entry(states, i),
+            Place::Constant(k) => assembler.form().entry(constants, k),
+            Place::Result(i) => assembler.form().entry(results, i),
             Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();

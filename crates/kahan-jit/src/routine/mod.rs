@@ -10,7 +10,7 @@ pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
 use crate::allocation::{Allocation, MachineInstruction, Place, RoundPlan};
-use crate::assembler::{Assembler, Element, General, Memory};
+use crate::assembler::{Assembler, Element, General, Memory, Needs};
 use crate::call::Extent;
 use crate::instructions::Float;
 use crate::lowering::{Ends, lowered};
@@ -31,13 +31,11 @@ struct Frame {
     assembler: Assembler,
     code: Allocation,
     extent: Extent,
-    /// The registers that its caller finds again as they were.
-    saved: &'static [General],
+    needs: Needs,
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`: its registers are saved, and its slots lie above
-    /// the stack pointer.
+    /// Begins a function over numbers of type `T`, whose slots lie above the stack pointer.
     ///
     /// # Panics
     /// If results become states, and a state that is read has no result.
@@ -45,9 +43,10 @@ impl Frame {
         program: &Program,
         shape: Shape,
         plan: RoundPlan,
-        saved: &'static [General],
+        uses_pointers: bool,
     ) -> Result<Self, Refusal> {
         let Shape { instructions: set, fuses, .. } = shape;
+        set.may_run()?;
         if !set.is_available() || fuses && !set.has_fused() {
             return Err(Refusal::Unavailable(shape));
         }
@@ -73,42 +72,16 @@ impl Frame {
         if stack > MOST_STACK {
             return Err(Refusal::TooLong { instructions });
         }
-        let mut frame = Frame { assembler: Assembler::new(form), code, extent, saved };
-        frame.write_prologue(stack);
-        Ok(frame)
-    }
-
-    /// Saves registers, and makes room for slots.
-    fn write_prologue(&mut self, bytes: usize) {
-        /// The system enlarges a stack page by page.
-        const PAGE: usize = 4096;
-        /// Slots of any width begin with cache lines.
-        const LINE: i32 = 64;
-
-        let assembler = &mut self.assembler;
-        assembler.push(General::Rbp);
-        assembler.move_general(General::Rbp, General::Rsp);
-        self.saved.iter().for_each(|register| assembler.push(*register));
-        if bytes > 0 {
-            assembler.and_immediate(General::Rsp, -LINE);
-            for touched in (0..bytes).step_by(PAGE) {
-                assembler.add_immediate(General::Rsp, -(PAGE.min(bytes - touched) as i32));
-                assembler.touch_stack();
-            }
-            assembler.and_immediate(General::Rsp, -LINE);
-        }
+        let (vectors, instructions) = (code.vectors(), code.instructions());
+        let needs = Needs { stack, uses_pointers, vectors, instructions };
+        let mut assembler = Assembler::new(form);
+        assembler.open(&needs);
+        Ok(Frame { assembler, code, extent, needs })
     }
 
     /// Ends the function; its bytes, and what it reads and writes.
     fn close(mut self) -> (Vec<u8>, Extent) {
-        let assembler = &mut self.assembler;
-        for (index, register) in self.saved.iter().enumerate() {
-            assembler.load_general(*register, General::Rbp, -8 * (index as i32 + 1));
-        }
-        assembler.move_general(General::Rsp, General::Rbp);
-        assembler.pop(General::Rbp);
-        assembler.zero_upper();
-        assembler.ret();
+        self.assembler.close(&self.needs);
         (self.assembler.finish(), self.extent)
     }
 
@@ -135,7 +108,7 @@ fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresse
             };
             Memory::Pool(assembler.constant(bits))
         }
-        Place::Slot(slot) => assembler.entry(General::Rsp, slot),
+        Place::Slot(slot) => assembler.form().entry(General::STACK, slot),
         _ => addresses(assembler, place),
     };
     for instruction in instructions {

@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{FEWEST_REGISTERS, Place, RoundPlan};
-use crate::assembler::{Assembler, Condition, General, Memory};
+use crate::assembler::{Assembler, General, Memory};
 use crate::call::Code;
 use crate::instructions::{Float, Shape};
 use crate::lowering::Ends;
@@ -35,21 +35,20 @@ impl<T: Float> Orbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let ends = ends(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true };
-        let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
-        let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rsi);
+        let mut frame = Frame::open::<T>(program, shape, plan, false)?;
+        let [states, constants, steps, last_state, _] = General::ARGUMENTS;
+        let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
         // States that are carried are read from one array and written to another, which may be the
         // same.
         let last = |assembler: &mut Assembler, place| match place {
-            Place::State(i) => assembler.entry(General::Rcx, i),
+            Place::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
         };
-        frame.assembler.test(General::Rdx);
-        let end = frame.assembler.jump_if_forward(Condition::Zero);
+        let end = frame.assembler.skip_if_zero(steps);
         frame.before(&addresses);
         let again = frame.assembler.label();
         frame.round(&addresses);
-        frame.assembler.decrement(General::Rdx);
-        frame.assembler.jump_if(Condition::NotZero, again);
+        frame.assembler.count_down(steps, again);
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
@@ -93,22 +92,22 @@ impl<T: Float> ComposedOrbit<T> {
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
-        let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
-        let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rax);
-        frame.assembler.test(General::Rcx);
-        let end = frame.assembler.jump_if_forward(Condition::Zero);
+        let mut frame = Frame::open::<T>(program, shape, plan, false)?;
+        // The fifth argument is none of these functions'.
+        let [states, table, stages, steps, entry] = General::ARGUMENTS;
+        let [constants, left, _] = General::SPARE;
+        let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
+        let end = frame.assembler.skip_if_zero(steps);
         frame.before(&addresses);
         let again = frame.assembler.label();
-        frame.assembler.move_general(General::R8, General::Rsi);
-        frame.assembler.move_general(General::R9, General::Rdx);
+        frame.assembler.move_general(entry, table);
+        frame.assembler.move_general(left, stages);
         let next_stage = frame.assembler.label();
-        frame.assembler.load_general(General::Rax, General::R8, 0);
+        frame.assembler.load_general(constants, entry, 0);
         frame.round(&addresses);
-        frame.assembler.add_immediate(General::R8, 8);
-        frame.assembler.decrement(General::R9);
-        frame.assembler.jump_if(Condition::NotZero, next_stage);
-        frame.assembler.decrement(General::Rcx);
-        frame.assembler.jump_if(Condition::NotZero, again);
+        frame.assembler.add_immediate(entry, 8);
+        frame.assembler.count_down(left, next_stage);
+        frame.assembler.count_down(steps, again);
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
@@ -133,10 +132,10 @@ fn ends(program: &Program, shape: Shape) -> Ends {
     if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }
 }
 
-fn address(assembler: &Assembler, place: Place, constants: General) -> Memory {
+fn address(assembler: &Assembler, place: Place, states: General, constants: General) -> Memory {
     match place {
-        Place::State(i) => assembler.entry(General::Rdi, i),
-        Place::Constant(k) => assembler.entry(constants, k),
+        Place::State(i) => assembler.form().entry(states, i),
+        Place::Constant(k) => assembler.form().entry(constants, k),
         _ => unreachable!("an orbit has states and constants"),
     }
 }

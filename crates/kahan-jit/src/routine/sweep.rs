@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, RoundPlan};
-use crate::assembler::{Assembler, Condition, General, Memory};
+use crate::assembler::{Assembler, General, Memory};
 use crate::call::Code;
 use crate::instructions::{Float, Shape};
 use crate::lowering::Ends;
@@ -26,10 +26,6 @@ pub struct Sweep<T> {
     of: Constants,
 }
 
-/// The columns whose addresses stay in registers.
-const POINTERS: [General; 6] =
-    [General::R11, General::Rbx, General::R12, General::R13, General::R14, General::R15];
-
 impl<T: Float> Sweep<T> {
     /// Compiles a program that has a result for each state.
     ///
@@ -39,39 +35,37 @@ impl<T: Float> Sweep<T> {
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
-        /// Of the registers that a function has to leave as they were, those used here.
-        const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
         let plan = RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared };
-        let mut frame = Frame::open::<T>(program, shape, plan, SAVED)?;
-        for (column, pointer) in POINTERS.into_iter().enumerate().take(program.outputs.len()) {
-            frame.assembler.load_general(pointer, General::Rdi, place_of(column));
+        let mut frame = Frame::open::<T>(program, shape, plan, true)?;
+        let [table, length, constants, stride, steps] = General::ARGUMENTS;
+        let [column_address, index, own] = General::SPARE;
+        for (column, pointer) in General::POINTERS.into_iter().enumerate().take(program.outputs.len()) {
+            frame.assembler.load_general(pointer, table, place_of(column));
         }
         let addresses = |assembler: &mut Assembler, place| match place {
             Place::State(i) => {
-                let base = POINTERS.get(i).copied().unwrap_or_else(|| {
-                    assembler.load_general(General::Rax, General::Rdi, place_of(i));
-                    General::Rax
+                let base = General::POINTERS.get(i).copied().unwrap_or_else(|| {
+                    assembler.load_general(column_address, table, place_of(i));
+                    column_address
                 });
-                Memory::Indexed { base, index: General::R9 }
+                Memory::Indexed { base, index }
             }
-            Place::Constant(k) => assembler.entry(General::R10, k),
+            Place::Constant(k) => assembler.form().entry(own, k),
             _ => unreachable!("a sweep has states and constants"),
         };
-        frame.assembler.move_general(General::R10, General::Rdx);
+        frame.assembler.move_general(own, constants);
         frame.before(&addresses);
         let next_step = frame.assembler.label();
-        frame.assembler.and_immediate(General::R9, 0);
-        frame.assembler.move_general(General::R10, General::Rdx);
+        frame.assembler.clear(index);
+        frame.assembler.move_general(own, constants);
         let next_register = frame.assembler.label();
         frame.round(&addresses);
         if of == Constants::Own {
-            frame.assembler.add_general(General::R10, General::Rcx);
+            frame.assembler.add_general(own, stride);
         }
-        frame.assembler.add_immediate(General::R9, frame.assembler.form().bytes() as i32);
-        frame.assembler.compare(General::R9, General::Rsi);
-        frame.assembler.jump_if(Condition::Below, next_register);
-        frame.assembler.decrement(General::R8);
-        frame.assembler.jump_if(Condition::NotZero, next_step);
+        frame.assembler.add_immediate(index, frame.assembler.form().bytes() as i32);
+        frame.assembler.repeat_below(index, length, next_register);
+        frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
         // SAFETY: for each register of the columns, the code reads and writes one in each of the
         // first `states` columns, and reads a register for each constant of the program from where

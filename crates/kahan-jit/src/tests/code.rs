@@ -182,12 +182,30 @@ fn a_sweep_advances_each_trajectory() {
     sweeps::<f32>();
 }
 
+/// Code that its jumps and its numbers are far apart in, where some processors take other
+/// instructions.
+#[test]
+fn long_code_computes_its_results() {
+    let program = random_program(&mut Draw(7), 3, 2, 24_000);
+    let (x, c) = ([0.5, -0.25, 1.5], [0.125, -2.0]);
+    for shape in shapes(LaneCount::One) {
+        let expected = (0..3).fold(x.to_vec(), |x, _| run(&program, &x, &c, shape.fuses));
+        let mut found = x;
+        Orbit::compile(&program, shape).expect("it compiles").run(&mut found, &c, 3);
+        assert_same(&found, &expected, &format!("{shape:?}"), &program);
+        let mut columns = x.map(|number| vec![number; 2]);
+        Sweep::compile(&program, shape, Constants::Shared).expect("it compiles").run(&mut columns, &c, 3);
+        assert_same(&columns.map(|column| column[1]), &expected, &format!("{shape:?}"), &program);
+    }
+}
+
 /// Three states on a straight line of plain operations, for what does not depend on the program.
 fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)
 }
 
-const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
+const SCALAR: Shape =
+    Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
 #[test]
 #[should_panic(expected = "3 states")]
@@ -200,8 +218,8 @@ fn code_is_not_entered_with_too_few_states() {
 
 #[test]
 fn what_an_instruction_set_lacks_is_refused() {
-    let refusal =
-        Orbit::<f64>::compile(&small(), Shape { fuses: true, ..SCALAR }).expect_err("AVX fuses nothing");
+    let avx = Shape { instructions: InstructionSet::Avx, fuses: true, ..SCALAR };
+    let refusal = Orbit::<f64>::compile(&small(), avx).expect_err("AVX fuses nothing");
     assert!(refusal.to_string().contains("no multiply-adds"), "{refusal}");
 }
 

@@ -8,5 +8,17 @@ mod hostile;
 mod refused;
 mod run;
 
+/// Whether this program can start itself, which on an emulated processor it cannot.
+#[cfg(target_os = "linux")]
+pub(crate) fn starts_itself() -> bool {
+    let program = std::env::current_exe().expect("this program has a name");
+    let listed = std::process::Command::new(program).arg("--list").output();
+    let starts = listed.is_ok_and(|listed| listed.status.success());
+    if !starts {
+        println!("not run: this program cannot start itself");
+    }
+    starts
+}
+
 pub(crate) use draw::{Draw, random_program};
 pub(crate) use run::{run, same, subtract_product};

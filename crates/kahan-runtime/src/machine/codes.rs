@@ -118,7 +118,7 @@ impl Codes {
     ) -> Option<Arc<OrbitCode<T>>> {
         T::codes(self).orbits.get((kind, is_composed), || {
             let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
-            let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
+            let instructions = InstructionSet::least(kind.fuses);
             let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
             let step = if is_composed {
                 StepCode::Composed(ComposedOrbit::compile(&program, shape).ok()?)
@@ -154,7 +154,8 @@ impl Codes {
         }
         let compile = || {
             let program = programs::object::<T>(object, engine)?;
-            let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
+            let instructions = InstructionSet::least(false);
+            let shape = Shape { instructions, lanes: LaneCount::One, fuses: false };
             Function::compile(&program, shape).ok()
         };
         let none_yet = || (0..engine.objects()).map(|_| OnceLock::new()).collect();

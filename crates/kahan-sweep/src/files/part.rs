@@ -41,7 +41,7 @@ pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
     (true, false) => "x86-64, products rounded",
     (true, true) => "x86-64, products fused",
-    (false, _) => "interpreted, on another processor",
+    (false, _) => "on another processor",
 };
 
 /// Why a part that is there cannot be used.

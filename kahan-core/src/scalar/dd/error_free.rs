@@ -2,7 +2,7 @@
 //!
 //! In: two floats. Out: the rounded result and what it leaves; the two together are the exact
 //! result unless something overflows, or, for products, falls below 2⁻⁹⁶⁹. The multiply-add is
-//! fused where the target has an instruction for it; a library call it never is.
+//! fused where floats fuse theirs; a library call it never is.
 
 /// a + b and its error (Knuth).
 #[inline(always)]
@@ -32,7 +32,7 @@ pub(super) fn root(a: f64) -> f64 {
 pub(super) use product::{multiply_add, remainder, two_product};
 
 /// Where the target fuses.
-#[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+#[cfg(all(feature = "std", target_feature = "fma"))]
 mod product {
     /// ab and its error.
     #[inline(always)]
@@ -56,7 +56,7 @@ mod product {
 }
 
 /// Where it does not.
-#[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+#[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
     /// Beyond this [`split`] would overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);

@@ -25,7 +25,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
 }
 
 /// Where the target fuses, generated code rounds a multiply-add once and the command twice.
-#[cfg_attr(any(target_feature = "fma", target_arch = "aarch64"), ignore = "this target fuses multiply-adds")]
+#[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
     let top = EulerTop { a1: 0.5, a2: -0.7, a3: 1.25 };

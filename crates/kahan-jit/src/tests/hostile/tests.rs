@@ -28,7 +28,8 @@ fn hostile_programs_are_refused_or_run_within_their_slices() {
     }
 }
 
-const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::All, fuses: false };
+const SHAPE: Shape =
+    Shape { instructions: InstructionSet::least(false), lanes: LaneCount::All, fuses: false };
 
 /// States 0 and 1, constants 0 to 2.
 fn small() -> Program {

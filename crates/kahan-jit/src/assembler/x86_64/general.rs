@@ -1,11 +1,45 @@
-//! Instructions on addresses and counts, and jumps.
+//! Registers of addresses and counts, instructions on them, and jumps.
 
-use super::Assembler;
-use super::operands::{General, Memory, Source};
+use super::{Assembler, Memory, Source};
+
+/// A register of addresses and counts, by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(dead_code, reason = "the numbers of registers have no gaps, whichever of them are used")]
+pub(crate) enum General {
+    Rax,
+    Rcx,
+    Rdx,
+    Rbx,
+    Rsp,
+    Rbp,
+    Rsi,
+    Rdi,
+    R8,
+    R9,
+    R10,
+    R11,
+    R12,
+    R13,
+    R14,
+    R15,
+}
+
+impl General {
+    /// What a function is called with, in order.
+    pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
+    /// What a function may change besides.
+    pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
+    /// Where addresses of columns stay.
+    pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
+    /// Those of them that a function has to leave as they were.
+    pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
+    /// The end of the stack.
+    pub(crate) const STACK: Self = Self::Rsp;
+}
 
 /// When a jump is taken, after a comparison or what sets the same flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Condition {
+pub(super) enum Condition {
     /// The first was below the second, both without a sign.
     Below = 2,
     Zero = 4,
@@ -42,21 +76,25 @@ impl Assembler {
         self.bytes.extend(number.to_le_bytes());
     }
 
-    pub(crate) fn and_immediate(&mut self, to: General, number: i32) {
+    pub(super) fn and_immediate(&mut self, to: General, number: i32) {
         self.on_registers(0x81, 4, to);
         self.bytes.extend(number.to_le_bytes());
     }
 
-    pub(crate) fn compare(&mut self, a: General, b: General) {
+    pub(crate) fn clear(&mut self, to: General) {
+        self.and_immediate(to, 0);
+    }
+
+    pub(super) fn compare(&mut self, a: General, b: General) {
         self.on_registers(0x39, b as u8, a);
     }
 
     /// Compares with zero.
-    pub(crate) fn test(&mut self, a: General) {
+    pub(super) fn test(&mut self, a: General) {
         self.on_registers(0x85, a as u8, a);
     }
 
-    pub(crate) fn decrement(&mut self, a: General) {
+    pub(super) fn decrement(&mut self, a: General) {
         self.on_registers(0xff, 1, a);
     }
 
@@ -67,11 +105,11 @@ impl Assembler {
         self.operands(register, Source::Memory(Memory::At { base, offset }), true);
     }
 
-    pub(crate) fn push(&mut self, a: General) {
+    pub(super) fn push(&mut self, a: General) {
         self.short(0x50, a);
     }
 
-    pub(crate) fn pop(&mut self, a: General) {
+    pub(super) fn pop(&mut self, a: General) {
         self.short(0x58, a);
     }
 
@@ -84,12 +122,12 @@ impl Assembler {
     }
 
     /// Writes to the end of the stack without changing what is there.
-    pub(crate) fn touch_stack(&mut self) {
+    pub(super) fn touch_stack(&mut self) {
         // or qword ptr [rsp], 0
         self.bytes.extend([0x48, 0x83, 0x0c, 0x24, 0]);
     }
 
-    pub(crate) fn ret(&mut self) {
+    pub(super) fn ret(&mut self) {
         self.bytes.push(0xc3);
     }
 
@@ -98,13 +136,31 @@ impl Assembler {
         Label(self.bytes.len())
     }
 
-    pub(crate) fn jump_if(&mut self, condition: Condition, to: Label) {
+    /// Jumps, if a count is zero, to a place that is still to be [bound](Self::bind).
+    pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
+        self.test(count);
+        self.jump_if_forward(Condition::Zero)
+    }
+
+    /// Takes one from a count, and jumps unless it is zero then.
+    pub(crate) fn count_down(&mut self, count: General, to: Label) {
+        self.decrement(count);
+        self.jump_if(Condition::NotZero, to);
+    }
+
+    /// Jumps if a is below b, both without a sign.
+    pub(crate) fn repeat_below(&mut self, a: General, b: General, to: Label) {
+        self.compare(a, b);
+        self.jump_if(Condition::Below, to);
+    }
+
+    pub(super) fn jump_if(&mut self, condition: Condition, to: Label) {
         let Forward(after) = self.jump_if_forward(condition);
         self.set_target(after, to.0);
     }
 
     /// A jump to a place that is still to be [bound](Self::bind).
-    pub(crate) fn jump_if_forward(&mut self, condition: Condition) -> Forward {
+    pub(super) fn jump_if_forward(&mut self, condition: Condition) -> Forward {
         self.bytes.extend([0x0f, 0x80 | condition as u8, 0, 0, 0, 0]);
         Forward(self.bytes.len())
     }

@@ -2,15 +2,11 @@
 //! knows them all.
 
 use iced_x86::{
-    Code, CpuidFeature, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register,
-    RoundingControl,
+    Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
 };
 
-use crate::{InstructionSet, LaneCount, Shape};
-
-use super::{
-    Assembler, Binary, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
-};
+use super::general::Condition;
+use super::{Assembler, Binary, Element, Form, Fused, General, Memory, Needs, Order, Source, Vector, Width};
 
 const FORMS: [Form; 8] = {
     const fn form(element: Element, width: Width) -> Form {
@@ -271,6 +267,7 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
 }
 
 /// Everything that code is made of: each operation of a form, with registers from both ends.
+#[cfg(target_arch = "x86_64")]
 fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction> {
     let mut assembler = Assembler::new(form);
     let ends = [Vector(0), Vector(7), Vector(15), Vector(registers - 1)];
@@ -306,12 +303,17 @@ fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction
     all(&assembler.bytes)
 }
 
+/// Sets ask for extensions where there is a processor that may have them.
+#[cfg(target_arch = "x86_64")]
 #[test]
 fn a_set_of_instructions_is_available_where_all_of_them_are() {
+    use crate::{InstructionSet, LaneCount, Shape};
+    use iced_x86::CpuidFeature;
+
     const EVERYWHERE: [CpuidFeature; 3] =
         [CpuidFeature::INTEL8086, CpuidFeature::INTEL386, CpuidFeature::X64];
 
-    for instructions in InstructionSet::ALL {
+    for instructions in [InstructionSet::Avx, InstructionSet::Avx2, InstructionSet::Avx512] {
         let asked: Vec<String> =
             instructions.extensions().iter().map(|(name, _)| name.to_uppercase()).collect();
         for lanes in [LaneCount::One, LaneCount::All] {
@@ -451,4 +453,56 @@ fn jumps_lead_where_they_are_bound() {
         assert_eq!(target(3), (mnemonic, instructions[1].ip()));
         assert_eq!(instructions[1].flow_control(), FlowControl::ConditionalBranch);
     }
+}
+
+/// Functions save what their callers need, and find their frame where it was.
+#[test]
+fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
+    for (stack, uses_pointers) in [(0, false), (9000, false), (8, true)] {
+        let mut assembler = Assembler::new(FORMS[7]);
+        let needs = Needs { stack, uses_pointers, vectors: 32, instructions: 3 };
+        assembler.open(&needs);
+        let beginning = assembler.bytes.len();
+        assembler.close(&needs);
+        let (beginning, end) = (all(&assembler.bytes[..beginning]), all(&assembler.bytes[beginning..]));
+        let of = |instructions: &[Instruction], mnemonic| -> Vec<Register> {
+            let those = instructions.iter().filter(|instruction| instruction.mnemonic() == mnemonic);
+            those.map(Instruction::op0_register).collect()
+        };
+        let saved = if uses_pointers {
+            General::SAVED.map(|register| GENERAL[register as usize].1).to_vec()
+        } else {
+            vec![]
+        };
+        assert_eq!(of(&beginning, Mnemonic::Push), [&[Register::RBP], &saved[..]].concat());
+        assert_eq!(of(&beginning, Mnemonic::Or).len(), stack.div_ceil(4096), "each page is touched");
+        assert_eq!(of(&end, Mnemonic::Mov), [&saved[..], &[Register::RSP]].concat());
+        assert_eq!(of(&end, Mnemonic::Pop), [Register::RBP]);
+        assert_eq!(end.last().expect("it ends").code(), Code::Retnq);
+    }
+}
+
+#[test]
+fn rounds_are_counted_and_repeated() {
+    let [a, b, ..] = General::ARGUMENTS;
+    let mut assembler = Assembler::new(FORMS[0]);
+    let again = assembler.label();
+    let end = assembler.skip_if_zero(a);
+    assembler.clear(b);
+    assembler.count_down(a, again);
+    assembler.repeat_below(a, b, again);
+    assembler.bind(end);
+    let found: Vec<Mnemonic> = all(&assembler.bytes).iter().map(Instruction::mnemonic).collect();
+    use Mnemonic::{And, Cmp, Dec, Jb, Je, Jne, Test};
+    assert_eq!(found, [Test, Je, And, Dec, Jne, Cmp, Jb]);
+}
+
+#[test]
+fn registers_of_addresses_have_one_use_each() {
+    let all = General::ARGUMENTS.into_iter().chain(General::SPARE).chain(General::POINTERS);
+    let mut numbers: Vec<u8> =
+        all.chain([General::STACK, General::Rbp]).map(|general| general as u8).collect();
+    numbers.sort_unstable();
+    assert_eq!(numbers, (0..16).collect::<Vec<u8>>());
+    assert_eq!(Assembler::new(FORMS[3]).form(), FORMS[3]);
 }

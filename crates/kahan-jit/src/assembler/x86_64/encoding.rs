@@ -4,8 +4,7 @@
 //! 512 bits. Bits of register numbers beyond the three that stand in the operands themselves are in
 //! the prefix, inverted.
 
-use super::operands::{Element, Form, General, Memory, Source, Vector, Width};
-use super::{Assembler, Binary};
+use super::{Assembler, Element, Form, General, Memory, Source, Vector, Width};
 
 /// Which instruction: the fields of its prefix, and its opcode.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +52,7 @@ impl Opcode {
 
     /// That of floats is not part of AVX-512F; that of integers is.
     pub(super) fn exclusive_or(form: Form) -> Self {
-        Opcode { other: Some((1, 0xef)), ..Self::packed(form, Binary::ExclusiveOr as u8) }
+        Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
     }
 
     /// From the numbers of a form to those of the other element.

@@ -1,0 +1,239 @@
+//! Registers of addresses and counts, instructions on them, the stack, and jumps.
+
+use super::Assembler;
+
+/// A register of addresses and counts, by its number. The number 31 is the end of the stack where
+/// an address begins, and zero elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct General(u8);
+
+impl General {
+    /// What a function is called with, in order.
+    pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
+    /// What a function may change besides.
+    pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
+    /// Where addresses of columns stay.
+    pub(crate) const POINTERS: [Self; 13] = [
+        Self(5),
+        Self(6),
+        Self(7),
+        Self(12),
+        Self(13),
+        Self(14),
+        Self(15),
+        Self(19),
+        Self(20),
+        Self(21),
+        Self(22),
+        Self(23),
+        Self(24),
+    ];
+    /// Those of them that a function has to leave as they were, each second one behind its
+    /// neighbour.
+    pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
+    /// The end of the stack.
+    pub(crate) const STACK: Self = Self(31);
+    /// Holds distances and addresses that no instruction has room for.
+    pub(super) const BEYOND: Self = Self(16);
+
+    pub(super) fn number(self) -> u32 {
+        self.0.into()
+    }
+}
+
+/// Two neighbouring registers that are saved at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pair {
+    /// The lower halves of registers of numbers.
+    Vectors,
+    General,
+}
+
+/// A place in the code to jump back to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Label(usize);
+
+/// A jump whose target is not known yet.
+#[derive(Debug)]
+#[must_use]
+pub(crate) struct Forward(usize);
+
+/// cbz, cbnz, and b.cond of two conditions that are each other's opposite.
+const IF_ZERO: u32 = 0xb400_0000;
+const IF_NOT_ZERO: u32 = 0xb500_0000;
+const IF_BELOW: u32 = 0x5400_0003;
+const UNLESS_BELOW: u32 = 0x5400_0002;
+/// b
+const ALWAYS: u32 = 0x1400_0000;
+
+impl Assembler {
+    pub(crate) fn move_general(&mut self, to: General, from: General) {
+        self.word(0xaa00_03e0 | from.number() << 16 | to.number());
+    }
+
+    pub(crate) fn clear(&mut self, to: General) {
+        self.word(0xd280_0000 | to.number());
+    }
+
+    pub(crate) fn add_general(&mut self, to: General, from: General) {
+        self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
+    }
+
+    /// Adds a number that an instruction has room for.
+    pub(crate) fn add_immediate(&mut self, to: General, number: i32) {
+        let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
+        let number = number.expect("the bytes of a register") << 10;
+        self.word(0x9100_0000 | number | to.number() << 5 | to.number());
+    }
+
+    /// Loads 64 bits from base + offset.
+    pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
+        self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
+    }
+
+    /// An instruction that loads or stores `size` bytes at base + offset: `near` counts the offset
+    /// in so many bytes, `far` takes it from a register.
+    pub(super) fn access(&mut self, words: [u32; 2], register: u32, base: General, offset: i32, size: usize) {
+        let [near, far] = words;
+        let offset = u32::try_from(offset).expect("entries stand behind the beginning of their array");
+        let size = size as u32;
+        if offset.is_multiple_of(size) && offset / size < 1 << 12 {
+            return self.word(near | (offset / size) << 10 | base.number() << 5 | register);
+        }
+        // movz and movk
+        self.word(0xd280_0000 | (offset & 0xffff) << 5 | General::BEYOND.number());
+        if offset >> 16 != 0 {
+            self.word(0xf2a0_0000 | (offset >> 16) << 5 | General::BEYOND.number());
+        }
+        self.indexed(far, register, base, General::BEYOND);
+    }
+
+    pub(super) fn indexed(&mut self, word: u32, register: u32, base: General, index: General) {
+        self.word(word | index.number() << 16 | base.number() << 5 | register);
+    }
+
+    /// The page of a number of the pool, whose distance is written later: adrp
+    pub(super) fn page_of_pool(&mut self) {
+        self.word(0x9000_0000 | General::BEYOND.number());
+    }
+
+    /// Saves the frame record in so many bytes of the stack: stp x29, x30 and mov x29, sp
+    pub(super) fn begin_frame(&mut self, bytes: u32) {
+        let offset = (bytes / 8).wrapping_neg() & 0x7f;
+        self.word(0xa980_7bfd | offset << 15);
+        self.word(0x9100_03fd);
+    }
+
+    /// Takes it back: ldp x29, x30
+    pub(super) fn end_frame(&mut self, bytes: u32) {
+        self.word(0xa8c0_7bfd | (bytes / 8) << 15);
+    }
+
+    pub(super) fn store_pair(&mut self, pair: Pair, first: u32, offset: u32) {
+        self.pair(pair, 0, first, offset);
+    }
+
+    pub(super) fn load_pair(&mut self, pair: Pair, first: u32, offset: u32) {
+        self.pair(pair, 1 << 22, first, offset);
+    }
+
+    fn pair(&mut self, pair: Pair, load: u32, first: u32, offset: u32) {
+        let word = if pair == Pair::Vectors { 0x6d00_03e0 } else { 0xa900_03e0 };
+        self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
+    }
+
+    /// Moves the end of the stack by up to a page: sub sp, sp
+    pub(super) fn lower_stack(&mut self, bytes: usize) {
+        const PAGES: u32 = 1 << 22;
+
+        let bytes = bytes as u32;
+        let number = if bytes >= 1 << 12 { PAGES | (bytes >> 12) << 10 } else { bytes << 10 };
+        self.word(0xd100_03ff | number);
+    }
+
+    /// Moves it back to the frame record: mov sp, x29
+    pub(super) fn restore_stack(&mut self) {
+        self.word(0x9100_03bf);
+    }
+
+    /// Writes to the end of the stack, where nothing stands yet: str xzr, [sp]
+    pub(super) fn touch_stack(&mut self) {
+        self.word(0xf900_03ff);
+    }
+
+    pub(super) fn ret(&mut self) {
+        self.word(0xd65f_03c0);
+    }
+
+    /// This place.
+    pub(crate) fn label(&self) -> Label {
+        Label(self.bytes.len())
+    }
+
+    /// Jumps, if a count is zero, to a place that is still to be [bound](Self::bind).
+    pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
+        Forward(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
+    }
+
+    /// Takes one from a count, and jumps unless it is zero then.
+    pub(crate) fn count_down(&mut self, count: General, Label(to): Label) {
+        self.word(0xd100_0400 | count.number() << 5 | count.number());
+        let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());
+        set_target(&mut self.bytes, place, to);
+    }
+
+    /// Jumps if a is below b, both without a sign.
+    pub(crate) fn repeat_below(&mut self, a: General, b: General, Label(to): Label) {
+        self.word(0xeb00_001f | b.number() << 16 | a.number() << 5);
+        let place = self.jump(IF_BELOW, UNLESS_BELOW);
+        set_target(&mut self.bytes, place, to);
+    }
+
+    /// A jump on a condition, and the place of the word that its target is written to; long code
+    /// jumps over a jump that reaches farther, on the opposite condition.
+    fn jump(&mut self, condition: u32, opposite: u32) -> usize {
+        const OVER_THE_NEXT: u32 = 2 << 5;
+
+        let word = if self.is_long {
+            self.word(opposite | OVER_THE_NEXT);
+            ALWAYS
+        } else {
+            condition
+        };
+        self.word(word);
+        self.bytes.len() - 4
+    }
+
+    /// Lets a jump lead to this place.
+    pub(crate) fn bind(&mut self, Forward(place): Forward) {
+        let target = self.bytes.len();
+        set_target(&mut self.bytes, place, target);
+    }
+}
+
+fn change(code: &mut [u8], place: usize, change: impl FnOnce(u32) -> u32) {
+    let word = code[place..].first_chunk_mut().expect("an instruction stands there");
+    *word = change(u32::from_le_bytes(*word)).to_le_bytes();
+}
+
+/// Writes the distance from an instruction to its target into the bits that it has for it.
+///
+/// # Panics
+/// If they are too few, which lengths of code rule out.
+pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
+    change(code, place, |word| {
+        let (bits, shift) = if word & 0xfc00_0000 == ALWAYS { (26, 0) } else { (19, 5) };
+        let words = (target as i64 - place as i64) / 4;
+        assert!((-(1 << (bits - 1))..1 << (bits - 1)).contains(&words), "within reach");
+        word | (words as u32 & ((1 << bits) - 1)) << shift
+    });
+}
+
+/// Writes the page of a target, as distance from that of the code, and its place in the page, into
+/// two instructions; code begins with a page.
+pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
+    let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
+    change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);
+    let entry = (target & 0xfff) / size;
+    change(code, place + 4, |word| word | (entry as u32) << 10);
+}

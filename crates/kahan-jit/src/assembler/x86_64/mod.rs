@@ -1,0 +1,159 @@
+//! An assembler for x86-64.
+//!
+//! Instructions are those of AVX, of FMA, and of AVX-512F and AVX-512VL where a register beyond the
+//! first sixteen or of 512 bits takes part (Intel, Software Developer's Manual, volume 2).
+//! Functions follow the calling convention of System V.
+
+mod encoding;
+mod general;
+#[cfg(test)]
+mod tests;
+
+use super::operands::{self, Element, Form, Vector, Width};
+use super::pool::{Entry, Pool};
+use super::{Binary, Fused, Needs, Order, PAGE};
+use encoding::Opcode;
+
+pub(crate) use general::General;
+
+pub(crate) type Memory = operands::Memory<General>;
+type Source = operands::Source<Memory>;
+
+impl Vector {
+    /// What stands where an instruction has no such operand.
+    const NONE: Self = Vector(0);
+}
+
+/// Code that is being written, for operands of one form.
+#[derive(Debug)]
+pub(crate) struct Assembler {
+    bytes: Vec<u8>,
+    form: Form,
+    pool: Pool,
+}
+
+impl Assembler {
+    pub(crate) fn new(form: Form) -> Self {
+        Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
+    }
+
+    /// What its operands are.
+    pub(crate) fn form(&self) -> Form {
+        self.form
+    }
+
+    /// Begins a function: saves registers, and makes room for slots.
+    pub(crate) fn open(&mut self, needs: &Needs) {
+        /// Slots of any width begin with cache lines.
+        const LINE: i32 = 64;
+        /// About the length of an instruction.
+        const LENGTH: usize = 8;
+
+        assert!(needs.vectors <= 32, "there are so many registers");
+        self.bytes.reserve(needs.instructions * LENGTH);
+        self.push(General::Rbp);
+        self.move_general(General::Rbp, General::Rsp);
+        if needs.uses_pointers {
+            General::SAVED.into_iter().for_each(|register| self.push(register));
+        }
+        if needs.stack > 0 {
+            self.and_immediate(General::Rsp, -LINE);
+            for touched in (0..needs.stack).step_by(PAGE) {
+                self.add_immediate(General::Rsp, -(PAGE.min(needs.stack - touched) as i32));
+                self.touch_stack();
+            }
+            self.and_immediate(General::Rsp, -LINE);
+        }
+    }
+
+    /// Ends a function that was begun with the same needs.
+    pub(crate) fn close(&mut self, needs: &Needs) {
+        if needs.uses_pointers {
+            for (index, register) in (1..).zip(General::SAVED) {
+                self.load_general(register, General::Rbp, -8 * index);
+            }
+        }
+        self.move_general(General::Rsp, General::Rbp);
+        self.pop(General::Rbp);
+        self.zero_upper();
+        self.ret();
+    }
+
+    /// to = a ∘ b. Where a sign of single numbers is flipped, other bits of the register are
+    /// flipped as well: a memory operand is 16 bytes at least.
+    pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
+        let opcode = match operator {
+            Binary::Add => 0x58,
+            Binary::Subtract => 0x5c,
+            Binary::Multiply => 0x59,
+            Binary::Divide => 0x5e,
+            Binary::Maximum => 0x5f,
+            Binary::Minimum => 0x5d,
+            Binary::ExclusiveOr => return self.vector(Opcode::exclusive_or(self.form), to, a, b),
+        };
+        self.vector(Opcode::of(self.form, opcode), to, a, b);
+    }
+
+    /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
+    pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
+        let order = match order {
+            Order::D132 => 0x98,
+            Order::D213 => 0xa8,
+            Order::D231 => 0xb8,
+        };
+        let operator = match operator {
+            Fused::MultiplyAdd => 0,
+            Fused::MultiplySubtract => 2,
+            Fused::SubtractProduct => 4,
+        };
+        self.vector(Opcode::fused(self.form, order + operator), to, b, c);
+    }
+
+    /// Copies a whole register.
+    pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
+        self.vector(Opcode::packed(self.form, 0x28), to, Vector::NONE, Source::Register(from));
+    }
+
+    pub(crate) fn load(&mut self, to: Vector, from: Memory) {
+        self.vector(Opcode::of(self.form, 0x10), to, Vector::NONE, Source::Memory(from));
+    }
+
+    pub(crate) fn store(&mut self, to: Memory, from: Vector) {
+        self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
+    }
+
+    /// The number of single precision nearest to a number, as one of this form.
+    pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
+        if self.form.element == Element::Single {
+            return self.copy(to, from);
+        }
+        // The rest of the register comes from a further operand, which vectors have no use for.
+        let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
+        let (rest, rest_of_single) = (rest(from), rest(to));
+        let single = Form { element: Element::Single, ..self.form };
+        self.vector(Opcode::convert(self.form), to, rest, Source::Register(from));
+        self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
+    }
+
+    /// Leaves the upper halves of the registers as code that knows only their lower halves wants
+    /// them.
+    fn zero_upper(&mut self) {
+        self.bytes.extend([0xc5, 0xf8, 0x77]);
+    }
+
+    /// A place in the pool that holds a number in every lane; `bits` are those of one.
+    pub(crate) fn constant(&mut self, bits: u64) -> Entry {
+        self.pool.entry(bits)
+    }
+
+    /// The code and its pool.
+    pub(crate) fn finish(self) -> Vec<u8> {
+        const BREAKPOINT: u8 = 0xcc;
+
+        self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
+            // Code and pool are short. The distance is counted from what comes after it.
+            let distance = target as i32 - (place as i32 + 4);
+            code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
+        })
+    }
+}
