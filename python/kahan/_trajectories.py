@@ -201,6 +201,8 @@ class Trajectories(Points):
         eps = half_step(eps, dt, is_needed=False)
         points, own = read(points, self, "points", varies=True)
         inputs, start = constants(eps, own, params, self.parameters), np.asarray(points)
+        if inputs["eps"].dtype == object:
+            inputs["eps"] = inputs["eps"].astype(float)
         each = {name: flat(value, name, start.shape[:-1]) for name, value in inputs.items()}
         eps, given = each["eps"], [each.get(name) for name in self.parameters]
         points = start if start.ndim < 3 else start.reshape(-1, start.shape[-1])

@@ -30,6 +30,13 @@ def test_a_series_is_its_orbits(kind, order, every, transient):
             assert np.array_equal(found[0].by_start("t")[k], orbit.t)
 
 
+@pytest.mark.parametrize("dt", [0.05, "1/20", np.float64(0.05)])
+def test_times_of_a_step_dt_are_floats(dt):
+    found = S.ensemble([[0.1, 0.2], [0.3, 0.4]], dt=dt, steps=20, every=10, params={"a": 1})
+    assert found.t.dtype == float and found["t"].dtype == float and np.array_equal(found.by_start("t")[0], found.t)
+    assert np.array_equal(found.t, S(a=1).orbit([0.1, 0.2], dt=dt, steps=20, every=10).t)
+
+
 def test_the_last_points_are_those_of_the_ensemble():
     points = np.random.default_rng(1).uniform(0.5, 2, (4, 5, 3))
     series, ends = E6.ensemble(points, 0.01, 40, every=10), E6.ensemble(points, 0.01, 40)

@@ -42,7 +42,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
     let pictured = ["picture", "e6", "--eps", "1/20", "--at", "1,2,3", "--out", &out];
     let lv = |command| [command, "lv", "--eps", "0.1", "--at", "0.6,1"];
     let beyond_doubles = ["--steps", "9007199254740993"];
-    let calls: [(&str, Vec<&str>); 19] = [
+    let calls: [(&str, Vec<&str>); 22] = [
         ("variables of a chain that", [&["show"], &chain[..], &["--sites", "201"]].concat()),
         (
             "numbers of the state of a chain",
@@ -60,6 +60,22 @@ fn every_limit_of_a_question_is_that_of_its_table() {
         (
             "numbers of a cycle",
             vec!["periodic", "--field", &four, "--eps", "0.1", "--at", "1,1,1,1", "--period", "200"],
+        ),
+        (
+            "steps of a cycle of the flow",
+            [&lv("periodic")[..], &["--free", "eps", "--period", "1000001"]].concat(),
+        ),
+        (
+            "numbers of a cycle of the flow",
+            [&lv("periodic")[..], &["--free", "eps", "--period", "900000"]].concat(),
+        ),
+        (
+            "orbits of `orbit --over`",
+            [
+                &["orbit", "--field", "xdot = a*y; ydot = -b*x;", "--eps", "0.1", "--at", "1,1"][..],
+                &["--steps", "1", "--over", "a=0:1:2000", "--over", "b=0:1:2000"],
+            ]
+            .concat(),
         ),
         ("values of a range", vec!["scan", "e7", "--param", "xi=0:1:100001"]),
         ("cells of a grid", [&charted[..], &["--over", "a=0:1:5000", "--over", "b=0:1:5000"]].concat()),

@@ -416,8 +416,12 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns: &all, eps, paces };
-            // Rates grow beyond all bounds near infinity, and other methods are not Kahan's map.
-            let is_plain = self.method == Method::Kahan && !self.projective;
+            // Rates grow beyond all bounds near infinity, exact points are asked for in long steps, and
+            // other methods are not Kahan's map.
+            let is_plain = self.method == Method::Kahan
+                && self.scalar != ScalarKind::Exact
+                && !self.projective
+                && self.steps > 0;
             let rates = study.rates(self.eps.to_f64()).filter(|_| is_plain);
             let looks = rates.map(|rates| Looks::new(rates, paces.rows()));
             let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows, looks };
