@@ -77,14 +77,14 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
+/// Observers that a loop gives their vectors back, and the steps between two looks.
 #[doc(hidden)]
-pub use carried::Resumed;
+pub use carried::{PAUSE, Resumed};
 /// What observes groups of trajectories of maps that are read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
     crate::ensemble::columns::{GROUP, Group},
-    carried::PAUSE,
     ensemble::observe_group,
     growth::are_moderate,
 };

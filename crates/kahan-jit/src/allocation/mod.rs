@@ -120,12 +120,12 @@ impl Allocation {
         self.before.iter().chain(&self.round).chain(&self.after)
     }
 
-    /// How many instructions there are.
+    /// The number of instructions.
     pub(crate) fn instructions(&self) -> usize {
         self.all().count()
     }
 
-    /// How many registers there are from the first one to the last one that is written to.
+    /// The number of registers from the first one to the last one that is written to.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)

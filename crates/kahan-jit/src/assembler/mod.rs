@@ -57,7 +57,7 @@ pub(crate) enum Order {
     D231,
 }
 
-/// What a function takes beside its arguments.
+/// The registers and the stack that a function takes beside its arguments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Needs {
     /// The bytes of its slots, which lie above the stack pointer.
@@ -65,9 +65,9 @@ pub(crate) struct Needs {
     /// Whether it uses all of [`General::POINTERS`], some of which its caller finds again as they
     /// were.
     pub(crate) uses_pointers: bool,
-    /// How many registers of numbers it uses, from the first one on.
+    /// The number of registers of numbers that it uses, from the first one on.
     pub(crate) vectors: u8,
-    /// How many machine instructions are between its beginning and its end.
+    /// The number of machine instructions between its beginning and its end.
     pub(crate) instructions: usize,
 }
 

@@ -64,8 +64,9 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// The same, where `has_observed` may observe a group of orbits in a way of its own: it is given
-    /// their maps, their points, their observers and whom to tell of steps.
+    /// Observes orbits as [`observe_columns_while`](Self::observe_columns_while) does. `has_observed`
+    /// may observe a group in a way of its own: it is given the maps, the points, the observers and
+    /// whom to tell of steps.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -160,15 +161,16 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// What steps the orbits of these maps side by side; `None` where they have no code in common.
+    /// Returns the code that steps the orbits of these maps side by side; `None` where they have none in
+    /// common.
     pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// The same with so many tangent vectors behind each point and, where these are asked for, the
-    /// squares of their lengths behind all. Points have the bits that they have without vectors.
-    /// `None` for maps without a line for vectors, too.
+    /// Returns the code that steps orbits with a number of tangent vectors behind each point and, where
+    /// these are asked for, the squares of their lengths behind all. Points have the bits that they
+    /// have without vectors. `None` also for maps without a line for vectors.
     pub(crate) fn abreast_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -180,7 +182,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// The same by the maps of the variational field; the squares come last.
+    /// Returns the code of the maps of the variational field; the squares come last.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,

@@ -41,7 +41,7 @@ impl Engine {
         Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// The same with tangent vectors behind each point. `constants` are the parameters and ε of
+    /// Steps of orbits with tangent vectors behind each point. `constants` are the parameters and ε of
     /// each orbit, where the line of [`Object::Tangent`](super::Object) carries the vectors of a step
     /// that has one stage; `None` where the stages are those of the variational field.
     pub(crate) fn abreast_with_vectors<T: MachineFloat>(
@@ -104,7 +104,7 @@ impl<T: MachineFloat> Abreast<T> {
         in_turn(self.stages, |k| self.code.run(columns, of_stage(k), 1));
     }
 
-    /// Replaces columns of a group by those so many steps later.
+    /// Replaces columns of a group by those `steps` steps later.
     pub(crate) fn advance(&self, columns: &mut [Group<T>], steps: u64) {
         match self.stages {
             1 => self.code.run(columns, &self.constants, steps),

@@ -16,8 +16,8 @@ use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 /// The most columns of a group: points, and three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits for so many steps; `false` where that is not possible, and nothing was
-/// done.
+/// Follows a group of orbits for `steps` steps. Returns `false` where that is not possible, and
+/// nothing was done.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,

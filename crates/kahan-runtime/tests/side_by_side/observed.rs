@@ -27,7 +27,7 @@ fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};
 
     let mut ends = Vec::new();
-    // Those of more variables have no code for vectors.
+    // Fields of more variables have no code for vectors.
     for (field, map) in maps().take(4) {
         let starts = columns::<f64>(field.variables().len(), ORBITS);
         for of in [&[Last][..], &[Lyapunov], &[Sali, Last], &[Lyapunov, Sali], &[Sali, Fli], &[Extrema]] {

@@ -484,7 +484,10 @@ impl Looks {
         let count = values[0].count() as u64;
         while self.next < count {
             let row = self.next as usize;
-            let x: Vec<f64> = values[2..][..self.rates.variables()].iter().map(|column| column.cell(row).to_f64()).collect();
+            let x: Vec<f64> = values[2..][..self.rates.variables()]
+                .iter()
+                .map(|column| column.cell(row).to_f64())
+                .collect();
             self.rates.look(&x);
             self.next += self.stride;
         }

@@ -8,11 +8,11 @@ use super::Assembler;
 pub(crate) struct General(u8);
 
 impl General {
-    /// What a function is called with, in order.
+    /// The arguments of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
-    /// What a function may change besides.
+    /// Other registers that a function may change.
     pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
-    /// Where addresses of columns stay.
+    /// The registers in which addresses of columns stay.
     pub(crate) const POINTERS: [Self; 13] = [
         Self(5),
         Self(6),
@@ -28,7 +28,7 @@ impl General {
         Self(23),
         Self(24),
     ];
-    /// Those of them that a function has to leave as they were, each second one behind its
+    /// Registers of these that a function has to leave as they were, each second one behind its
     /// neighbour.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
     /// The end of the stack.

@@ -26,7 +26,7 @@ const OPERAND: Vector = Vector(31);
 /// The first register whose lower half a function has to leave as it was; they are eight.
 const FIRST_SAVED: u8 = 22;
 
-/// How far an instruction reaches that has 19 bits for it, in bytes.
+/// The distance that an instruction with 19 bits for it reaches, in bytes.
 const REACH: usize = 1 << 20;
 
 /// Code that is being written, for operands of one form.
@@ -54,7 +54,7 @@ impl Assembler {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form), is_long: false }
     }
 
-    /// What its operands are.
+    /// The kind of its operands.
     pub(crate) fn form(&self) -> Form {
         self.form
     }
@@ -302,7 +302,7 @@ impl Saved {
         Saved { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
     }
 
-    /// How many bytes they and the frame record take; none where nothing is saved.
+    /// The bytes that they and the frame record take; none where nothing is saved.
     fn bytes(self) -> u32 {
         let pointers = if self.uses_pointers { General::SAVED.len() as u32 } else { 0 };
         if self.has_frame { 16 * (1 + self.vectors) + 8 * pointers } else { 0 }

@@ -25,13 +25,13 @@ pub(crate) enum General {
 }
 
 impl General {
-    /// What a function is called with, in order.
+    /// The arguments of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
-    /// What a function may change besides.
+    /// Other registers that a function may change.
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
-    /// Where addresses of columns stay.
+    /// The registers in which addresses of columns stay.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// Those of them that a function has to leave as they were.
+    /// Registers of these that a function has to leave as they were.
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     /// The end of the stack.
     pub(crate) const STACK: Self = Self::Rsp;

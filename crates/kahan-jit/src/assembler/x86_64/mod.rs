@@ -20,7 +20,7 @@ pub(crate) type Memory = operands::Memory<General>;
 type Source = operands::Source<Memory>;
 
 impl Vector {
-    /// What stands where an instruction has no such operand.
+    /// The number in place of an operand that an instruction has not.
     const NONE: Self = Vector(0);
 }
 
@@ -37,7 +37,7 @@ impl Assembler {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
     }
 
-    /// What its operands are.
+    /// The kind of its operands.
     pub(crate) fn form(&self) -> Form {
         self.form
     }

@@ -197,9 +197,8 @@ impl<A: Moving> Block<A> {
         let width = self.numbers.len();
         let rows = first..first + (cells.len() / width) as u64;
         self.counts.clear();
-        self.counts.extend(
-            rows.map(|row| i64::try_from(paces.steps_to(row)).expect("nobody makes so many steps")),
-        );
+        self.counts
+            .extend(rows.map(|row| i64::try_from(paces.steps_to(row)).expect("nobody makes so many steps")));
         self.times.clear();
         self.times.extend(self.counts.iter().map(time));
         self.numbers.iter_mut().for_each(Vec::clear);

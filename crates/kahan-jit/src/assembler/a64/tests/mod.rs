@@ -19,7 +19,7 @@ const D2: Form = form(Element::Double, Width::Bits128);
 /// A form, what is written in it, and the words that it takes.
 type Written<'a> = (Form, &'a dyn Fn(&mut Assembler), &'a [u32]);
 
-/// What a function needs, and its words.
+/// The needs of a function, and its words.
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
 
 fn v(register: u8) -> Vector {
