@@ -7,7 +7,7 @@ use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::beside::{Listener, beside};
+use crate::beside::{Caller, Listener, beside};
 use crate::errors::of_study;
 use crate::field::Field;
 use crate::table::array;
@@ -43,14 +43,13 @@ impl Field {
             }
             Some(part) => {
                 let columns = asked.columns(study).map_err(|error| of_study(py, &error))?;
-                let mut parts = Parts { columns, rows: Table::default(), part, raised: None };
-                let found = beside(py, threads, &listener, |caller| asked.find(study, &mut parts, caller))?;
-                parts.raised.map_or(Ok(()), Err)?;
-                let rows = if parts.rows.values.is_empty() {
-                    Table { columns: parts.columns, values: Vec::new() }
-                } else {
-                    parts.rows
-                };
+                let (found, rows, raised) = beside(py, threads, &listener, |caller| {
+                    let mut parts = Parts { caller, rows: Table::default(), part, raised: None };
+                    let found = asked.find(study, &mut parts, caller);
+                    (found, parts.rows, parts.raised)
+                })?;
+                raised.map_or(Ok(()), Err)?;
+                let rows = if rows.values.is_empty() { Table { columns, values: Vec::new() } } else { rows };
                 found.map(|orbits| (orbits, rows))
             }
         }
@@ -72,8 +71,9 @@ impl Field {
 }
 
 /// Hands crossings on to Python when there are many.
-struct Parts {
-    columns: Vec<Column>,
+struct Parts<'a> {
+    /// Whose signals end the work.
+    caller: &'a Caller,
     rows: Table,
     part: Py<PyAny>,
     /// The exception that Python raised.
@@ -83,8 +83,9 @@ struct Parts {
 /// Numbers that are handed on at once.
 const AT_ONCE: usize = 1 << 20;
 
-impl Rows for Parts {
+impl Rows for Parts<'_> {
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        self.caller.goes_on()?;
         self.rows.block(columns, values)?;
         if self.rows.count() * columns.len() < AT_ONCE {
             return ControlFlow::Continue(());
