@@ -93,7 +93,8 @@ impl Rates {
     }
 }
 
-/// The largest size of an eigenvalue, nearly: the mean growth of a vector in products by the matrix.
+/// Returns the largest size of an eigenvalue, nearly: the mean growth of a vector in products by
+/// the matrix.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
     // No symmetry of a field has this vector.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();

@@ -1,7 +1,7 @@
 //! The number of each orbit that a chart shows.
 //!
 //! In: the name that a front calls a color, and a table with an orbit a row. Out: a number a row.
-//! It must not know pictures.
+//! Pictures are drawn elsewhere.
 
 use kahan_runtime::Observable;
 

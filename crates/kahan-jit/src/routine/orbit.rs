@@ -93,7 +93,7 @@ impl<T: Float> ComposedOrbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The fifth argument is none of these functions'.
+        // These functions do not use the fifth argument.
         let [states, table, stages, steps, entry] = General::ARGUMENTS;
         let [constants, left, _] = General::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);

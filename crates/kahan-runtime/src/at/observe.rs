@@ -64,9 +64,10 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits as [`observe_columns_while`](Self::observe_columns_while) does. `has_observed`
-    /// may observe a group in a way of its own: it is given the maps, the points, the observers and
-    /// whom to tell of steps.
+    /// Observes orbits as [`observe_columns_while`](Self::observe_columns_while) does.
+    ///
+    /// `has_observed` may observe a group in a way of its own: it is given the maps, the points, the
+    /// observers and whom to tell of steps, and returns `false` where it has done nothing.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -161,16 +162,16 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// Returns the code that steps the orbits of these maps side by side; `None` where they have none in
-    /// common.
+    /// Returns the code that steps the orbits of these maps side by side; `None` where they have none
+    /// in common.
     pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns the code that steps orbits with a number of tangent vectors behind each point and, where
-    /// these are asked for, the squares of their lengths behind all. Points have the bits that they
-    /// have without vectors. `None` also for maps without a line for vectors.
+    /// Returns the code that steps orbits with a number of tangent vectors behind each point and,
+    /// where these are asked for, the squares of their lengths behind all. Points have the bits that
+    /// they have without vectors. `None` also for maps without a line for vectors.
     pub(crate) fn abreast_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),

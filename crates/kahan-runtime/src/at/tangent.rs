@@ -7,12 +7,12 @@ use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_m
 use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
-use super::group::Aligned;
+use super::group::{Aligned, MOST};
 use crate::engine::{Object, Scratch, determinant, with_scratch};
 use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint};
 
-/// Those of two vectors in four variables: with more there is no code.
-const MOST_COLUMNS: usize = 4 + 2 * 4 + 2;
+/// The most columns of a group: points, two vectors, and the squares of their lengths.
+const MOST_COLUMNS: usize = 3 * MOST + 2;
 
 impl<T: MachineFloat> MapAt<T> {
     /// This map with a tangent vector that it carries along: a map of twice the numbers.

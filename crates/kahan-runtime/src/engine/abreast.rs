@@ -12,7 +12,8 @@ use super::coded::CodedStages;
 use super::floats::MachineFloat;
 use super::{Engine, in_turn};
 
-/// The code of steps, once it was asked for; `None` where there is none.
+/// The code of the steps of a group, compiled when it is first asked for; `None` inside where steps
+/// cannot be compiled.
 pub(crate) type AbreastOnce<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
 /// The steps of a group's orbits, or another line over their columns.
@@ -41,9 +42,9 @@ impl Engine {
         Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// Steps of orbits with tangent vectors behind each point. `constants` are the parameters and ε of
-    /// each orbit, where the line of [`Object::Tangent`](super::Object) carries the vectors of a step
-    /// that has one stage; `None` where the stages are those of the variational field.
+    /// Steps of orbits with tangent vectors behind each point. `constants` are the parameters and ε
+    /// of each orbit, where the line of [`Object::Tangent`](super::Object) carries the vectors of a
+    /// step that has one stage; `None` where the stages are those of the variational field.
     pub(crate) fn abreast_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],

@@ -1,9 +1,10 @@
 //! The orbits of a group, whose points and tangent vectors one loop of code carries along.
 //!
 //! In: maps, the points of a group, and observers that need not see each point. Out: the points and
-//! the observers, with the bits of orbits that are followed alone. The loop makes [`PAUSE`] steps at
-//! once, and shows nothing on the way. Observers take their vectors back at the steps at which they
-//! look. An orbit that has left the range of floats goes back those steps, and is followed alone.
+//! the observers, with the bits of orbits that are followed alone. The loop makes [`PAUSE`] steps
+//! at once, and shows nothing on the way. Observers take their vectors back at the steps at which
+//! they look. An orbit that has left the range of floats goes back those steps, and is followed
+//! alone.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;

@@ -416,8 +416,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns: &all, eps, paces };
-            // Rates grow beyond all bounds near infinity, exact points are asked for in long steps, and
-            // other methods are not Kahan's map.
+            // Rates grow beyond all bounds near infinity, exact points are asked for in long steps,
+            // and other methods are not Kahan's map.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective

@@ -87,7 +87,7 @@ fn claims_of_a_field_hold_or_not() {
     assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
     assert_eq!(of_field["claims"][0]["id"], "field.H");
     assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
-    // What does not fit the values of parameters is gone.
+    // Claims that do not fit the values of the parameters are left out.
     let put_in = verdicts(Subject::text(field).with("a", one()));
     assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
     // Of a system of the catalog as it stands the paper's claims are meant.

@@ -1,4 +1,4 @@
-//! What stands in the rows, and the first points that they begin at.
+//! The contents of rows, and the first points of their orbits.
 
 use std::fs;
 use std::path::Path;
@@ -117,7 +117,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
         text(&read.output().expect("the command runs").stdout),
         "index,x,y,z,eps\n0,1.0,2.0,0.5,0.125\n1,1.0,2.0,0.5,0.25\n2,0.5,0.001,-0.75,0.125\n3,0.5,0.001,-0.75,0.25\n"
     );
-    // The same numbers are the same plan, and others are foreign: 0.001 is no double.
+    // A plan with equal numbers is accepted, and one with others refused: 0.001 is no double.
     let foreign = |output: Output| {
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(1) && said.contains("belongs to another plan"), "{said}");

@@ -56,7 +56,7 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
         );
     }
     assert!(kills > 0);
-    // What others left who were killed while they looked, wrote a part, or merged.
+    // Files left by programs that were killed while they looked, wrote a part, or merged.
     fs::create_dir_all(folder.path().join("r/part-000000000003.under-way")).expect("a folder");
     for name in [".probe-1", ".results-1", "part-000000000003.under-way/rows-1.parquet"] {
         fs::write(folder.path().join("r").join(name), "by halves").expect("a file");
@@ -108,7 +108,7 @@ fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("the same command goes on"));
-    // What was done of the part is noted.
+    // The finished rows of the part are noted.
     assert!(noted());
 }
 
@@ -143,7 +143,7 @@ fn what_does_not_belong_together_is_refused() {
     // A part under the name of another.
     fs::copy(second, first).expect("a part");
     assert!(said(&["--out", "r", "--merge"], 1).contains("another part under this name"));
-    // The same command mends it.
+    // A second run of the command mends it.
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
 
@@ -151,7 +151,7 @@ fn what_does_not_belong_together_is_refused() {
     fs::write(folder.path().join("plan.toml"), PLAN.replace("steps = 50", "steps = 51")).expect("a plan");
     assert!(said(&["--out", "r", "--merge"], 1).contains("belongs to another plan"));
     assert!(said(&["--out", "r"], 1).contains("belongs to another plan"));
-    // The same plan, written otherwise.
+    // An equal plan, written otherwise.
     let other = PLAN.replace("\"1/2\"", "0.5").replace("seed = 3", "# The seed.\nseed=3");
     fs::write(folder.path().join("plan.toml"), other).expect("a plan");
     done(folder.path(), &["--out", "r", "--merge"]);

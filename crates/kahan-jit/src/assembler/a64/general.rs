@@ -92,7 +92,7 @@ impl Assembler {
     }
 
     /// An instruction that loads or stores `size` bytes at base + offset: `near` counts the offset
-    /// in so many bytes, `far` takes it from a register.
+    /// in units of `size` bytes, `far` takes it from a register.
     pub(super) fn access(&mut self, words: [u32; 2], register: u32, base: General, offset: i32, size: usize) {
         let [near, far] = words;
         let offset = u32::try_from(offset).expect("entries stand behind the beginning of their array");
@@ -117,7 +117,7 @@ impl Assembler {
         self.word(0x9000_0000 | General::BEYOND.number());
     }
 
-    /// Saves the frame record in so many bytes of the stack: stp x29, x30 and mov x29, sp
+    /// Saves the frame record in `bytes` bytes of the stack: stp x29, x30 and mov x29, sp
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);

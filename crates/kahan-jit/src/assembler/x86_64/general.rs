@@ -4,7 +4,6 @@ use super::{Assembler, Memory, Source};
 
 /// A register of addresses and counts, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(dead_code, reason = "the numbers of registers have no gaps, whichever of them are used")]
 pub(crate) enum General {
     Rax,
     Rcx,
