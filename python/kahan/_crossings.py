@@ -59,7 +59,7 @@ class Crossings(Points):
         <Section of 2 orbits of field at y = 0: 6 crossings>
         """
         plane, direction = self._plane(plane, maxima, direction)
-        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress, to,
+        return self._crossed(Section, x, half_step(eps, dt, is_needed="eps" not in (over or {})), params, over, threads, progress, to, maxima,
                              plane=plane, direction=direction, steps=whole_or_none(steps, "steps"), crossings=whole_or_none(crossings, "crossings"),
                              transient=whole(transient, "transient"), order=whole(order, "order"), carry=carry, reembed=reembed)
 
@@ -72,8 +72,10 @@ class Crossings(Points):
         """Where orbits cross a section over a parameter, or eps: a bifurcation diagram, which ``plot`` draws.
 
         At each value of ``over`` an orbit begins at ``x``, or with ``carry`` where that at the value before came to; it
-        has so many ``crossings`` of ``plane`` = 0, or maxima of the variable ``maxima``, behind ``transient`` steps, at most
-        in ``steps``. ``show`` is the variable that ``plot`` draws: by default that of ``maxima``, or the first that ``plane`` does not name.
+        has up to ``crossings`` points where ``plane`` = 0, or maxima of the variable ``maxima``, in at most ``steps`` after
+        ``transient`` steps: 1000 by default, a time of 2000 eps, which a slowly attracting orbit exceeds. With ``carry`` the
+        diagram shows hysteresis, and period doublings appear later than they occur, as an orbit that has become unstable
+        is left slowly. ``show`` is the variable that ``plot`` draws: by default that of ``maxima``, or the first that ``plane`` does not name.
 
         >>> import kahan
         >>> s = kahan.System("xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);")
@@ -86,7 +88,8 @@ class Crossings(Points):
         plane, direction = self._plane(plane, maxima, direction)
         [name] = over
         eps = half_step(eps, dt, is_needed=name != "eps")
-        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, None, plane=plane, direction=direction,
+        found = self._crossed(Diagram, [Fraction(one) for one in self._point(x)], eps, None, over, threads, progress, None, maxima,
+                              plane=plane, direction=direction,
                               steps=whole_or_none(steps, "steps"), crossings=whole(crossings, "crossings"), transient=whole(transient, "transient"),
                               order=whole(order, "order"), carry=carry, reembed=reembed)
         others = [variable for variable in self.variables if not re.search(rf"\b{variable}\b", plane)]
@@ -99,12 +102,14 @@ class Crossings(Points):
             raise ValueError("plane and maxima: one of both says what the section is")
         if maxima is not None:
             return self._rate(maxima), "falling"
+        if plane is None:
+            raise TypeError('plane is missing: give a formula that is 0 on the section, as plane="x - 1", or a variable, as maxima="x"')
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         return plane, choice(direction, "direction")
 
     def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
-                 threads: int | None, progress: bool, to: str | PathLike[str] | None, **asked: Any) -> Crossed:
+                 threads: int | None, progress: bool, to: str | PathLike[str] | None, maxima: str | None, **asked: Any) -> Crossed:
         """Asks for the crossings of one orbit or many, and writes them to a file if one is named."""
         points, own = read(self._at(x), self, "x", varies=True)
         given = dict(by_name(params) or ()) | own
@@ -128,7 +133,7 @@ class Crossings(Points):
                 write({name: values for name, _, values in columns})
             columns = [(name, meaning, values[:0]) for name, meaning, values in columns]
         named = [(name, values) for name, _, values in columns]
-        return kind(system, asked["plane"], None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
+        return kind(system, asked["plane"], maxima, None if half is None else nearest(half, "eps"), named, is_one and not over, ended, counts)
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *,

@@ -108,6 +108,8 @@ def point(values: Any, name: str = "x") -> list[str]:
 
 def whole(value: Any, name: str) -> int:
     """A whole number from 0 on; 1e3 is one, too."""
+    if value is None:
+        raise TypeError(f"{name} is missing: give a whole number, as {name}=1000")
     try:
         number = index(int(value) if isinstance(value, float) and value.is_integer() else value)
     except TypeError:

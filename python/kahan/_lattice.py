@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._answer import Answer
 from ._arrays import named
 from ._errors import Named, needed, spelled
 from ._exact import Number, half_step, nearest, whole
@@ -87,6 +88,31 @@ class Lattice(Chain):
             return dict(self._sums(states))
         each = [dict(self._sums(one)) for one in states.reshape(-1, *states.shape[-axes:])]
         return {name: np.array([one[name] for one in each]).reshape(states.shape[:-axes]) for name in each[0]} if each else {}
+
+    def observe(self, state: Any, steps: int, **asked: Any) -> Answer:
+        """What the orbit of one state does, as ``System.observe`` tells: ``spectrum=3`` has the three largest exponents.
+
+        The chain is written out as a field of all sites, ``System(family, sites=n)``, which takes milliseconds a site;
+        ``asked`` has the other arguments of ``System.observe``.
+
+        >>> import kahan
+        >>> chain = kahan.Lattice("for i in periodic { q[i]dot = p[i]; p[i]dot = q[i+1] - 2*q[i] + q[i-1]; }", 8, eps=0.05)
+        >>> chain.observe([[1, 0]] + [[0, 0]] * 7, 1000, observe=["spectrum"], spectrum=3).spectrum.shape
+        (3,)
+        """
+        from ._system import System
+
+        family, sites, eps, values = self._call
+        states, axes = self._alone(state)
+        if states.ndim > axes:
+            raise ValueError("state: one state is observed at a time")
+        field = System(family, sites=sites)
+        of_sites = {}
+        for name, given in values.items():
+            each = [name] if name in field.parameters else next(
+                names for infix in ("", "_") if (names := [f"{name}{infix}{k}" for k in range(sites)])[0] in field.parameters)
+            of_sites |= dict(zip(each, np.broadcast_to(given, len(each)).tolist()))
+        return field(**of_sites).observe(states.ravel(), eps, steps, **asked)
 
     def orbit(self, state: Any, steps: int, *, every: int = 1, progress: bool = False) -> LatticeOrbit:
         """The states after 0, ``every``, 2 ``every``, … steps.

@@ -159,12 +159,24 @@ class Ended(Table):
 class Many(Frame, Ended):  # type: ignore[misc]
     """A table of many orbits, whose ends come as words, the place of its word for each, and its steps."""
 
+    system: System
+    start: Array
+    given: dict[str, Array]
     steps: Array
     """The steps that each made, fewer than asked where it ended early."""
     _ends: tuple[list[str], Array, Array]
 
     def _end(self, ends: tuple[list[str], Array, Array]) -> None:
         self._ends, self.steps = ends, ends[2].reshape(self.start.shape[:-1])
+
+    def _over_starts(self) -> tuple[list[str], dict[str, Any]]:
+        """The dimensions of the starts, and their coordinates: numbers, first points and ``given``."""
+        shape = self.steps.shape
+        dims = ["start"] if len(shape) == 1 else [f"start_axis_{k}" for k in range(len(shape))]
+        numbers = {name: np.arange(size) for name, size in zip(dims, shape)}
+        points = {f"start_{name}": (dims, values.reshape(shape)) for name, values in self.system._columns(self.start).items()}
+        given = {name: (dims, values.reshape(shape)) if values.ndim else values for name, values in self.given.items()}
+        return dims, {**numbers, **points, **given}
 
     @cached_property
     def ended(self) -> Array:
@@ -377,6 +389,15 @@ class Ensemble(Many):
     def __getitem__(self, name: str) -> Array:
         return self.observed[name] if name in self.observed else super().__getitem__(name).reshape(self.steps.shape)
 
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of last points, ends and observed columns over the axes of the starts.
+
+        First points, ``eps`` and parameters are coordinates. Needs xarray.
+        """
+        dims, coordinates = self._over_starts()
+        columns = {name: (dims, values.reshape(self.steps.shape)) for name, values in self.columns().items() if name not in coordinates}
+        return needed("xarray").Dataset(columns, coordinates, {"field": self.system.text})
+
     def __len__(self) -> int:
         return self.steps.size
 
@@ -443,7 +464,8 @@ class Chart(Table):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of the numbers and of how and when the orbits ended, over the axes as coordinates.
 
-        Needs xarray. ``chart.to_xarray()[chart.color].plot()`` draws one or two axes.
+        Needs xarray. ``chart.to_xarray()[chart.color].plot(x="a")`` draws two axes with ``a`` across, on a linear scale;
+        ``plot`` of the chart itself takes logarithms of SALI and of drifts.
         """
         columns = {self.color: self.values, "ended": self.ended, "ended_step": self.ended_step}
         found = needed("xarray").Dataset({name: (list(self.axes), values) for name, values in columns.items()}, self.axes,
@@ -478,6 +500,8 @@ class Section(Frame, Ended):  # type: ignore[misc]
     """The field, with its parameters."""
     plane: str
     """What vanishes on the section."""
+    maxima: str | None
+    """The variable whose maxima the section has, if they were asked for."""
     x: Array
     """The crossings, of shape (crossings, variables)."""
     t: Array
@@ -497,10 +521,10 @@ class Section(Frame, Ended):  # type: ignore[misc]
     eps: float | None
     """Half the time step; ``None`` where it varies."""
 
-    def __init__(self, system: System, plane: str, eps: float | None, columns: list[tuple[str, Array]], is_one: bool,
-                 ended: list[str], counts: list[Array]) -> None:
+    def __init__(self, system: System, plane: str, maxima: str | None, eps: float | None, columns: list[tuple[str, Array]],
+                 is_one: bool, ended: list[str], counts: list[Array]) -> None:
         front = len(columns) - 2 - len(system.variables)
-        self.system, self.plane, self.eps, self.given = system, plane, eps, dict(columns[:front])
+        self.system, self.plane, self.maxima, self.eps, self.given = system, plane, maxima, eps, dict(columns[:front])
         self.n, self.t = columns[front][1], columns[front + 1][1]
         self.x = np.stack([column for _, column in columns[front + 2:]], axis=1)
         steps, self.crossings, jumps = counts
@@ -516,7 +540,12 @@ class Section(Frame, Ended):  # type: ignore[misc]
         else:
             early = sum(ended not in ("complete", "stopped") for ended in self.ended)
             of, end = f" of {len(self.ended)} orbits", f", {early} ended early" if early else ""
-        return f"<{type(self).__name__}{of} of {self.system.name} at {self.plane} = 0: {np.sum(self.crossings)} crossings{jumps}{end}>"
+        return f"<{type(self).__name__}{of} of {self.system.name} at {self._place}: {np.sum(self.crossings)} crossings{jumps}{end}>"
+
+    @property
+    def _place(self) -> str:
+        """The section in words."""
+        return f"{self.plane} = 0" if self.maxima is None else f"maxima of {self.maxima}"
 
     def columns(self) -> dict[str, Array]:
         """What is ``given``, n, t and the variables, by name."""

@@ -55,9 +55,14 @@ def _flat(ax: Axes | None) -> Any:
 
 
 def _styled(usual: dict[str, Any], style: dict[str, Any]) -> dict[str, Any]:
-    """The usual style with what is asked of it; short names of matplotlib, as ``lw``, stand for the long ones."""
+    """The usual style with the one asked for; short names of matplotlib, as ``lw``, stand for the long ones.
+
+    ``s`` is the area of a dot, as in ``Axes.scatter``.
+    """
     from matplotlib import cbook, lines
 
+    if "s" in style:
+        style = {"marker": ".", **{name: value for name, value in style.items() if name != "s"}, "markersize": style["s"] ** 0.5}
     return usual | cbook.normalize_kwargs(style, lines.Line2D)
 
 
@@ -107,7 +112,7 @@ def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict
         axes.plot(*(column[starts == start] for column in columns), **_styled(_DOTS, style))
     steps = f"{found.steps} steps" if isinstance(found.steps, int) else f"{len(found.steps)} orbits"
     eps = "" if found.eps is None else f", eps = {found.eps}"
-    axes.set_title(f"{found.plane} = 0{eps}, {steps}")
+    axes.set_title(f"{found._place}{eps}, {steps}")
     return axes  # type: ignore[no-any-return]
 
 
@@ -115,7 +120,7 @@ def diagram(found: Diagram, names: tuple[str, ...], ax: Axes | None, style: dict
     """A column at the crossings over another one, as fine dots."""
     axes, columns = _over(found, names, [], ax)
     axes.plot(*columns, **_styled({"marker": ",", "linestyle": ""}, style))
-    axes.set_title(f"{found.system.name}, {found.plane} = 0")
+    axes.set_title(f"{found.system.name}, {found._place}")
     return axes  # type: ignore[no-any-return]
 
 

@@ -189,19 +189,17 @@ class Series(Many):
         return f"<Series of {self.system.name}: {self.steps.size} orbits of {self._rows} points{self._early()}>"
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the columns over ``start`` and ``t``, or over ``start`` and ``n`` where each start has its ``eps``.
+        """An ``xarray.Dataset`` of the columns over the axes of the starts and ``t``, or ``n`` where each start has its ``eps``.
 
-        First points and what was given are coordinates over ``start``. Needs xarray.
+        First points, ``eps``, parameters and ends are coordinates over the starts. Needs xarray.
         """
-        count, eps = self.steps.size, self.given["eps"]
-        along = "n" if eps.ndim else "t"
-        beside: dict[str, Any] = {f"start_{name}": ("start", values) for name, values in self.system._columns(self.start).items()}
-        beside |= {name: ("start", values.ravel()) if values.ndim else values for name, values in self.given.items()}
-        beside["ended"] = ("start", self.ended.ravel())
-        times = {"t": (("start", "n"), self.t.reshape(count, -1)), "n": self.n} if eps.ndim else {"t": self.t, "n": ("t", self.n)}
-        columns = {name: (("start", along), self._flat(name).reshape(count, -1))
+        dims, beside = self._over_starts()
+        differs = self.given["eps"].ndim > 0
+        all_dims = [*dims, "n" if differs else "t"]
+        times = {"t": (all_dims, self.t), "n": self.n} if differs else {"t": self.t, "n": ("t", self.n)}
+        columns = {name: (all_dims, self.by_start(name))
                    for name in self._chosen() if name in self.system.variables or name not in ("start", "n", "t", *self.given)}
-        return needed("xarray").Dataset(columns, {"start": np.arange(count), **times, **beside}, {"field": self.system.text})
+        return needed("xarray").Dataset(columns, {**beside, **times, "ended": (dims, self.ended)}, {"field": self.system.text})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the orbits over two or three columns, each as a line; by default t and the first variable. Needs matplotlib."""

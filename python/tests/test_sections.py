@@ -42,10 +42,15 @@ def test_a_diagram_is_a_table_over_a_parameter():
     assert list(found) == ["start", "c", "n", "t", "x", "y", "z"] and len(found) == 60
     assert [len(np.unique(found["x"][found["c"] == c].round(2))) for c in (2, 3.5)] == [1, 2]
     assert (np.abs(found["y"] + found["z"]) < 1e-12).all()
+    assert repr(found) == "<Diagram of 5 orbits of field at maxima of x: 60 crossings>"
     carried = ROSSLER.diagram({"c": (2, 4, 5)}, [1, 1, 0], 0.02, maxima="x", transient=10_000, crossings=12, carry=True)
     assert (carried.x[:12] == found.x[:12]).all() and (carried.x[12:] != found.x[12:]).any()
     with pytest.raises(ValueError, match="one of both"):
         ROSSLER.diagram({"c": (2, 4, 5)}, [1, 1, 0], 0.02, maxima="x", plane="y")
+    with pytest.raises(TypeError, match="plane is missing"):
+        ROSSLER.diagram({"c": (2, 4, 5)}, [1, 1, 0], 0.02)
+    with pytest.raises(TypeError, match="steps is missing"):
+        ROSSLER.ensemble([[1, 1, 0]], 0.02, params={"c": 3})
     with pytest.raises(ValueError, match="one name"):
         ROSSLER.diagram({}, [1, 1, 0], 0.02, maxima="x")
 
@@ -63,6 +68,7 @@ def test_plots():
     found = ROSSLER.diagram({"c": (2, 4, 3)}, [1, 1, 0], 0.02, plane="y", transient=100, crossings=3)
     axes = found.plot(ms=1)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("c", "x")
+    assert found.plot(s=4).lines[0].get_markersize() == 2
     assert len(HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=3).plot().lines) == 20
 
 

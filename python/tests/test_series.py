@@ -121,6 +121,20 @@ def test_a_dataset_has_starts_and_times():
     assert varied["x"].dims == ("start", "n") and varied["t"].dims == ("start", "n")
 
 
+def test_a_dataset_keeps_the_grid_of_the_starts():
+    pytest.importorskip("xarray")
+    grid = np.random.default_rng(5).uniform(0.1, 0.3, (3, 4, 2))
+    rates = np.linspace(0.5, 1.5, 12).reshape(3, 4)
+    series = S.ensemble(grid, 0.05, 20, every=5, params={"a": rates})
+    found, dims = series.to_xarray(), ("start_axis_0", "start_axis_1")
+    assert found["x"].dims == (*dims, "t") and np.array_equal(found["x"], series.x[..., 0])
+    assert found["a"].dims == dims and np.array_equal(found["a"], rates) and np.array_equal(found["start_y"], grid[..., 1])
+    ends = S.ensemble(grid, 0.05, 20, params={"a": rates}, observe=["spectrum"])
+    found = ends.to_xarray()
+    assert found["x"].dims == found["spectrum_2"].dims == found["ended"].dims == dims
+    assert np.array_equal(found["spectrum_2"], ends.spectrum[..., 1]) and np.array_equal(found["y"], ends.x[..., 1])
+
+
 @pytest.mark.parametrize("ending", ["parquet", "arrow"])
 def test_a_file_is_written_part_by_part(tmp_path, monkeypatch, ending):
     pyarrow = pytest.importorskip("pyarrow")

@@ -178,6 +178,17 @@ def test_orbits_of_lattices_are_tables():
         assert many.to_xarray().q.dims == ("t", "state_1", "site") and orbit.to_xarray().P.dims == ("t",)
 
 
+def test_exponents_of_a_chain_are_those_of_its_field():
+    family = "struct Chain { k, c } for i in periodic { x[i]dot = k*c[i]*x[i]*(x[i+1] - x[i-1]); }"
+    rates, state = [1, 1.5, 1, 2], [1, 2, 0.5, 1]
+    chain = kahan.Lattice(family, 4, eps=0.05, k=0.5, c=rates)
+    field = kahan.System(family, sites=4)(k=0.5, **{f"c{k}": rate for k, rate in enumerate(rates)})
+    asked = {"observe": ["spectrum"], "spectrum": 2}
+    assert np.array_equal(chain.observe(state, 200, **asked).spectrum, field.observe(state, 0.05, 200, **asked).spectrum)
+    with pytest.raises(ValueError, match="one state"):
+        chain.observe([state, state], 10)
+
+
 def test_plots():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("agg")

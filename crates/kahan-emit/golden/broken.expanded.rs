@@ -1,8 +1,8 @@
 ::core::compile_error! {
-    "the term `x^3` has degree 3 in the states, and Kahan's method needs a quadratic field\nhelp: `kahan lift` makes a quadratic field of it, for example with `w` for `x^2`: docs/how-to/not-quadratic.md shows how"
+    "the term `x^3` has degree 3 in the states, and Kahan's method needs a quadratic field\nhelp: `kahan lift`, or `lift=True` in Python, makes a quadratic field of it, for example with `w` for `x^2`: docs/how-to/not-quadratic.md shows how"
 }
 ::core::compile_error! {
-    "`sin(…)` is a function call: fields here are polynomial, claims rational\nhelp: `kahan lift` makes a quadratic field of it, with a state for `sin(…)`: docs/how-to/not-quadratic.md shows how"
+    "`sin(…)` is a function call: fields here are polynomial, claims rational\nhelp: `kahan lift`, or `lift=True` in Python, makes a quadratic field of it, with a state for `sin(…)`: docs/how-to/not-quadratic.md shows how"
 }
 /// The block has mistakes, which the compiler reports. This stands in for what it would be, and nothing that the block claims is proved.
 #[::core::prelude::v1::derive(

@@ -6,7 +6,7 @@ pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
 /// The way out of a field that is not quadratic, where help names it; the page has the calls of
 /// each front.
-pub const LIFTS: &str = "`kahan lift` makes a quadratic field of it";
+pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
 /// The page on texts as people write them, where help names it.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";

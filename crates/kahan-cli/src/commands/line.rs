@@ -235,7 +235,10 @@ mod tests {
         let line = vec![At::Line(at.clone(), vec![rational(1, 1), rational(2, 1)]), At::Point(at)];
         let windows = vec![("y".to_owned(), [rational(-1, 2), rational(7, 1)])];
         let axes = vec!["t".to_owned(), "y".to_owned()];
-        let section = Shown { what: What::Section("x - y".to_owned()), seconds: 2.5, ..plain.clone() };
+        let section = Shown { what: What::section("x - y", 9), seconds: 2.5, ..plain.clone() };
+        let counted = study::Section::new(Rational::zero(), Vec::new(), 0, "x - y");
+        let counted = study::Section { steps: None, crossings: Some(7), ..counted };
+        let counted = Shown { what: What::Section(Box::new(counted)), steps: 0, ..plain.clone() };
         let heights = Shown { what: What::Heights, ..plain.clone() };
         let diagram = study::Diagram::new(None, Vec::new(), through("eps", "1/10:1:+1/40"), 9);
         let diagram = study::Diagram { transient: 77, ..diagram };
@@ -250,7 +253,7 @@ mod tests {
         let crossed = study::Diagram { plane, crossings: Some(5), steps: None, carry: true, ..diagram };
         let crossed = of(&crossed);
         let rich = Shown { at: line, spread, axes, windows, lines: true, reembed: true, ..plain.clone() };
-        for asked in [section, heights, over, crossed, rich, plain] {
+        for asked in [section, counted, heights, over, crossed, rich, plain] {
             let line = Picture::options(&asked, Line::new("", &["lv".to_owned()]));
             let read: Picture = read(&line);
             assert!(read.asked().expect("a picture").1 == asked, "{line}");

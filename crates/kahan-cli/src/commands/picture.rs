@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use kahan_algebra::rational::Rational;
 use kahan_draw::picture::Picture as Drawing;
-use kahan_study::{Diagram, Direction, Study};
+use kahan_study::{Diagram, Direction, Section, Study};
 use serde_json::json;
 
 use super::line::Line;
@@ -67,15 +67,15 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "S", default_value = "1")]
     seed: u64,
 
-    /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX), required_unless_present = "crossings")]
+    /// The number of steps of each orbit; of a section the most.
+    #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX), required_unless_present_any = ["crossings", "plane", "maxima"])]
     steps: Option<u64>,
 
     /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
-    /// portrait, heights, section (by --plane), or orbits-over (by --over).
+    /// portrait, heights, section (--plane or --maxima), or orbits-over (--over).
     #[arg(long, value_enum, hide_possible_values = true)]
     kind: Option<Kind>,
 
@@ -92,15 +92,15 @@ pub(crate) struct Picture {
     over: Option<String>,
 
     /// Steps of an orbit diagram before what it shows.
-    #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX))]
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX), requires = "over")]
     transient: u64,
 
-    /// A diagram of the maxima of a variable, like --plane.
-    #[arg(long, value_name = "X", conflicts_with = "plane", requires = "over")]
+    /// The maxima of a variable, in place of --plane.
+    #[arg(long, value_name = "X", conflicts_with = "plane")]
     maxima: Option<String>,
 
-    /// With --over: the number of crossings of each orbit.
-    #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX), requires = "over")]
+    /// Crossings of each orbit, with --plane or --maxima; 100 without --steps.
+    #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX))]
     crossings: Option<u64>,
 
     /// With --over: each orbit begins where the one before it came to.
@@ -149,6 +149,8 @@ enum Kind {
 
 /// The most first points for each of those that are given.
 const MOST_STARTS: usize = 100_000;
+/// The crossings of each orbit of a section, if neither these nor steps are given.
+const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {
     /// What is drawn, and of which field.
@@ -157,19 +159,24 @@ impl Picture {
         let study = self.source.proved(self.at.first().map(String::as_str))?;
         let what = match kind {
             Kind::Portrait => What::Portrait,
-            Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
+            Kind::Section => {
+                let (plane, direction, crossings) = self.section(&study)?.unwrap_or_default();
+                let asked = Section::new(Rational::zero(), Vec::new(), 0, plane);
+                What::Section(Box::new(Section { steps: self.steps, direction, crossings, ..asked }))
+            }
             Kind::OrbitsOver => {
                 let axis = over(self.over.as_deref().unwrap_or_default())?;
                 self.source.leaves_free(std::slice::from_ref(&axis), &self.step)?;
-                let (plane, direction) =
-                    section(&study, self.plane.as_deref(), self.maxima.as_deref(), Direction::default())?;
+                let section = self.section(&study)?;
+                let plane = section.as_ref().map(|(plane, ..)| plane.clone());
+                let (_, direction, crossings) = section.unwrap_or_default();
                 let asked = Diagram::new(None, Vec::new(), axis, 0);
                 What::Over(Box::new(Diagram {
-                    plane: Some(plane).filter(|plane| !plane.is_empty()),
+                    plane,
                     direction,
                     transient: self.transient,
                     steps: self.steps,
-                    crossings: self.crossings,
+                    crossings,
                     carry: self.carry,
                     ..asked
                 }))
@@ -215,20 +222,23 @@ impl Picture {
     /// The line with the options that draw this; what is as usual is left out.
     pub(super) fn options(asked: &Shown, line: Line) -> Line {
         let Shown { what, eps, at, spread, steps, axes, windows, lines, reembed, seconds, look, out } = asked;
-        let (kind, plane, over) = match what {
-            What::Portrait => (None, None, None),
-            What::Heights => (Some("heights"), None, None),
-            What::Section(section) => (None, Some(section), None),
-            What::Over(asked) => (None, asked.plane.as_ref(), Some(asked)),
+        let (kind, over) = match what {
+            What::Portrait | What::Section(_) => (None, None),
+            What::Heights => (Some("heights"), None),
+            What::Over(asked) => (None, Some(asked)),
         };
-        let steps = over.map_or(Some(*steps), |asked| asked.steps);
+        let (plane, direction, steps, crossings) = match what {
+            What::Section(asked) => (Some(&asked.plane), Some(asked.direction), asked.steps, asked.crossings),
+            What::Over(asked) => (asked.plane.as_ref(), Some(asked.direction), asked.steps, asked.crossings),
+            What::Portrait | What::Heights => (None, None, Some(*steps), None),
+        };
         let windows = windows.iter().map(|(name, [low, high])| format!("{name}={low}:{high}"));
         let line = line.saying::<Self>(&json!({
             "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
             "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
             "over": over.map(|asked| json!({(asked.over.name.clone()): asked.over.range})), "kind": kind, "axes": axes,
-            "transient": over.map(|asked| asked.transient), "direction": over.map(|asked| asked.direction.name()),
-            "crossings": over.and_then(|asked| asked.crossings), "carry": over.is_some_and(|asked| asked.carry),
+            "transient": over.map(|asked| asked.transient), "direction": direction.map(Direction::name),
+            "crossings": crossings, "carry": over.is_some_and(|asked| asked.carry),
             "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "reembed": reembed, "seconds": seconds,
         }));
         look.options(line).with("--out", out.display())
@@ -244,10 +254,27 @@ impl Picture {
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
+    /// The formula of the section, the direction and the number of crossings, if one is asked for.
+    fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, Refusal> {
+        let (plane, maxima) = (self.plane.as_deref(), self.maxima.as_deref());
+        if plane.or(maxima).is_none() {
+            return Ok(None);
+        }
+        let (plane, direction) = section(study, plane, maxima, Direction::default())?;
+        let usual = self.steps.is_none().then_some(USUAL_CROSSINGS);
+        Ok(Some((plane, direction, self.crossings.or(usual))))
+    }
+
     fn kind(&self) -> Result<Kind, Refusal> {
-        Err(Refusal::new(match (self.kind, &self.plane, &self.over) {
+        let section = self.plane.as_ref().or(self.maxima.as_ref());
+        Err(Refusal::new(match (self.kind, section, &self.over) {
             (None | Some(Kind::Section), Some(_), None) => return Ok(Kind::Section),
-            (Some(_), Some(_), None) => "--plane makes a section; leave it out, or leave --kind out",
+            (Some(_), Some(_), None) => {
+                "--plane and --maxima make a section; leave them out, or leave --kind out"
+            }
+            (_, None, _) if self.crossings.is_some() => {
+                "--crossings counts those of a section; add --plane EXPR or --maxima X, or give --steps N"
+            }
             (None | Some(Kind::OrbitsOver), _, Some(_)) => return Ok(Kind::OrbitsOver),
             (Some(_), _, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",
             (Some(Kind::OrbitsOver), None, None) => {

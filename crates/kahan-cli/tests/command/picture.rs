@@ -66,6 +66,9 @@ fn a_diagram_shows_crossings_over_a_parameter() {
             "{found}"
         );
     }
+    // A hundred crossings, if neither their number nor steps are given.
+    let usual = [&orbit[..orbit.len() - 4], &["--over", "c=2:4:2", "--maxima", "x"]].concat();
+    assert_eq!(described(&usual)["points"], 200);
 }
 
 #[test]
@@ -78,11 +81,15 @@ fn a_section_has_the_crossings_of_its_orbits() {
     let section = described(&[&orbit[..], &["--at", "1,2,3", "--at", "1,1,2"]].concat());
     assert_eq!(section["kind"], "section");
     assert_eq!(section["points"], crossings("1,2,3") + crossings("1,1,2"));
+    let counted = [&orbit[..3], &["--at", "1,2,3", "--at", "1,1,2", "--crossings", "5"]].concat();
+    assert_eq!(described(&[&counted[..], &["--plane", "x - y"]].concat())["points"], 10);
+    assert_eq!(described(&[&counted[..], &["--maxima", "x"]].concat())["points"], 10);
     // The last variable of the formula is left out of the axes.
     assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
-        (&["--plane", "x - y", "--kind", "portrait"], "--plane makes a section"),
+        (&["--plane", "x - y", "--kind", "portrait"], "make a section"),
+        (&["--crossings", "5"], "add --plane EXPR or --maxima X"),
         (&["--plane", "x - y", "--over", "eps=0:1:+1/5", "--kind", "portrait"], "orbit diagram"),
         (&["--plane", "1"], "one number everywhere"),
     ] {

@@ -123,7 +123,8 @@ impl Subject<'_> {
             (self.picture("time", &format!("{first} over time"), &time, |_| html! { "The first orbit; a step takes the time 2ε." }))
             @if self.variables.len() > 2 {
                 @let plane = self.plane();
-                @let section = Shown { what: What::Section(plane.clone()), ..self.many_orbits(self.crossing_steps()) };
+                @let steps = self.crossing_steps();
+                @let section = Shown { what: What::section(&plane, steps), ..self.many_orbits(steps) };
                 (self.picture("section", "A section", &section, |visits| html! {
                     "Where the orbits cross " code { (plane) " = 0" } " upwards. " (crossings(visits, self.variables.len()))
                 }))

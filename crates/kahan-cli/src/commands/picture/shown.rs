@@ -44,13 +44,20 @@ pub(crate) struct Shown {
 pub(crate) enum What {
     /// Orbits in the plane or in space.
     Portrait,
-    /// Where orbits cross the section on which a formula vanishes.
-    Section(String),
+    /// Where orbits cross a section; ε and the first points are those of the picture.
+    Section(Box<Section>),
     /// An orbit diagram over a parameter or eps; its first points and steps are those of the
     /// picture.
     Over(Box<Diagram>),
     /// How the heights of an exact orbit grow.
     Heights,
+}
+
+impl What {
+    /// Rising crossings of the section on which a formula vanishes, in a number of steps.
+    pub(crate) fn section(plane: &str, steps: u64) -> Self {
+        What::Section(Box::new(Section::new(Rational::zero(), Vec::new(), steps, plane)))
+    }
 }
 
 /// A picture, and what there is to say of it.
@@ -101,7 +108,7 @@ impl Shown {
         let look = Look { sheet: self.look.sheet(usual()), windows: windows.collect(), lines: self.lines };
         match &self.what {
             What::Portrait => self.orbits(study, None, &look),
-            What::Section(plane) => self.orbits(study, Some(plane), &look),
+            What::Section(asked) => self.orbits(study, Some(asked), &look),
             What::Over(asked) => self.over(study, asked, &look),
             What::Heights => self.heights(study, &look),
         }
@@ -135,8 +142,8 @@ impl Shown {
                     "--axes: an orbit diagram has one variable upwards, as in --axes x",
                 ));
             }
-            (What::Section(plane), []) if variables > 2 => {
-                let plane = Plane::of(study.system(), &study.values()?, &self.eps()?, plane)?;
+            (What::Section(asked), []) if variables > 2 => {
+                let plane = Plane::of(study.system(), &study.values()?, &self.eps()?, &asked.plane)?;
                 let others = (0..variables).filter(|k| Some(*k) != plane.last_variable());
                 others.take(2).map(Coordinate::Variable).collect()
             }
@@ -228,26 +235,28 @@ impl Shown {
     }
 
     /// Orbits, or where they cross a section.
-    fn orbits(&self, study: &Study, plane: Option<&str>, look: &Look) -> Result<Drawn, Refusal> {
+    fn orbits(&self, study: &Study, section: Option<&Section>, look: &Look) -> Result<Drawn, Refusal> {
         // Axes may name new variables of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
-        self.check_points(starts.len(), self.steps)?;
+        self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;
         let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
-            let Some(plane) = plane else {
+            let Some(section) = section else {
                 let mut trace = Trace::new(&axes);
                 let asked = Orbit { reembed: self.reembed, ..Orbit::new(eps.clone(), at, self.steps) };
                 let end = study.rows(&Question::Orbit(asked), 0..u64::MAX, &mut trace, prompt)?;
                 return Ok((trace, end == End::Complete, 0));
             };
-            let asked = Section::new(eps.clone(), at, self.steps, plane);
-            let (asked, mut trace) = (Section { reembed: self.reembed, ..asked }, Trace::new(&axes));
+            let asked = Section { eps: Some(eps.clone()), at, reembed: self.reembed, ..section.clone() };
+            let mut trace = Trace::new(&axes);
             let found = asked.find(study, &mut trace, prompt)?;
-            Ok((trace, found[0].end == End::Complete, found[0].jumps))
+            let has_all = section.crossings == Some(found[0].crossings);
+            Ok((trace, has_all || found[0].end == End::Complete, found[0].jumps))
         })?;
         let ended = traced.iter().filter(|(_, is_complete, _)| !is_complete).count();
         let jumps = traced.iter().map(|(.., jumps)| jumps).sum();
         let is_cut = is_over && (traced.len() < starts.len() || ended > 0);
+        let plane = section.map(|asked| &asked.plane[..]);
         let seen = plane.map_or("Orbits".to_owned(), |plane| format!("The section {plane} = 0 of orbits"));
         let against = self.names(study)?.join(" and ");
         let described = format!("{seen} of {} at eps = {eps}, {against} against each other", study.name());
