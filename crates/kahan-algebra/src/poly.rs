@@ -27,7 +27,6 @@ pub use monomial::{Monomial, Variable};
 
 use kahan_syntax::rational::Rational;
 
-/// A monomial with its coefficient.
 pub(crate) type Term = (Monomial, Rational);
 
 /// A polynomial with rational coefficients. The zero polynomial has no terms and degree 0.
@@ -91,7 +90,6 @@ impl Polynomial {
         Ok(Self { terms })
     }
 
-    /// Wraps terms that are strictly decreasing with nonzero coefficients.
     fn from_sorted(terms: Vec<Term>) -> Self {
         debug_assert!(terms.is_sorted_by(|left, right| left.0 > right.0));
         Self { terms }

@@ -98,7 +98,6 @@ impl System {
 struct Specialisation<'a> {
     field: &'a Field,
     new: &'a Symbols,
-    /// Relations between parameters.
     relations: &'a Relations,
 }
 

@@ -146,7 +146,6 @@ pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
 }
 
 impl System {
-    /// Makes a system without text and without claims.
     pub(crate) fn of(field: Field, kept: Kept) -> Self {
         System {
             header: None,

@@ -7,10 +7,6 @@
 //! search. Absent: recombination of multivariate factors. New points with fewer factors serve as
 //! well (Hilbert's irreducibility theorem). The crate must not know vector fields or names of
 //! variables.
-//!
-//! Sources: Yun, SYMSAC 1976; Zassenhaus, J. Number Theory 1, 1969; Wang, Math. Comp. 32, 1978;
-//! Zippel, EUROSAM 1979; Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters
-//! 6 and 8.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -57,7 +57,6 @@ impl Polynomial {
     }
 }
 
-/// Adds two sorted runs.
 pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     if left.is_empty() {
         return right;

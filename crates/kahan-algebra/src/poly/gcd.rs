@@ -60,7 +60,6 @@ pub fn gcd_all_within<'a>(
     Ok(common)
 }
 
-/// Returns the primitive part divided by the monomial content.
 fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
     polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
 }

@@ -1,20 +1,17 @@
 //! Bounds on the degrees of a greatest common divisor, from images modulo a prime.
 //!
-//! For each variable v all other variables are replaced by fixed points of F_p. The degree of the
-//! gcd of the univariate images bounds the degree of the true gcd in v; a bound 0 for every
-//! variable proves coprimality. Unlucky points loosen a bound and never falsify it.
+//! The degree in v of the gcd is at most that of the gcd of images with all other variables fixed
+//! in F_p. Unlucky points loosen a bound and never falsify it.
 //!
 //! *Proof.* Let a, b be integral, a primitive, g their primitive gcd. By Gauss's lemma a = g·h with
 //! h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of
-//! lc_v(g) is not zero: the image of g has degree deg_v g and divides both images. So deg_v g ≤ deg
-//! gcd(images). One of a and b is enough. ∎
+//! lc_v(g) is not zero: the image of g has degree deg_v g and divides both images. ∎
 
 use kahan_syntax::table::Table;
 
 use super::{Budget, Polynomial, Variable, Within};
 use crate::prime_field::{PrimeField, SplitMix64};
 
-/// The prime field of the images.
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
 /// The number of products of residues that take about as long as one product of terms. Work modulo

@@ -8,10 +8,8 @@ use super::Variable;
 /// Number of powers stored inline.
 const FEW: usize = 4;
 
-/// A variable with its exponent.
 pub(super) type Power = (Variable, u32);
 
-/// A list of powers.
 #[derive(Clone, Debug)]
 pub(super) enum Powers {
     /// The length, and the array whose first entries are the list.

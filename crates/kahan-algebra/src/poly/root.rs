@@ -21,7 +21,6 @@ impl Polynomial {
         let mut rest = self - &(&root * &root);
         while let Some((highest, value)) = rest.leading_term() {
             let next = Self::term(highest.div(&monomial)?, value.checked_div(&twice)?);
-            // The terms of a root decrease.
             if root.len() > self.len() || next.leading_term()?.0 >= root.terms().next_back()?.0 {
                 return None;
             }

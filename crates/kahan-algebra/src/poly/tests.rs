@@ -11,8 +11,6 @@ fn c(value: i64) -> Polynomial {
     Polynomial::constant(Rational::from(value))
 }
 
-/// Returns up to `terms` terms in the first `variables` variables with exponents below 3 and small
-/// rational coefficients.
 fn random(rng: &mut SplitMix64, variables: u16, terms: usize) -> Polynomial {
     Polynomial::from_terms((0..terms).map(|_| {
         let powers = (0..variables).map(|index| (Variable(index), u32::try_from(rng.below(3)).unwrap()));

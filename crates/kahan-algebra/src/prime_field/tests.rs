@@ -76,7 +76,6 @@ fn reduction_is_a_homomorphism_and_refuses_the_prime_below() {
 fn the_generators_match_their_published_vectors() {
     let mut rng = SplitMix64::new(0);
     assert_eq!([rng.next_u64(), rng.next_u64()], [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4]);
-    // The 64-bit FNV-1a hash of "a" is the seed of the stream.
     assert_eq!(SplitMix64::from_bytes(b"a").next_u64(), SplitMix64::new(0xaf63_dc4c_8601_ec8c).next_u64());
     // Values from Python's `hashlib.shake_256`: empty text; padding of one byte and of a whole
     // block; digests beyond the first block.
