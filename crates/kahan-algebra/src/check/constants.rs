@@ -1,4 +1,4 @@
-//! `const c = 1/2;`: constant expressions over numbers and earlier constants.
+//! Constants `const c = 1/2;`: expressions over numbers and earlier constants.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -31,7 +31,7 @@ pub(super) fn evaluate(
     values
 }
 
-/// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was
+/// Returns the value of an expression over numbers and constants; `Ok(None)` if its mistake was
 /// reported elsewhere.
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
