@@ -43,8 +43,7 @@ impl System {
         System::of(field, kept)
     }
 
-    /// Returns the coefficients of the field by component; `None` if a term has a denominator, ε,
-    /// two parameters, or a power of one.
+    /// Returns the coefficients by component; `None` for divisors, ε, or products of parameters.
     #[must_use]
     pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
         let symbols = &self.field.symbols;

@@ -116,8 +116,7 @@ impl Interpreter {
         self.at(arithmetic, point).next()
     }
 
-    /// Returns ∂x̃/∂x for x̃ = `next`: by dual numbers through the reduced map, or
-    /// A(x,ε)⁻¹A(x̃,−ε).
+    /// Returns ∂x̃/∂x for x̃ = `next`: by dual numbers, or A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -128,7 +127,6 @@ impl Interpreter {
     }
 }
 
-/// A system at a point, in an arithmetic.
 struct At<'a, A: Arithmetic> {
     derived: &'a Derived,
     arithmetic: &'a A,

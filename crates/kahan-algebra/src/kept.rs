@@ -48,12 +48,10 @@ pub(crate) struct Values {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept {
     pub(crate) values: Values,
-    /// One polynomial for each state.
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field whose state-independent values are additional parameters: an ordinary quadratic field,
-/// for which a step can be planned.
+/// A field whose state-independent values are additional parameters, for which steps are planned.
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
@@ -81,7 +79,6 @@ impl Value {
 }
 
 impl Values {
-    /// Returns an empty list of values.
     pub(crate) fn of(symbols: &Symbols) -> Self {
         Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
@@ -101,14 +98,12 @@ impl Values {
         self.variable(place)
     }
 
-    /// Adds new values.
     fn with(mut self, values: impl IntoIterator<Item = Value>) -> Self {
         values.into_iter().for_each(|value| _ = self.values.number(value));
         self
     }
 
-    /// Converts a polynomial to a factor: a sum becomes a value times a number, a single term
-    /// stays.
+    /// Converts a polynomial to a factor: a sum becomes a value times a number, a term stays.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -126,8 +121,7 @@ impl Values {
         }
     }
 
-    /// Returns the quotient by a nonzero divisor that is free of states, with common monomials
-    /// cancelled.
+    /// Returns the quotient by a nonzero divisor without states; common monomials cancel.
     pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
         let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
         let common = dividend.monomial_content().gcd(&divisor.monomial_content());
@@ -155,8 +149,7 @@ impl Values {
         })
     }
 
-    /// Returns the reciprocal of a nonzero polynomial that is free of states; `None` beyond 16 bits
-    /// of values.
+    /// Returns the reciprocal of a nonzero state-independent polynomial; `None` beyond 16 bits.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -230,8 +223,7 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 impl Kept {
     /// Builds a field over the values that it needs.
     ///
-    /// If ε occurs in even powers only, ε² becomes the first value, so that plans treat it as a
-    /// parameter.
+    /// If ε occurs in even powers only, ε² becomes the first value, a parameter of plans.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -304,8 +296,7 @@ impl Kept {
         Kept::new(values, components)
     }
 
-    /// Returns the field with a derivative vector for each entry of `by`; its symbols are
-    /// `tangent`.
+    /// Returns the field with derivative vectors for `by`; its symbols are `tangent`.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -351,8 +342,7 @@ impl Kept {
         self.components.iter().map(source).collect()
     }
 
-    /// Returns the values and the nonzero entries of f′(x) over them, row by row in order of
-    /// columns. Adds values that f′ needs.
+    /// Returns the nonzero entries of f′(x) by rows and columns, and the values in them.
     pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
@@ -366,8 +356,7 @@ impl Kept {
         (values, rows)
     }
 
-    /// Turns state-independent values into parameters. Returns the plain `field` if a coefficient
-    /// vanishes after substitution.
+    /// Turns state-independent values into parameters; returns `field` if a coefficient vanishes.
     pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
@@ -486,7 +475,6 @@ impl WithConstants {
         WithConstants { field: field.clone(), kept: None, places: Vec::new(), values, symbols }
     }
 
-    /// Returns whether no parameter is a value.
     pub(crate) fn is_plain(&self) -> bool {
         self.places.is_empty()
     }

@@ -56,8 +56,7 @@ pub mod prove;
 pub mod check;
 
 pub use derived::{Derived, derive};
-/// Modules of `kahan-syntax`, so that users of this crate need no second dependency for text,
-/// numbers and diagnostics.
+/// Modules of `kahan-syntax`, so that users of this crate need no second dependency.
 pub use kahan_syntax::{diagnostics, lenient, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};

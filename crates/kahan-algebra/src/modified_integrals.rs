@@ -25,8 +25,7 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
 
-/// Limits on the terms of a formula and on the work for each theorem. Lifted chains of hundreds of
-/// variables stay far below.
+/// Limits on the terms of a formula and on the work for each theorem, generous for lifted chains.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -179,8 +178,7 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Reduce the integral modulo products: without x·y from (x + y)² the energy is a sum of
-            // squares.
+            // Reduce modulo products: without x·y from (x + y)² the energy is a sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -413,8 +411,7 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule, of_flow, of_map: of_map.expect("1 + ε²δm² is not zero") })
     }
 
-    /// Returns an error unless the polynomial is an integral of the flow of degree 1 or 2, free of
-    /// ε.
+    /// Refuses all but integrals of the flow of degree 1 or 2, free of ε.
     fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), No> {
         let is_fit = (1..=2).contains(&self.symbols.degree(integral))
             && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
@@ -423,7 +420,6 @@ impl<'a> Flow<'a> {
     }
 }
 
-/// Returns the index of a relation's last coefficient.
 fn last(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }

@@ -1,9 +1,8 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
 //! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. So
-//! equal polynomials are equal as data, and every iteration is deterministic. Absent: names of
-//! variables (renderers know them), evaluation (plans evaluate), and irreducible factors
-//! (`kahan-factor`).
+//! equal polynomials are equal as data, and every iteration is deterministic. Absent: names,
+//! evaluation (by plans), irreducible factors (`kahan-factor`).
 
 mod arithmetic;
 mod budget;

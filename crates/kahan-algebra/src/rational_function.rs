@@ -69,8 +69,7 @@ impl RationalFunction {
         &self.numerator
     }
 
-    /// Returns the denominator, primitive with positive leading coefficient; 1 exactly for
-    /// polynomials.
+    /// Returns the denominator, primitive with positive leading term; 1 exactly for polynomials.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
     }
@@ -90,8 +89,7 @@ impl RationalFunction {
         self.numerator.contains(variable) || self.denominator.contains(variable)
     }
 
-    /// Applies `change` to numerator and denominator and reduces; `None` if the denominator becomes
-    /// zero.
+    /// Applies `change` to numerator and denominator; `None` if the denominator becomes zero.
     pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
         Self::new(change(&self.numerator), change(&self.denominator))
     }
@@ -116,8 +114,7 @@ impl RationalFunction {
 
     /// Returns the sum within a budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
-        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still
-        // cancel.
+        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g), g = gcd(b, d); only divisors of g may cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
         let other_cofactor = divide(&other.denominator, &common, budget)?;
@@ -165,8 +162,7 @@ impl RationalFunction {
         Ok(Self::from_coprime(numerator, denominator))
     }
 
-    /// Replaces `variable` by `value` within a budget; `None` if the denominator then vanishes
-    /// identically.
+    /// Replaces `variable` by `value`; `None` if the denominator then vanishes identically.
     pub fn compose_within(
         &self,
         variable: Variable,
@@ -206,7 +202,6 @@ fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polyno
     Ok((divide(a, &common, budget)?, divide(b, &common, budget)?))
 }
 
-/// Divides by a known divisor.
 fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if divisor.is_one() {
         return Ok(multiple.clone());

@@ -119,8 +119,7 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial that is linear in a name is a product if its two coefficients share a
-        // factor.
+        // A polynomial that is linear in a name is a product if its coefficients share a factor.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };
@@ -147,8 +146,7 @@ impl Relations {
         })
     }
 
-    /// Records that `polynomial` is nonzero where the relations hold; returns `false` if it
-    /// vanishes there.
+    /// Records that `polynomial` is nonzero on the relations; returns `false` if it vanishes there.
     pub fn require(&mut self, polynomial: &Polynomial) -> Within<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {

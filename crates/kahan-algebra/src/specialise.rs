@@ -16,8 +16,7 @@ use crate::system::{Claim, Condition, System};
 
 impl System {
     /// Returns the system at these values of parameters, which become constants. Drops claims whose
-    /// conditions contradict the values or can no longer be solved. `None` if the field then
-    /// divides by zero.
+    /// conditions contradict the values or cannot be solved. `None` if the field divides by zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
@@ -75,8 +74,7 @@ impl System {
     }
 
     /// Returns the system where these relations between parameters hold, without claims and without
-    /// the parameters that they are solved for. `None` if the field divides by zero or is too
-    /// large.
+    /// the parameters that they are solved for. `None` for a division by zero, or beyond limits.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -130,8 +128,7 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Specialises the kept values; `None` if a relation gives a parameter a rational value, or if
-    /// the components have lost a divisor.
+    /// Specialises the kept values; `None` for rational parameters, or if a divisor is lost.
     fn kept(&self, kept: &Kept, components: &[RationalFunction]) -> Option<Kept> {
         let mut values = Values::of(self.new);
         let put = |variable| match self.relations.value(variable) {
@@ -161,8 +158,7 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// Solves a claim's conditions on the specialisation; `None` if they do not hold, or if
-    /// equivalence is unknown.
+    /// Solves a claim's conditions on the specialisation; `None` if false or not known equivalent.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

@@ -1,5 +1,4 @@
-//! The assignment of variables to names: states, parameters, ε, then a second copy of the states
-//! for bilinear forms.
+//! The assignment of variables to names: states, parameters, ε, then a second copy of the states.
 
 use crate::poly::{Polynomial, Variable, gcd_all};
 

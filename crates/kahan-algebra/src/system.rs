@@ -1,5 +1,4 @@
-//! A checked block: a field, and claims about its map with resolved names. The prover decides
-//! whether the claims hold.
+//! A checked block: a field, and claims about its map with resolved names, not yet proved.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -27,8 +26,7 @@ pub struct System {
     pub field: Arc<Field>,
     /// The field with the sums and divisors as written, from which plans are made.
     pub kept: Arc<Kept>,
-    /// The right-hand sides as written, in order; empty if the system was derived from another
-    /// field.
+    /// The right-hand sides as written, in order; empty for a derived system.
     pub written: Arc<[Expr]>,
     /// The claims, in order.
     pub claims: Vec<Claim>,
@@ -59,8 +57,7 @@ pub struct Condition {
     pub variable: Variable,
     /// Its value, in names that no condition of the claim is solved for.
     pub value: RationalFunction,
-    /// The polynomials that this relation requires to be nonzero: the coefficient of the name, and
-    /// divisors.
+    /// The polynomials that must be nonzero for this relation: coefficient of the name, divisors.
     pub nonzero: Vec<Polynomial>,
 }
 
@@ -138,8 +135,7 @@ impl Claim {
     }
 }
 
-/// Returns the index of entry (i, j), i < j, among the entries above the diagonal of an n×n matrix,
-/// row by row.
+/// Returns the index of entry (i, j), i < j, above the diagonal of an n×n matrix, row by row.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)

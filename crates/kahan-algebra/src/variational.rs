@@ -1,8 +1,8 @@
 //! The variational field: a field together with tangent vectors.
 //!
-//! ẋ = f(x) becomes ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. Its Kahan map is x ↦
-//! x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the term
-//! is f/ε + ∂f/∂ε.
+//! ẋ = f(x) becomes ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. The map is x ↦ x̃, v
+//! ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the term is f/ε
+//! + ∂f/∂ε.
 
 use crate::field::Field;
 pub use crate::kept::By;
@@ -12,16 +12,14 @@ use crate::symbols::Symbols;
 use crate::system::System;
 
 impl System {
-    /// Returns the system of x and a tangent vector v without claims. Names of v are those of x
-    /// with a leading `d`.
+    /// Returns the system of x and a tangent vector v (named with a leading `d`), without claims.
     #[must_use]
     pub fn variational(&self) -> System {
         self.sensitivities(&[By::Start])
     }
 
-    /// Returns the system of x and one derivative vector for each entry of `by`, without claims.
-    /// Names of vectors are those of x with leading `d`s. With [`By::Epsilon`], 1/ε is an
-    /// additional last parameter.
+    /// Returns the system of x and one derivative vector for each entry of `by`, without claims,
+    /// named with leading `d`s. With [`By::Epsilon`], 1/ε is an additional last parameter.
     #[must_use]
     pub fn sensitivities(&self, by: &[By]) -> System {
         let field = &self.field;

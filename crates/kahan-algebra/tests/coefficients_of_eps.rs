@@ -1,5 +1,4 @@
-//! Coefficients that depend on ε: at each ε the map equals that of the field with a parameter k =
-//! ε².
+//! Coefficients that depend on ε: at each ε the map is that of a field with a parameter k = ε².
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::diagnostics::Diagnostic;
@@ -11,8 +10,7 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::By;
 
-/// At k = ε² only, 1 − εb − ε(1 − kb²)x cancels: x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 −
-/// 2εx)).
+/// At k = ε² a factor cancels: x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 − 2εx)).
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
 /// Fields with a parameter `k`, to be replaced by ε².
@@ -43,7 +41,6 @@ fn with_eps(text: &str) -> System {
     system(&declared.replace('k', "(eps^2)"))
 }
 
-/// A generator of random p/q with small p and q.
 struct Numbers(u64);
 
 impl Numbers {

@@ -1,5 +1,4 @@
-//! Claims `when` relations between parameters and ε hold: solved, proved, refuted, substituted,
-//! printed.
+//! Claims `when` relations between parameters and ε hold: solved, proved, refuted, printed.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::check::Checked;
@@ -166,8 +165,7 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The limit on degrees is 2²⁰: a claim of degree about 10⁵ is below it, unless a parameter in
-    // it has degree 64.
+    // The limit on degrees is 2²⁰, well above 10⁵, but not above 64 times that.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
@@ -243,8 +241,7 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // With a1 and a2 given, a5 is solved for; with three given, a6 is a number; with all given, the
-    // relation holds or fails.
+    // With a1, a2 given, a5 is solved for; with three given, a6; with all, the relation is decided.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));

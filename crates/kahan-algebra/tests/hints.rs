@@ -10,7 +10,6 @@ use kahan_algebra::diagnostics::Diagnostic;
 
 use kahan_algebra::{lenient, lexer, read};
 
-/// The page that help names.
 const PAGE: &str = "docs/how-to/not-quadratic.md";
 /// The page on texts in other notations.
 const ON_TEXTS: &str = "docs/how-to/texts.md";

@@ -11,8 +11,7 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// Returns f at a state and at parameters in order of first use; `None` if the field divides by
-/// zero.
+/// Returns f at a state and parameters in order of first use; `None` at a division by zero.
 fn field<A: Arithmetic<Constant = Rational>>(
     text: &str,
     arithmetic: &A,
@@ -30,8 +29,7 @@ fn q(value: i64) -> Rational {
 
 #[test]
 fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
-    // The difference of 1 + 1e-9 and 1 has 30 bits; over the common divisor half of them would be
-    // lost.
+    // 1 + 1e-9 and 1 differ by 30 bits; over the common divisor half of them would be lost.
     let (p, r) = (1.0 + 1e-9, 0.5);
     let f = field("xdot = (p - q)*x/(1 + r) + x/(p - q); ydot = y;", &Float64, &[3.0, 1.0], &[p, 1.0, r]);
     assert_eq!(f.expect("defined")[0], (1.0 / (1.0 + r)) * (3.0 * (p - 1.0)) + (1.0 / (p - 1.0)) * 3.0);
@@ -92,8 +90,7 @@ fn a_relation_between_values_costs_no_reduction() {
     for (first, second) in [(same, same), (same, related), (related, related)] {
         let system = system(&text(first, second));
         assert!(derive(&system).reduced_map.is_some(), "{first} and {second}");
-        // 1 + ε(p² − q²)z is a factor of det A that both numerators share; the step exists at its
-        // zero.
+        // 1 + ε(p² − q²)z is a factor of det A and both numerators; the step exists at its zero.
         let point =
             Point { state: vec![q(1), q(2), q(-1)], parameters: vec![q(3), q(1)], eps: Rational::new(1, 8) };
         let next = Interpreter::new(&system).next(&Exact, &point);

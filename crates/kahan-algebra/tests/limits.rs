@@ -1,5 +1,4 @@
-//! Compares the limits in the language reference with the code: a block at each limit is accepted,
-//! a block beyond it refused.
+//! Compares limits in the language reference with the code, at each limit and beyond it.
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
@@ -10,7 +9,6 @@ use kahan_algebra::{read, read_unproved};
 
 const REFERENCE: &str = include_str!("../../../kahan-core/docs/language.md");
 
-/// Returns the rows of the table under `heading`: quantity and limit.
 fn table(heading: &str) -> Vec<(&'static str, usize)> {
     let (_, section) = REFERENCE.split_once(heading).expect("the section");
     let rows = section.lines().skip_while(|line| !line.starts_with("|---")).skip(1);
@@ -162,8 +160,7 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// Equations may leave too little of the block's budget for the claims; one mistake names the
-/// budget.
+/// Equations may leave too little of the block's budget for claims; one mistake says so.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     // About 170 000 products.

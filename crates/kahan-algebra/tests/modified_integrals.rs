@@ -36,7 +36,6 @@ fn value(polynomial: &Polynomial, at: &[Rational]) -> Rational {
     })
 }
 
-/// Returns p/d with small p and d.
 fn small(random: &mut SplitMix64) -> Rational {
     Rational::new(random.below(13) as i64 - 6, 1 + random.below(5) as i64)
 }
@@ -192,8 +191,7 @@ fn fields_that_nearly_fit_keep_nothing() {
     assert!(modified_integral(&euler.field, &with_eps).is_none());
 }
 
-/// Returns a random polynomial of degree `degree` in all states; its constant term contains a
-/// parameter.
+/// Returns a random polynomial in all states; its constant term contains a parameter.
 fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polynomial {
     let mut factors = vec![Polynomial::one()];
     factors.extend((0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i))));
@@ -263,8 +261,7 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
     }
 }
 
-/// ṡ = αcm and ċ = −βsm, or ṡ = κsm and ċ = −κcm, for random m, ẋ and centres, in mixed
-/// coordinates.
+/// ṡ = αcm and ċ = −βsm, or ṡ = κsm and ċ = −κcm, for random m, ẋ and centres, mixed.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

@@ -6,7 +6,6 @@ use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::rational::Rational;
 
-/// Returns a random polynomial in four variables, and a random point.
 fn random_case(random: &mut SplitMix64) -> (Polynomial, Vec<Rational>) {
     let small =
         |random: &mut SplitMix64| Rational::new(random.below(13) as i64 - 6, 1 + random.below(4) as i64);

@@ -120,16 +120,14 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with (256 e)^k < 2⁻¹⁰⁰, up to rounding to powers
-    // of two.
+    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with (256 e)^k < 2⁻¹⁰⁰, roughly.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// A false claim is proved if k of at most k + 15 steps pass; each step is the first defined one of
-/// 16 draws.
+/// A false claim is proved if k of at most k + 15 steps pass, each the first of 16 draws.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {

@@ -14,7 +14,6 @@ fn reading(text: &str) -> Checked {
     read(&lexer::lex(text).tokens)
 }
 
-/// Returns the equations as printed.
 fn equations(text: &str) -> Vec<String> {
     let reading = reading(text);
     assert_eq!(reading.diagnostics(), [], "{text}");

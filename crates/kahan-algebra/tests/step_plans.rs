@@ -61,7 +61,6 @@ fn field(text: &str) -> Field {
     reading.system().expect("a system").field.as_ref().clone()
 }
 
-/// Nonzero random numbers of height up to 9.
 struct Numbers(SplitMix64);
 
 impl Numbers {
@@ -130,8 +129,7 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// Fields of four to seven states with one to three terms in each equation: too large to expand, in
-/// one or several blocks.
+/// Fields of four to seven states with few terms: too large to expand, in one or several blocks.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -219,8 +217,7 @@ fn a_single_variable_is_divided_at_once() {
     }
 }
 
-/// One division serves all components, except in E1, where x waits for 1 + 2εx only, and E5; lanes
-/// always use one.
+/// One division serves all components, except in E1 and E5; lanes always use one.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {

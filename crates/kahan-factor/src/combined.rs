@@ -49,7 +49,6 @@ impl Combined {
         is_news
     }
 
-    /// Returns the factors with coefficients of least absolute value.
     pub(super) fn factors(&self, order: &[Variable]) -> Vec<Polynomial> {
         let polynomial = |factor: &BTreeMap<Vec<u32>, BigInt>| {
             Polynomial::from_terms(factor.iter().map(|(exponents, value)| {

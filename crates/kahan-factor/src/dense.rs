@@ -1,13 +1,11 @@
-//! Dense polynomials in one variable over a prime field: coefficients by exponent, without trailing
-//! zeros.
+//! Dense polynomials in one variable over a prime field: coefficients by exponent.
 
 use kahan_algebra::prime_field::PrimeField;
 
 /// Coefficients by exponent.
 pub type Dense = Vec<u64>;
 
-/// Bound from which sums of products of residues below 2^62 are reduced, so that they never
-/// overflow.
+/// Bound from which sums of products of residues below 2^62 are reduced, to avoid overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Removes trailing zeros.
@@ -122,7 +120,6 @@ pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<D
     Some(rest(field, &product(field, &lower.1, &[unit]), modulus))
 }
 
-/// Returns a^exponent modulo `modulus`.
 pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[u64]) -> Dense {
     let (mut power, mut base) = (rest(field, &[1], modulus), rest(field, a, modulus));
     while exponent > 0 {

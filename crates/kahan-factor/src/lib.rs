@@ -4,9 +4,8 @@
 //! image in one variable (`univariate`), and lifts it to further variables (`multivariate`,
 //! `sparse`, `series`). Divisions prove factors; irreducible images prove that factors are
 //! irreducible. Seeded random points only affect speed. A budget of work, never a clock, ends the
-//! search. Absent: recombination of multivariate factors. New points with fewer factors serve as
-//! well (Hilbert's irreducibility theorem). The crate must not know vector fields or names of
-//! variables.
+//! search. Absent: recombination of multivariate factors. New points serve as well (Hilbert's
+//! irreducibility theorem). The crate must not know vector fields or names of variables.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -80,7 +79,6 @@ impl Factors {
     }
 }
 
-/// Polynomials with their exponents.
 type Powers = Vec<(Polynomial, u32)>;
 
 /// Returns the variables that divide a polynomial, and the primitive part of the rest.
@@ -91,8 +89,7 @@ fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// Returns the irreducible factors of a primitive polynomial that no variable divides; `None` if
-/// the search fails.
+/// Returns the irreducible factors of a primitive polynomial without monomial factors, if found.
 fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
     let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
     let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
@@ -105,8 +102,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Chooses a variable in which the polynomial is linear, else one of low degree with a short
-/// leading coefficient.
+/// Chooses a variable of degree 1, else one of low degree with a short leading coefficient.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);

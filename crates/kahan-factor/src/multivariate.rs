@@ -61,8 +61,7 @@ struct Image {
 }
 
 impl Image {
-    /// Factors the image at random points of absolute value below `size` + 2; `None` if the degree
-    /// drops.
+    /// Factors the image at random points below `size` + 2; `None` if the degree drops.
     fn at(
         whole: &Polynomial,
         order: &[Variable],
@@ -95,8 +94,7 @@ impl Image {
         matches!(self.factors.as_slice(), [(_, 1)])
     }
 
-    /// Returns a sort key: images with fewer repeated factors come first, then images with fewer
-    /// factors.
+    /// Returns a sort key: fewer repeated factors first, then fewer factors.
     fn key(&self) -> (i64, usize) {
         (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
     }
@@ -145,8 +143,7 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime. Wrong
-    /// candidates rarely pass.
+    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime.
     fn agree(
         &self,
         whole: &Polynomial,
@@ -164,7 +161,6 @@ impl Image {
     }
 }
 
-/// Returns the value at a fixed point modulo a prime.
 fn value(polynomial: &Polynomial) -> u64 {
     let field = PrimeField::MERSENNE_61;
     polynomial.terms().fold(0, |sum, (monomial, coefficient)| {
@@ -177,7 +173,6 @@ fn value(polynomial: &Polynomial) -> u64 {
     })
 }
 
-/// Returns whether `whole` is the product.
 fn is_product(
     whole: &Polynomial,
     factors: &[(Polynomial, u32)],

@@ -12,14 +12,12 @@ use super::dense::{self, Dense};
 /// A polynomial in x and y (or t): for each power of x, the coefficients by powers of y.
 pub(super) type Rows = Vec<Vec<u64>>;
 
-/// A lifting problem.
 pub(super) struct Question<'a> {
     /// The product, up to a factor without x; all rows have equal length.
     pub(super) whole: &'a Rows,
     /// The factors at y = point, with their exponents.
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient: coefficients by powers of y, of the
-    /// length of a row.
+    /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
     pub(super) multipliers: &'a [Dense],
     /// The value of y at which the factors are known.
     pub(super) point: u64,
@@ -51,8 +49,8 @@ pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Row
     Some(results)
 }
 
-/// Lifts monic factors from t = 0 to power series: for each factor its coefficients by powers of t,
-/// each a polynomial in x.
+/// Lifts monic factors from t = 0: for each factor its coefficients, polynomials in x, by powers of
+/// t.
 fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;

@@ -4,8 +4,7 @@
 //! the earlier variables and interpolates on the known monomials of each factor (Zippel,
 //! "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers of one
 //! point, so the linear systems are Vandermonde's (Monagan and Tuncer, CASC 2016; Chen and Monagan,
-//! CASC 2020). A monomial that vanishes at a fixed point is missing; the caller's division detects
-//! that.
+//! CASC 2020). Monomials that vanish at a fixed point are missing, which division detects.
 
 use std::collections::BTreeMap;
 
@@ -34,8 +33,7 @@ pub(super) struct Problem<'a> {
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// Lifts the factors modulo p, each multiplied by multiplier / leading coefficient; `None` at a bad
-/// point.
+/// Lifts the factors modulo p, times multiplier / leading coefficient; `None` at a bad point.
 pub(super) fn lift(
     field: PrimeField,
     problem: &Problem<'_>,
@@ -155,8 +153,7 @@ fn column(rows: &Rows) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// Returns the value of a monomial, without the main variable and the variables from index
-/// `base.len()` + 1 on.
+/// Returns the value of a monomial, without main variable and variables after `base`.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
@@ -205,7 +202,6 @@ impl Shape {
         Self { groups }
     }
 
-    /// Returns the number of values that interpolation needs.
     fn samples(&self) -> usize {
         self.groups.values().map(Vec::len).max().unwrap_or(1)
     }

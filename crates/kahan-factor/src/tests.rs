@@ -38,7 +38,6 @@ fn product<'a>(factors: impl IntoIterator<Item = &'a (Polynomial, u32)>) -> Poly
     })
 }
 
-/// Asserts what holds for complete and incomplete answers.
 fn assert_sound(polynomial: &Polynomial, factors: &Factors) {
     assert_eq!(product(&factors.factors).scale(&factors.content), *polynomial);
     for (factor, exponent) in &factors.factors {
@@ -57,7 +56,6 @@ fn all_factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
     factors.factors
 }
 
-/// Asserts that the given irreducible factors are found.
 fn assert_found(given: &[(&str, u32)]) {
     let given: Vec<(Polynomial, u32)> =
         given.iter().map(|(text, e)| (p(text).primitive_part(), *e)).collect();
@@ -157,8 +155,7 @@ fn leading_coefficients_may_have_several_variables() {
     ]);
 }
 
-/// The first points tried lie near the origin, where here the leading coefficient vanishes or
-/// factors agree.
+/// Near the origin, where points are tried first, leading coefficients vanish or factors agree.
 #[test]
 fn bad_points_are_no_matter() {
     let zeros = (-9..10).fold(Polynomial::one(), |product, root| &product * &p(&format!("y + {root}")));

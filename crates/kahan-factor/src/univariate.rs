@@ -44,8 +44,7 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// Returns the irreducible factors of a primitive square-free polynomial with positive leading
-/// coefficient.
+/// Returns the irreducible factors of a primitive square-free polynomial with positive lead.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -95,7 +94,6 @@ fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> 
         .then(|| (field, dense::monic(field, &image)))
 }
 
-/// The possible degrees of a factor.
 struct DegreeSet(Vec<bool>);
 
 impl DegreeSet {
@@ -175,8 +173,7 @@ fn advance(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// Returns the primitive part of lc(whole)·∏ factors, with coefficients of least absolute value
-/// modulo `modulus`.
+/// Returns the primitive part of lc(whole)·∏ factors, symmetric residues modulo `modulus`.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,

@@ -39,8 +39,7 @@ pub trait Arithmetic {
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is a better pivot than `than`: among floats the larger one, among exact
-    /// values a nonzero one.
+    /// Returns whether a is a better pivot: larger among floats, nonzero among exact values.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }

@@ -1,6 +1,5 @@
 //! Builds programs: each operation occurs once, after exact simplifications (0 + a, 1 · a, a −
-//! (−b), …). The identities hold in every field, so a program computes the requested value over any
-//! field.
+//! (−b), …). The identities hold in every field, and so do programs.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;

@@ -86,8 +86,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         cost
     }
 
-    /// Returns for each operation the cycle in which its result is ready; inputs are ready in cycle
-    /// 0.
+    /// Returns for each operation the cycle in which its result is ready, counted from the inputs.
     #[must_use]
     pub fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
@@ -150,8 +149,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// Returns for each operation the latest cycle in which it may be ready without lengthening the
-    /// critical path.
+    /// Returns for each operation the latest cycle of readiness that keeps the critical path.
     #[must_use]
     pub fn required(&self) -> Vec<u32> {
         let critical_path = self.cost().critical_path;

@@ -116,8 +116,7 @@ where
     C: Clone + core::hash::Hash + Eq,
     F: Function + Clone + core::hash::Hash + Eq,
 {
-    /// Joins programs into one that has all their outputs in order and computes shared operations
-    /// once.
+    /// Joins programs into one with all outputs in order; shared operations are computed once.
     #[must_use]
     pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
     where

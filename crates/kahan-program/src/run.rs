@@ -89,8 +89,7 @@ where
     }
 
     /// Returns each output, or `None` for an output that depends on a missing input, a constant
-    /// without a value, a division by zero, or a call outside its domain. `input` gives the value
-    /// of each input.
+    /// without a value, a division by zero, or a call outside its domain. `input` gives inputs.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,

@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Moves the factors of `below` into `denominator`, or cancels those that divide `numerator`
-    /// and have as many terms.
+    /// Moves factors of `below` into `denominator`, or cancels divisors of `numerator` of equal
+    /// length.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

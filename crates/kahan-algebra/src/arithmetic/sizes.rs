@@ -1,8 +1,7 @@
 //! Sizes of formal fractions: degrees and coefficient sizes, for the error bound of the prover.
 //!
 //! Every value of a plan is a fraction N/M of integer polynomials, formed without cancellation. A
-//! [`Size`] bounds total degrees and logarithms of 1-norms, which are submultiplicative. Bounds
-//! saturate instead of overflowing.
+//! [`Size`] bounds degrees and logarithms of 1-norms; bounds saturate.
 
 use kahan_syntax::rational::Rational;
 

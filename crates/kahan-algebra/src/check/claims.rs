@@ -124,7 +124,6 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
     }
 }
 
-/// A builder that compiles one claim after another.
 struct Compiler<'a> {
     builder: PlanBuilder,
     functions: FxHashMap<String, Node>,
@@ -197,7 +196,6 @@ impl Target for Compiler<'_> {
 }
 
 impl Compiler<'_> {
-    /// Returns the outputs of a claim with valid names and entries.
     fn body(
         &mut self,
         name: &str,
@@ -226,8 +224,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Returns the state indices of a bracket's entries, none for other claims; `None` if an entry is
-/// wrong. Reports all wrong entries.
+/// Returns the state indices of a bracket's entries (none for other claims); reports wrong entries.
 fn entry_places(
     claim: &syntax::Claim,
     scope: &Scope,
@@ -250,7 +247,6 @@ fn entry_places(
     (places.len() == entries.len()).then_some(places)
 }
 
-/// Returns the state indices of an entry.
 fn entry_place(
     entry: &TensorEntry,
     earlier: &[(usize, usize)],

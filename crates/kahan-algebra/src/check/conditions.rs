@@ -1,8 +1,7 @@
 //! Relations behind `when`: `when expr = expr, …`.
 //!
-//! Relations between parameters and ε are each solved for a name that enters linearly. States
-//! cannot be fixed, and ε = 0 is refused. Where the relations hold, the field and the relations as
-//! written must have values.
+//! Relations between parameters and ε are each solved for a name that enters linearly. States and ε
+//! = 0 cannot be fixed. Field and relations must have values.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax;
@@ -41,8 +40,7 @@ pub(super) fn evaluate(
     Some(Condition::all(solved, &relations))
 }
 
-/// Adds a relation and returns the name it was solved for; `Ok(None)` if its mistake was reported
-/// elsewhere.
+/// Adds a relation and returns its name; `Ok(None)` if a mistake was reported elsewhere.
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
@@ -87,8 +85,7 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// Returns the parameters of a relation in order of occurrence, then ε; `Ok(None)` if a name was
-/// reported already.
+/// Returns the parameters in order of occurrence, then ε; `Ok(None)` after a reported mistake.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));

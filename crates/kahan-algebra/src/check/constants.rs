@@ -8,7 +8,6 @@ use kahan_syntax::token::Span;
 use super::expand::{expand_unkept, is_spent};
 use super::names::Scope;
 
-/// Evaluates the constants in order and enters them into the scope.
 pub(super) fn evaluate(
     block: &Block,
     scope: &mut Scope,
@@ -31,8 +30,7 @@ pub(super) fn evaluate(
     values
 }
 
-/// Returns the value of an expression over numbers and constants; `Ok(None)` if its mistake was
-/// reported elsewhere.
+/// Returns the value of a constant expression; `Ok(None)` if a mistake was reported elsewhere.
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;

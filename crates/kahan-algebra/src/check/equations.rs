@@ -57,8 +57,7 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
     }
 }
 
-/// Reports coefficients that contain odd powers of ε or have no value at ε = 0, and all ε in a
-/// family.
+/// Reports odd powers of ε in coefficients, no value at ε = 0, and all ε in a family.
 fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
     let eps = scope.symbols.epsilon();
     let Expansion { numerator, denominator, .. } = expansion;

@@ -22,11 +22,8 @@ use crate::symbols::Symbols;
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 
-/// The most terms of an expansion.
 const MOST_TERMS: usize = 100_000;
-/// The most products of terms in one expansion.
 const MOST_WORK: u64 = 300_000;
-/// The most products of terms in all expansions of a block.
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
 /// The most terms of a sum whose order is kept.
 const MOST_IN_ORDER: usize = 64;
@@ -50,7 +47,6 @@ impl Expansion {
         Expansion { numerator, denominator: Polynomial::one(), kept: None, order: Vec::new() }
     }
 
-    /// Returns the value of a constant.
     pub(super) fn as_constant(&self) -> Option<Rational> {
         if self.denominator.is_one() { self.numerator.as_constant() } else { None }
     }
@@ -65,7 +61,6 @@ impl Expansion {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }
 
-    /// Returns the expansion over kept values.
     pub(super) fn kept(&self) -> &Polynomial {
         self.kept.as_ref().unwrap_or(&self.numerator)
     }
@@ -82,8 +77,7 @@ pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Dia
     expand(expr, scope, &mut Values::of(&scope.symbols))
 }
 
-/// Expands a side of a relation behind `when`: exponents may be negative, and divisors stay, since
-/// the relation must exist where it holds.
+/// Expands a side of a relation: exponents may be negative; divisors stay, as they must be nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, false, &mut Values::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
@@ -100,17 +94,14 @@ fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }
 
-/// Returns whether the block's budget is spent. The expression that exceeded it was reported; later
-/// ones are not examined.
+/// Returns whether the block's budget is spent; later expressions are not examined then.
 pub(super) fn is_spent(scope: &Scope) -> bool {
     scope.products.get() >= MOST_WORK_OF_BLOCK
 }
 
 struct Fractions<'a> {
     scope: &'a Scope,
-    /// Whether exponents may be negative.
     inverts: bool,
-    /// Whether fractions are brought into lowest terms.
     reduces: bool,
     values: &'a mut Values,
     budget: Budget,
@@ -332,8 +323,7 @@ impl Fractions<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// Returns the kept form as a factor of a product. Terms of a sum are added in written order;
-    /// each partial sum becomes a value.
+    /// Returns the kept form as a factor of a product; partial sums in written order become values.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
@@ -355,14 +345,12 @@ impl Fractions<'_> {
         Some(&self.factor(a) * &self.factor(b))
     }
 
-    /// Returns the variables of a fraction, and its degree in the states.
     fn extent(&self, of: &Expansion) -> (Vec<Variable>, u32) {
         let variables = [of.numerator.variables(), of.denominator.variables()].concat();
         (variables, self.scope.symbols.degree(&of.numerator))
     }
 
-    /// Reduces to lowest terms. The written form is dropped if reduction removes one of its
-    /// divisors.
+    /// Reduces to lowest terms; drops the written form if one of its divisors cancels.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         if expansion.denominator.is_one() || !self.reduces {
             return Ok(expansion);
@@ -406,9 +394,7 @@ fn instead_of(new: &str, function: &str) -> String {
     format!("{by}{such_as} `{new}` for {function}: {NOT_QUADRATIC} shows how")
 }
 
-/// Returns the diagnostic of a division by `divisor`, which depends on this state.
 fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span) -> Diagnostic {
-    /// The most terms of a divisor to quote.
     const MOST: usize = 4;
 
     let name = scope.symbols.name(state);

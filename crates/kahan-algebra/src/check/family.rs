@@ -20,8 +20,7 @@ use super::names::{Scope, references};
 use super::stand_in::StandIn;
 use super::{report_names, report_size};
 
-/// Checks the family of a block. Always returns a stand-in, and a family if the block has no
-/// mistake.
+/// Checks the family of a block; returns a stand-in, and a family if there is no mistake.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,
@@ -109,7 +108,6 @@ fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnost
     }
 }
 
-/// The names that a family declares and uses.
 struct Names {
     arrays: Vec<String>,
     parameters: Vec<String>,
@@ -133,7 +131,6 @@ impl Names {
         Names { arrays: states, parameters, site_parameters, reach }
     }
 
-    /// Returns the number of values that a site sees.
     fn seen(&self) -> usize {
         (2 * self.reach + 1) * (self.arrays.len() + self.site_parameters.len()) + self.parameters.len()
     }
@@ -151,7 +148,6 @@ impl Names {
         }
     }
 
-    /// Reports each array without an index once.
     fn report_plain_arrays(&self, block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) {
         let at_sites: FxHashSet<&str> =
             self.arrays.iter().chain(&self.site_parameters).map(String::as_str).collect();
@@ -201,8 +197,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the density of a claim that is a sum of it over all sites: sums are linear, so `sum` is
-/// removed from each term.
+/// Returns the summand of a claim: sums are linear, so `sum` is removed from each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -264,8 +259,7 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports parameters of missing neighbours at the ends. They may only multiply a state at least as
-/// far outside, which is 0.
+/// Reports site parameters beyond the ends, unless they multiply a state as far outside (0).
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

@@ -11,10 +11,8 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent of a parameter in an equation, and of anything but a short number in a
-/// claim.
+/// The largest exponent of a parameter in an equation; in a claim, of all but short numbers.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
-/// The largest size of a number in bits.
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
 /// The result of lowering, with its operations.

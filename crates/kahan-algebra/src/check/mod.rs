@@ -30,13 +30,10 @@ pub(crate) use family::check_family;
 pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
-/// The most equations of a block.
 const MOST_EQUATIONS: usize = 10_000;
 /// The most names of a block: states, parameters, constants and claims. A family counts the names
-/// that a site sees, with an array once for each neighbour. 16 bits number the names and a second
-/// copy of states.
+/// that a site sees, with an array once for each neighbour.
 const MOST_NAMES: usize = 10_000;
-/// The most claims of a block.
 const MOST_CLAIMS: usize = 500;
 
 /// Returns the diagnostic of a family in place of a plain system.
@@ -122,7 +119,6 @@ fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     report_names(block.equations.len() + parameters + block.constants.len(), block, diagnostics)
 }
 
-/// Reports a count of names above the limit; returns whether it is above.
 fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if count <= MOST_NAMES {
         return false;
@@ -154,8 +150,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks a block of plain equations. Always returns a stand-in, and a system if the equations have
-/// no mistake; broken claims are dropped.
+/// Checks plain equations; returns a stand-in, and a system if they have no mistake.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);

@@ -18,18 +18,15 @@ use kahan_syntax::token::Span;
 use crate::poly::Variable;
 use crate::symbols::{Symbol, Symbols};
 
-/// The meaning of a name in an equation.
 #[derive(Clone, Debug)]
 pub(super) enum Meaning {
     Variable(Variable),
     Constant(Rational),
 }
 
-/// All names of a block.
 #[derive(Default)]
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
-    /// The states and parameters by name.
     places: FxHashMap<String, Symbol>,
     /// Values of constants; `None` if the value is broken.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
@@ -38,7 +35,6 @@ pub(super) struct Scope {
     /// Names with a reported mistake, not to be reported again.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
-    /// The claims of the whole block.
     all_claims: FxHashSet<String>,
     /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
@@ -46,7 +42,6 @@ pub(super) struct Scope {
     pub(super) products: Cell<u64>,
 }
 
-/// Returns whether `name` is the half time step.
 pub(super) fn is_epsilon(name: &str) -> bool {
     matches!(name, "eps" | "ε")
 }
@@ -195,7 +190,6 @@ impl Scope {
         ))
     }
 
-    /// Returns an unused name for a new variable.
     pub(super) fn new_variable(&self) -> String {
         let is_taken = |name: &str| {
             self.variable(name).is_some()
@@ -224,8 +218,7 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Reports parameters of the header that neither equations nor claims use. Parameters of a lift
-    /// may occur in its initial values only.
+    /// Reports unused parameters of the header; initial values of a lift count as uses.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
         let unread = block.lift.is_some()
             || block.equations.iter().any(|equation| equation.value.is_none())
@@ -276,7 +269,6 @@ fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     true
 }
 
-/// The time in a right-hand side.
 const TIME: &str = "t";
 
 /// Returns `x` for `xdot` and `ẋ`.
@@ -284,8 +276,7 @@ fn base_of_derivative(name: &str) -> Option<String> {
     name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
 }
 
-/// Returns whether an undeclared name in a right-hand side cannot be a parameter: the time, or the
-/// derivative of a state.
+/// Returns whether an undeclared name cannot be a parameter: the time, or a state's derivative.
 pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
     name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

@@ -54,8 +54,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// Returns a system with these names in which nothing moves and all claims are 0, without a
-    /// proof.
+    /// Returns a system with these names in which nothing moves and all claims are 0.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();

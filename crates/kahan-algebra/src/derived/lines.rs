@@ -19,8 +19,7 @@ use super::names::constant_names;
 pub struct Place {
     /// The array of the row.
     pub row: usize,
-    /// The column among the values that a site sees: site by site from −reach on, arrays
-    /// interleaved.
+    /// The column among the values that a site sees: site by site, arrays interleaved.
     pub column: usize,
 }
 
@@ -135,8 +134,7 @@ impl Family {
         places
     }
 
-    /// Returns the values that a site sees, including site parameters, as states named by
-    /// identifiers.
+    /// Returns all values that a site sees, with site parameters, as states named by identifiers.
     fn line_symbols(&self) -> Symbols {
         let reach = self.reach as i64;
         let identifier = |array: &String, offset: i64| match offset {
@@ -159,7 +157,6 @@ impl Family {
 
 struct LineWriter<'a> {
     family: &'a Family,
-    /// The field with constants as parameters.
     with_constants: &'a WithConstants,
     symbols: &'a Symbols,
     builder: PlanBuilder,
@@ -228,8 +225,7 @@ impl LineWriter<'_> {
         self.symbols.is_state(self.renamed(variable))
     }
 
-    /// Splits a polynomial into coefficients in parameters, pairwise not proportional, and their
-    /// cofactors at a site.
+    /// Splits a polynomial into coefficients in parameters (not proportional) and their cofactors.
     fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {

@@ -53,8 +53,7 @@ pub struct Derived {
     pub brackets: Vec<(String, Plan)>,
     /// The unconditional drifts: name, and F(x) with F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The conditional claims in order, each with the values of the names that its conditions are
-    /// solved for.
+    /// The conditional claims in order, with the values that their conditions are solved for.
     pub conditional: Vec<Plan>,
     made: Made,
 }
@@ -113,8 +112,7 @@ struct Planned {
 }
 
 impl Planned {
-    /// Returns the field with constants, or the plain field if the constants prevent a factor that
-    /// `map` divides out.
+    /// Returns the field with constants, or the plain field if constants hide a factor of `map`.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
@@ -146,8 +144,7 @@ impl Planned {
 }
 
 impl Derived {
-    /// Returns the plans of the field at ε = 0, which the map approximates: `self` if coefficients
-    /// are free of ε.
+    /// Returns the plans of the field at ε = 0, which the map approximates.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
             true => self.made.at_eps_zero.get_or_init(|| {
@@ -158,8 +155,7 @@ impl Derived {
         }
     }
 
-    /// Returns the plan of f(x), one output for each component. If coefficients depend on ε, ε is
-    /// an input.
+    /// Returns the plan of f(x), one output for each component. Coefficients may depend on ε.
     pub fn field(&self) -> &Plan {
         self.made.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -346,7 +342,6 @@ impl Derived {
     }
 }
 
-/// Returns the plan of quotients above/below.
 fn quotients<'a>(quotients: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>) -> Plan {
     let mut builder = PlanBuilder::default();
     let quotients = quotients.into_iter().map(|(above, below)| builder.quotient(above, below));
@@ -354,7 +349,6 @@ fn quotients<'a>(quotients: impl IntoIterator<Item = (&'a Polynomial, &'a Polyno
     builder.finish(&outputs)
 }
 
-/// Returns the plan of polynomials over ∏q.
 fn over_product<'a>(map: &'a RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     quotients(polynomials.into_iter().map(|polynomial| (polynomial, &map.divisor)))
 }

@@ -20,7 +20,6 @@ pub enum ValueName {
 /// The distinct names given so far in one plan.
 #[derive(Clone, Debug)]
 pub struct ValueNames {
-    /// The description of each value.
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
     taken: FxHashSet<String>,
@@ -134,7 +133,6 @@ fn listed(
     names
 }
 
-/// Returns the names of all variables of a field.
 fn symbol_names(symbols: &Symbols) -> impl Iterator<Item = String> {
     symbols.states.iter().chain(&symbols.parameters).cloned().chain(["eps".to_owned()])
 }

@@ -1,12 +1,10 @@
 //! The graph of couplings in a block, and the fill-in of an elimination order.
 
-/// The off-diagonal entries of f′ in a block by rows. Variables are numbered by their places in the
-/// block.
+/// The off-diagonal entries of f′ in a block by rows, with variables numbered in the block.
 pub(super) struct Graph {
     rows: Vec<Vec<usize>>,
 }
 
-/// The cost of elimination in an order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Price {
     /// Products of two entries.
@@ -15,13 +13,11 @@ pub(super) struct Price {
     critical_path: usize,
 }
 
-/// The entries of a block in an elimination order, with fill-in.
 pub(super) struct Filled {
     pub(super) rows: Vec<FilledRow>,
     pub(super) price: Price,
 }
 
-/// The entries of a row.
 pub(super) struct FilledRow {
     /// The columns in order, with the diagonal.
     pub(super) columns: Vec<usize>,
@@ -39,8 +35,7 @@ impl FilledRow {
 }
 
 impl Graph {
-    /// Returns the graph of each block; `depends` lists for each i the variables that fᵢ depends
-    /// on.
+    /// Returns the graph of each block; `depends` lists the variables that each fᵢ depends on.
     pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
         let mut places = vec![(0, 0); depends.len()];
         for (number, block) in blocks.iter().enumerate() {
@@ -82,8 +77,8 @@ impl Graph {
     /// A row inherits all columns right of the diagonal from the rows of its pivots. If row p has
     /// an entry in column q and row q one in column p, then row q inherits the columns of row p
     /// right of q, and rows below q examine row p only up to column q (S. C. Eisenstat and J. W. H.
-    /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If all couplings are mutual, the cost is
-    /// the number of entries.
+    /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). Mutual couplings cost the number of
+    /// entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = turns(order);
@@ -144,7 +139,6 @@ mod tests {
     use crate::elimination::tests::{permutation, random_rows};
     use crate::prime_field::SplitMix64;
 
-    /// Fills rows one pivot after another, by definition.
     fn by_definition(graph: &Graph, order: &[usize]) -> Vec<Vec<usize>> {
         let (n, turns) = (order.len(), turns(order));
         let mut is_there = vec![vec![false; n]; n];

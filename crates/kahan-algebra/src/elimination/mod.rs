@@ -2,9 +2,8 @@
 //!
 //! A field whose step is too large for straight-line code comes in; an order of elimination and the
 //! positions of entries with fill-in go out. The pivot of a variable is its diagonal entry 1 − ε
-//! ∂fᵢ/∂xᵢ; rows are never exchanged, so floating-point callers must check the pivots. Blocks of a
-//! triangular field are solved one after another, without fill-in between them. `graph` computes
-//! fill-in, `orders` proposes orders.
+//! ∂fᵢ/∂xᵢ; rows are never exchanged, so callers must check pivots. Blocks of a triangular field
+//! have no fill-in between them. `graph` computes fill-in, `orders` proposes orders.
 
 mod graph;
 mod orders;
@@ -21,8 +20,7 @@ use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
 use graph::{Graph, turns};
 use orders::cheapest;
 
-/// The largest dimension of a field whose map is written out if possible; every step eliminates
-/// beyond.
+/// The largest dimension of a field whose map is written out; larger ones always eliminate.
 pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables of a compiled block.
@@ -35,8 +33,7 @@ const MOST_SLOPES: usize = 1500;
 /// The most products in an elimination written as straight-line code.
 const MOST_STRAIGHT: usize = 1500;
 
-/// The entries of A(x,ε) in order of elimination, row by row. Rows and columns are numbered in this
-/// order.
+/// The entries of A(x,ε) by rows; rows and columns are numbered in order of elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Couplings {
     /// The variable eliminated at each position.
@@ -184,8 +181,7 @@ impl Couplings {
         self.rows.iter().map(row).sum()
     }
 
-    /// Returns the cycles from the entries to the solution: a division and three multiply-adds for
-    /// each pivot in the longest chain.
+    /// Returns the cycles of the longest pivot chain: a division and three multiply-adds for each.
     fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
@@ -209,7 +205,6 @@ pub(crate) mod tests {
         usize::try_from(random.below(end as u64)).expect("below a usize")
     }
 
-    /// Returns a random permutation of the numbers below n.
     pub(crate) fn permutation(random: &mut SplitMix64, n: usize) -> Vec<usize> {
         let mut order: Vec<usize> = (0..n).collect();
         (1..n).for_each(|k| order.swap(k, below(random, k + 1)));

@@ -31,9 +31,8 @@ fn folded(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
 
-/// Returns the reverse Cuthill–McKee order: layers from a variable with few neighbours, reversed
-/// (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George, Stanford report
-/// STAN-CS-71-208).
+/// Returns the reverse Cuthill–McKee order: layers from a variable of low degree (E. Cuthill and J.
+/// McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George, Stanford report STAN-CS-71-208).
 fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];
@@ -57,9 +56,8 @@ fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Returns the minimum degree order: a variable with fewest neighbours comes next, and its
-/// neighbours become coupled. Ties go to the shortest chain of pivots (H. M. Markowitz, Management
-/// Sci. 3 (1957) 255–269).
+/// Returns the minimum degree order: a variable with fewest neighbours comes next, ties by the
+/// shortest chain of pivots (H. M. Markowitz, Management Sci. 3 (1957) 255–269).
 fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut waits = vec![0_usize; around.len()];
@@ -126,7 +124,6 @@ mod tests {
     use crate::elimination::tests::random_rows;
     use crate::prime_field::SplitMix64;
 
-    /// Computes the minimum degree order by definition.
     fn by_definition(neighbours: &[Vec<usize>]) -> Vec<usize> {
         let mut around = neighbours.to_vec();
         let mut waits = vec![0_usize; around.len()];

@@ -1,5 +1,4 @@
-//! Proves claims about the map of a family for every number of sites, as statements about finitely
-//! many terms ([`everywhere`](super::everywhere)).
+//! Proves claims of a family for every number of sites ([`everywhere`](super::everywhere)).
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -29,8 +28,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Checks a linear integral such as Σ xᵢ. Kahan's map preserves it if the field does, by summation
-/// of the defining equation.
+/// Checks a linear integral such as Σ xᵢ, which Kahan's map preserves if the field does.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
@@ -69,15 +67,13 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     Ok(())
 }
 
-/// Returns the diagnostic of a claim beyond the budget.
 pub(super) fn too_long(name: &Name) -> Diagnostic {
     let message = format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text);
     let help = "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
     Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
-/// Returns whether the sum depends on no state in any chain, because its terms cancel like those of
-/// `sum(x[i+1] - x[i])` in a ring.
+/// Returns whether the sum depends on no state, like `sum(x[i+1] - x[i])` in a ring.
 fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
     // Derivatives of the whole sum by the state of each array in the middle.

@@ -3,8 +3,7 @@
 //! Each term is seen from a site in the middle of a long chain. Its extent is the interval of sites
 //! that a chain must contain for the term to occur. A sum vanishes in all chains if the terms of
 //! each extent cancel separately: S(chain) minus the sums of the two chains shorter by one end
-//! site, plus that of the chain shorter at both ends, contains exactly the terms that need both
-//! ends.
+//! site, plus that of the chain shorter at both ends, has exactly the terms that need both ends.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -15,12 +14,10 @@ use crate::symbols::Symbol;
 use super::Family;
 use super::expand::Chain;
 
-/// The most terms of a polynomial that is multiplied.
 const MOST_TERMS: usize = 100_000;
 /// The most products of terms in the proof of one claim of a family.
 pub const MOST_WORK: u64 = 300_000;
 
-/// Returns a new budget for one proof.
 pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
@@ -51,8 +48,7 @@ pub(super) struct Middle<'a> {
 }
 
 impl<'a> Middle<'a> {
-    /// Chooses a chain long enough for equations and sums, which each reach `reach` sites, and for
-    /// the names in them.
+    /// Chooses a chain long enough for equations and sums of `reach`, and for the names in them.
     pub(super) fn of(family: &'a Family) -> Self {
         let sites = 8 * family.reach + 2;
         Middle { chain: family.chain(sites), site: sites / 2 }
@@ -81,7 +77,6 @@ impl<'a> Middle<'a> {
         }
     }
 
-    /// Returns whether a variable has a value at each site.
     pub(super) fn is_at_sites(&self, variable: Variable) -> bool {
         self.site_of(variable).is_some()
     }

@@ -15,8 +15,7 @@ use crate::system::{Claim, System};
 use super::{Family, Role, SiteSum};
 
 impl Family {
-    /// Returns the names of a chain of `sites` sites: `x0`, `x1`, …, arrays interleaved; parameters
-    /// of the chain, then `c0`, `c1`, ….
+    /// Returns the names of a chain: `x0`, `x1`, …, interleaved; parameters, then `c0`, `c1`, ….
     #[must_use]
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
@@ -66,7 +65,6 @@ impl Family {
     }
 }
 
-/// A chain of the family.
 pub(super) struct Chain<'a> {
     pub family: &'a Family,
     pub symbols: Symbols,

@@ -1,8 +1,7 @@
 //! Finds the constant antisymmetric stencil K with ẋ = K∇H, including boundary rows.
 //!
-//! If K exists and H has degree at most 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, as x̃ − x =
-//! 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
-//! 025201).
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, as x̃ − x = 2ε A⁻¹ f (E.
+//! Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -114,8 +113,7 @@ pub(super) fn missing(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // Far from the ends all terms of a monomial combine; groups with terms of ẋ come first, as they
-    // are reported by name.
+    // Far from the ends all terms of a monomial combine. Begin with terms of ẋ, which reports name.
     let long = Extent { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -240,8 +238,8 @@ impl Equations {
         Equations { unknowns, rows: Table::new() }
     }
 
-    /// Adds an equation, with terms of one unknown added up; returns `false` if it contradicts
-    /// earlier ones.
+    /// Adds an equation (terms of one unknown are summed); returns `false` if it contradicts
+    /// others.
     fn add<'a>(
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,

@@ -149,7 +149,6 @@ fn random_families_are_the_chains_that_one_writes_out() {
     }
 }
 
-/// Returns whether the claims of a family are proved.
 fn holds(text: &str) -> bool {
     let reading = reading(text);
     let false_claims = reading.diagnostics().len();

@@ -1,5 +1,4 @@
-//! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) +
-//! ½B(x+y) + c.
+//! The bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)], and the polarised field.
 
 use kahan_syntax::rational::Rational;
 

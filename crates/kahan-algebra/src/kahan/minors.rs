@@ -7,7 +7,6 @@ use kahan_syntax::table::Table;
 
 use crate::poly::{Budget, OverBudget, Polynomial, Within};
 
-/// The most nonzero minors at a time.
 const MOST_MINORS: usize = 4096;
 
 /// Returns the nonzero minors of n rows of at least n entries by set of columns; bit j stands for

@@ -3,8 +3,7 @@
 //!
 //! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, n̂ⱼ being det Â with column j replaced by p, and
 //! N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂, because ε does not
-//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; the map has a removable pole where only
-//! the gcd vanishes.
+//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; its zeros are removable poles.
 
 use kahan_syntax::rational::Rational;
 
@@ -15,8 +14,7 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The most terms of N and D together, and of every intermediate minor. Larger maps are computed by
-/// numeric elimination.
+/// The most terms of N and D together, and of every minor; larger maps are eliminated numerically.
 pub const TERM_BUDGET: usize = 500;
 
 /// The most products of terms to derive and reduce one map: some tens of milliseconds unoptimised.
@@ -89,8 +87,7 @@ impl Reduced {
     }
 
     /// Returns whether all degrees in the states equal those of `other`, so that equally many
-    /// factors were divided out. With `counts_eps` ε counts as a state. Each form has its own
-    /// symbols.
+    /// factors were divided out. With `counts_eps` ε counts as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,

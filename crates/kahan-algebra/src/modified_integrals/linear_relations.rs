@@ -1,5 +1,4 @@
-//! Linear relations between polynomials in the states over rational functions of the parameters, by
-//! sparse elimination to reduced row echelon form.
+//! Linear relations of polynomials in the states, by sparse elimination to reduced echelon form.
 
 use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};

@@ -45,8 +45,7 @@ const CLEAR: f64 = 0.2;
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// The median of n errors lies within the quantiles ½ ± BAND/√n with probability 0.9.
 const BAND: f64 = 0.8;
-/// A step is claimed to hold within this fraction of the limits, since other points differ from the
-/// sampled ones.
+/// A step is claimed to hold within this fraction of the limits, a margin for other points.
 const CLAIMED: f64 = 0.6;
 /// The quantile that measures the tail.
 const TAIL: f64 = 0.9;
@@ -83,8 +82,7 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Returns whether a step stays well within the limits at every size. The largest size, which
-    /// nearly always decides, comes first.
+    /// Returns whether a step stays well within the limits at every size, the largest first.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
@@ -103,8 +101,7 @@ impl<'a> Accuracy<'a> {
     }
 }
 
-/// Draws `count` points of each size. Points where f′ vanishes are discarded; a field where most
-/// are discarded loses nothing.
+/// Draws `count` points of each size, or fewer where f′ mostly vanishes.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);
@@ -138,7 +135,6 @@ impl Loss {
     }
 }
 
-/// A step prepared for runs in short floats.
 struct Runner<'a> {
     step: &'a StepPlan,
     constants: FloatPlan<'a>,

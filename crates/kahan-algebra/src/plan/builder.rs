@@ -49,8 +49,7 @@ impl PlanBuilder {
         self.push(Operation::Input(Input::Prepared(index)))
     }
 
-    /// Adds the operations of another plan with variables replaced by `input`, and returns its
-    /// outputs in this builder.
+    /// Adds another plan with variables replaced by `input`; returns its outputs in this builder.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -63,8 +62,7 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Makes a node for every operation of another plan from its index and the nodes made before
-    /// it.
+    /// Makes a node for every operation of another plan from its index and earlier nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

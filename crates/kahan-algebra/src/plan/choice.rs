@@ -1,5 +1,4 @@
-//! Chooses the form of a step: the cheapest, the one with the shortest recurrence in an orbit, or a
-//! more accurate one if the cheapest loses digits.
+//! Chooses forms of a step: the cheapest, one with a short recurrence, or an accurate one.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -11,15 +10,13 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::candidates;
 
 impl StepPlan {
-    /// Returns the plan of a field's step; `None` if the field is too large for straight-line code
-    /// and is stepped by elimination.
+    /// Returns the plan of a field's step; `None` if the field is too large for straight-line code.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// Returns the plan of a field's step from its kept sums and its map. `map` is `None` beyond
-    /// the budget.
+    /// Returns the plan of a field's step from kept sums and the map (`None` beyond the budget).
     #[must_use]
     pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
@@ -27,8 +24,7 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves lanes, and one orbit unless another form has a shorter
-        // recurrence.
+        // The cheapest form serves lanes, and one orbit if no other form has a shorter recurrence.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);

@@ -19,7 +19,6 @@ const SPARSEST: usize = 10;
 #[derive(Clone, Debug)]
 enum Coefficient {
     Number(Rational),
-    /// A sum in the parameters.
     Sum(Polynomial),
 }
 
@@ -109,7 +108,6 @@ impl DenseField {
         1 + n + j * n - j * (j + 1) / 2 + k
     }
 
-    /// Returns the plan of all coefficients, component by component.
     pub(crate) fn coefficients(&self) -> Plan {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> =
@@ -145,8 +143,7 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ of f′(x): bᵢⱼ + Σₖ qᵢⱼₖxₖ, in this order; k = j counts
-    /// twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ: bᵢⱼ + Σₖ qᵢⱼₖxₖ, in this order; k = j counts twice.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

@@ -104,8 +104,7 @@ impl PlanBuilder {
     }
 }
 
-/// Returns the variable in most terms, the later one of equals; `None` if no variable is in two
-/// terms.
+/// Returns the variable in most terms, the later one of equals; `None` if none is in two terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)

@@ -12,7 +12,6 @@ use super::{Node, Operation, Plan, PlanBuilder};
 
 struct Nodes<'a> {
     values: &'a Values,
-    /// Renames other variables.
     rename: &'a dyn Fn(Variable) -> Variable,
     known: Vec<Option<Node>>,
 }
@@ -52,8 +51,7 @@ impl Values {
     }
 
     /// Replaces variables of a plan by values. `value` returns the index of the value for a
-    /// variable, or the variable's new name. `rename` returns the new name of a variable inside a
-    /// value.
+    /// variable, or the variable's new name. `rename` renames variables inside values.
     fn put_in(
         &self,
         plan: &Plan,

@@ -1,5 +1,4 @@
-//! Describes operations in words, `two_eps`, `eps_a1`, `one_plus_eps_x`, from which generated code
-//! and listings derive names.
+//! Describes operations in words, `two_eps`, `one_plus_eps_x`, for names in code and listings.
 
 use kahan_syntax::rational::Rational;
 
@@ -26,9 +25,8 @@ struct Description {
     kind: Kind,
 }
 
-/// Returns for each operation a description that can serve as a name. `None` if it would be long or
-/// begin with a digit, and for every quotient except a constant over ε. `prepared` names the
-/// prepared constants.
+/// Returns for each operation a description that can serve as a name. `None` if long or beginning
+/// with a digit, and for quotients except a constant over ε. `prepared` are known names.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());

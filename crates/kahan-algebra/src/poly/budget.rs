@@ -16,7 +16,6 @@ const MAX_DEGREE: u64 = 1 << 24;
 #[derive(Clone, Debug)]
 pub struct Budget {
     max_terms: usize,
-    /// The term products that may still be formed.
     work: u64,
 }
 
@@ -109,9 +108,8 @@ impl Polynomial {
 
     /// Returns the power within the budget; the zeroth power is 1.
     ///
-    /// The number of terms is bounded in advance: by C(e+t−1, t−1) for exponent e and t terms, and
-    /// by the number of monomials whose degree in each variable is at most e times that of the
-    /// base.
+    /// Terms are bounded in advance by C(e+t−1, t−1) for exponent e and t terms, and by the number
+    /// of monomials of at most e times the base's degree in each variable.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Within<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);

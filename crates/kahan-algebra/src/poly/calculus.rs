@@ -19,8 +19,7 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
-    /// Returns the nonzero partial derivatives by the wanted variables, in order of variables, in
-    /// one pass over the terms.
+    /// Returns the nonzero partial derivatives by wanted variables, in order, in one pass.
     pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
         let mut slopes: Table<Variable, Vec<Term>> = Table::new();
         for (monomial, coefficient) in &self.terms {
@@ -154,8 +153,7 @@ impl Polynomial {
         Self::from_sorted(divided.collect())
     }
 
-    /// Views the polynomial as one in the variables that satisfy `belongs`; its coefficients are
-    /// polynomials in the others.
+    /// Views the polynomial as one in the variables that satisfy `belongs`.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
         self.grouped(&mut belongs)
     }

@@ -64,7 +64,6 @@ fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
     polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
 }
 
-/// Computes the gcd of primitive polynomials that no monomial divides.
 fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a == b {
         return Ok(a.clone());
@@ -86,8 +85,7 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<P
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients with respect to the variables outside `bounds`, which the
-/// gcd does not contain.
+/// Computes the gcd of all coefficients in the variables outside `bounds`, which the gcd lacks.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -165,8 +163,7 @@ fn subresultants(
     }
 }
 
-/// Returns lc(divisor)^(δ+1)·dividend modulo divisor, as polynomials in `main`; δ is the difference
-/// of the degrees.
+/// Returns lc(divisor)^(δ+1)·dividend mod divisor in `main`; δ is the difference of degrees.
 fn pseudo_remainder(
     dividend: &Polynomial,
     divisor: &Polynomial,

@@ -5,7 +5,6 @@
 
 use super::Variable;
 
-/// Number of powers stored inline.
 const FEW: usize = 4;
 
 pub(super) type Power = (Variable, u32);

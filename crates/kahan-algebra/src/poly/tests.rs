@@ -245,8 +245,7 @@ fn a_gcd_over_budget_says_so() {
     let (denominator, numerator, _) = e3();
     assert_eq!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 3)), Err(OverBudget));
     assert!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 10_000)).is_ok());
-    // Few terms of high degree: Euclid's algorithm modulo a prime and long quotients stay within
-    // the budget.
+    // Few terms of high degree: gcds modulo a prime and long quotients stay within the budget.
     let tall = |degree| &Polynomial::term(Monomial::power(Variable(0), degree), Rational::ONE) - &c(1);
     assert_eq!(
         gcd_within(&tall(1 << 20), &tall((1 << 20) - 1), &mut Budget::new(1000, 1_000_000)),

@@ -1,5 +1,4 @@
-//! The fast proof: random points modulo random primes, and one exact point. [`super::sizes`]
-//! derives the error bound.
+//! The fast proof: random points modulo random primes, and one exact point (see [`super::sizes`]).
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -19,11 +18,9 @@ pub struct Proof {
     pub points: u32,
 }
 
-/// The evidence from one point.
 struct Evidence {
     holds: bool,
-    /// Whether an integral or drift has a nonzero gradient, or a density or bracket is nonzero
-    /// here.
+    /// Whether an integral or drift has a nonzero gradient, or a density or bracket is nonzero.
     says_something: bool,
 }
 
@@ -55,8 +52,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
     }
 }
 
-/// Returns whether the claim holds at an exact point of small rationals; `None` if no such point
-/// has a value.
+/// Returns whether the claim holds at a small exact point; `None` if it has no value at any.
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;

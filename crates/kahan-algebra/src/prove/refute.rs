@@ -1,5 +1,4 @@
-//! Searches a counterexample to a false claim: the first point of small rationals where both sides
-//! differ.
+//! Searches a counterexample: the first point of small rationals where both sides differ.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -36,7 +35,6 @@ pub enum Refutation {
     NoPoint,
 }
 
-/// Searches heights 1, 2, 3, … with a fixed seed.
 pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     let mut random = SplitMix64::from_bytes(claim.name.text.as_bytes());
     for height in 1..=HIGHEST {

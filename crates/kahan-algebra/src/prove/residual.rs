@@ -77,8 +77,7 @@ impl<A: OverRationals> Test<'_, A> {
         pairs.map(|(place, (left, right))| Pair { place, left, right }).collect()
     }
 
-    /// Returns the entries above the diagonal of M P Mᵀ from those of P: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ)
-    /// Pₖₗ.
+    /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ.
     pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let mut entries = Vec::new();

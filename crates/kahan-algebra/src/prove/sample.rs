@@ -11,13 +11,11 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans of the field's numerators p and the matrix Â, expanded: exact arithmetic loses
-/// nothing.
+/// The plans of the field's numerators p and the matrix Â, expanded for exact arithmetic.
 pub(super) struct Scheme {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
     pub(super) matrix: Plan,
-    /// The number of variables: states, parameters and ε.
     pub(super) variables: usize,
 }
 
@@ -46,7 +44,6 @@ pub(super) struct Sample<V> {
     pub(super) jacobian_determinant: V,
 }
 
-/// Evaluates a plan at these values of variables.
 pub(super) fn run<A: OverRationals>(
     arithmetic: &A,
     plan: &Plan,
@@ -145,9 +142,8 @@ pub(super) fn impose<A: OverRationals>(
     Some(())
 }
 
-/// Draws a random point of coordinates of at most this height, then imposes the conditions. ε is
-/// positive and parameters are nonzero unless conditions fix them. `None` if the conditions divide
-/// by zero, or at ε = 0.
+/// Draws a random point of coordinates of at most this height, then imposes the conditions. ε > 0
+/// and parameters are nonzero unless fixed. `None` at divisions by zero, or at ε = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],

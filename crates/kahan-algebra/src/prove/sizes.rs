@@ -37,8 +37,7 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns a k with (r²·e)ᵏ < 2⁻¹⁰⁰ for residuals of this degree and size: the least k for r²·e
-/// rounded up to a power of two.
+/// Returns the least k with (r²·e)ᵏ < 2⁻¹⁰⁰, after rounding r²·e up to a power of two.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     // r²·e in units of 2⁻⁶⁰, where e·2⁶⁰ ≤ 64·(b/60 + 1) + deg F.

@@ -10,8 +10,7 @@ pub(crate) type Row = Vec<(usize, RationalFunction)>;
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {
-    /// Returns the numerators of functions over their least common denominator, and that
-    /// denominator.
+    /// Returns the numerators of functions over their least common denominator, and the latter.
     pub fn over_common(functions: &[Self]) -> (Vec<Polynomial>, Polynomial) {
         unlimited(|budget| Self::over_common_within(functions.iter(), budget))
     }
@@ -33,7 +32,6 @@ impl RationalFunction {
     }
 }
 
-/// Divides a row by its first entry.
 pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Within<Row> {
     let inverse = row[0].1.recip().expect("entries are not zero");
     row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()

@@ -11,7 +11,6 @@ use super::claim::claim_text;
 use super::formula::Formulas;
 use super::notation::Text;
 
-/// Returns the parameters that occur in the expanded equations or in claims.
 fn used_parameters(system: &System) -> Vec<String> {
     let symbols = &system.field.symbols;
     let is_used = |k: usize| {
@@ -34,7 +33,6 @@ fn mentions(condition: &Condition, name: &str) -> bool {
     found
 }
 
-/// Returns whether a name occurs in a claim as written.
 fn claim_names(claim: &Claim, name: &str) -> bool {
     let mut found = claim.conditions.iter().any(|condition| mentions(condition, name));
     for expr in claim.body.expressions() {
@@ -73,8 +71,7 @@ pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
     field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
 }
 
-/// Returns the lines of a block: header, expanded equations (constants folded in), claims as
-/// written.
+/// Returns the lines of a block: header, expanded equations, claims as written.
 #[must_use]
 pub fn block_lines(system: &System) -> Vec<String> {
     let header = system.header.as_ref();

@@ -52,8 +52,7 @@ pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)
 }
 
-/// Returns the relations behind `when`: a name with its number, others as written; empty for an
-/// unconditional claim.
+/// Returns the relations behind `when`: names with numbers, others as written.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notation) -> String {
     let symbols = &system.field.symbols;
@@ -70,8 +69,7 @@ pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notati
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the polynomials that solving the relations divided by, as `a2 != 0`; empty if these are
-/// numbers only.
+/// Returns the polynomials that solving divided by, as `a2 != 0`; empty for numbers only.
 #[must_use]
 pub fn condition_note(system: &System, claim: &Claim) -> String {
     let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);

@@ -27,7 +27,6 @@ impl Formulas<'_> {
         self.notation.polynomial(&self.field.symbols, polynomial)
     }
 
-    /// Returns a polynomial over the denominator of a component.
     fn over(&self, polynomial: &Polynomial, component: &RationalFunction) -> String {
         if component.denominator().is_one() || polynomial.is_zero() {
             return self.polynomial(polynomial);

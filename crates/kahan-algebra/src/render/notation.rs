@@ -12,8 +12,7 @@ use crate::symbols::{Symbol, Symbols};
 
 use super::expression::{Level, at_least, push_term, written};
 
-/// A notation for formulas. [`Text`] is here; LaTeX, which the macro does not need, is in
-/// `kahan-latex`.
+/// A notation for formulas: [`Text`], or LaTeX in `kahan-latex`.
 pub trait Notation: fmt::Debug {
     /// Returns a name.
     fn name(&self, name: &str) -> String;
@@ -186,7 +185,6 @@ fn parenthesize(text: &str) -> String {
     if text.contains([' ', '*', '/', '-']) { format!("({text})") } else { text.to_owned() }
 }
 
-/// Adds parentheses around sums.
 fn parenthesize_sum(text: &str) -> String {
     if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }

@@ -5,8 +5,7 @@ use std::ops::Range;
 
 use kahan_syntax::diagnostics::Diagnostic;
 
-/// Formats `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names
-/// the text.
+/// Formats `diagnostic` about `text` from `origin`; `ranges` are the byte ranges of its tokens.
 #[must_use]
 pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
     let mut out = format!("error: {}\n", diagnostic.message);
@@ -42,8 +41,7 @@ pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [u
     [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
 }
 
-/// Returns the bytes of a token; of the last one beyond the end, or the end of a text without
-/// tokens.
+/// Returns the bytes of a token; of the last one beyond the end.
 fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     let last = ranges.len().saturating_sub(1);
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())

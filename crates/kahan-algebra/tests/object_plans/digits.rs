@@ -48,8 +48,7 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// Returns one of the two floats around a number, given the nearest float and a rest with the
-    /// sign of the error.
+    /// Returns one of the floats around a number: the nearest, or the one beyond `rest`.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()
@@ -105,7 +104,6 @@ impl Arithmetic for Random {
     }
 }
 
-/// The names of the objects of a field.
 const OBJECTS: [&str; 5] = ["f", "f'", "A", "b", "step"];
 
 /// Returns the objects at a point, computed from the text; `None` if one is undefined.
@@ -234,7 +232,6 @@ fn median(ratios: &[f64]) -> f64 {
     sorted[sorted.len() / 2]
 }
 
-/// A system to test in floats.
 struct Subject<'a> {
     name: &'a str,
     written: Written,
@@ -320,7 +317,6 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
     runs.iter().map(Vec::as_slice).collect()
 }
 
-/// A random source of fields and points.
 struct Draw {
     random: SplitMix64,
     /// The possible distances between numbers of a point.
@@ -360,8 +356,7 @@ impl Draw {
         sign * size * self.between(0.5, 1.0)
     }
 
-    /// Draws parameters possibly near each other (p, q and s) or near −1 (r), and states possibly
-    /// near 1 and near each other.
+    /// Draws parameters near each other (p, q, s) or −1 (r), and states near 1 and each other.
     fn point(&mut self, system: &System) -> Point<f64> {
         let p = self.between(0.5, 2.0);
         let q = p - self.distance();

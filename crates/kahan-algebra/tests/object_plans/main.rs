@@ -266,13 +266,11 @@ fn half(n: i64) -> Rational {
 struct Object<'a> {
     name: String,
     plan: Plan,
-    /// The plan of the prepared constants, if any.
     constants: Option<&'a Plan>,
     defined: [Vec<Rational>; 2],
 }
 
 impl Object<'_> {
-    /// Returns whether these plans compute the object.
     fn is(&self, plan: &Plan, constants: Option<&Plan>, places: &[Place; 2], symbols: &Symbols) -> bool {
         places.iter().zip(&self.defined).all(|(place, defined)| {
             let prepared = constants.map_or(Some(Vec::new()), |constants| {

@@ -1,5 +1,4 @@
-//! Evaluates a block as written, operation by operation in any arithmetic, without the library's
-//! polynomials and plans.
+//! Evaluates a block as written in any arithmetic, without the library's polynomials and plans.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;

@@ -105,8 +105,7 @@ fn spent(polynomial: &Polynomial) -> u64 {
     u64::MAX - budget.work_left()
 }
 
-/// A polynomial that is linear in a variable needs no image, only coefficients without a common
-/// factor.
+/// A polynomial that is linear in a variable needs no image, only coprime coefficients.
 #[test]
 fn linear_polynomials_are_cheapest() {
     let mut rng = SplitMix64::new(17);

@@ -6,8 +6,7 @@ use kahan_algebra::rational::Rational;
 
 use super::{all_factors, p, product};
 
-/// Returns a random polynomial of at most `terms` terms and degree at most `degree`, without a
-/// content.
+/// Returns a random polynomial of at most these terms and degree, without a content.
 pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u64) -> Polynomial {
     let mut factor = Polynomial::from_terms((0..terms).map(|_| {
         let powers =
@@ -49,8 +48,7 @@ fn random_products_have_the_factors_of_their_factors() {
     }
 }
 
-/// A change of variables maps factors to factors: the choice of main variable and points does not
-/// matter.
+/// A change of variables maps factors to factors, for any choice of main variable and points.
 #[test]
 fn irreducible_factors_stay_so_in_other_variables() {
     let mut rng = SplitMix64::new(12);

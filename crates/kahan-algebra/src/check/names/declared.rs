@@ -12,7 +12,6 @@ use crate::symbols::{Symbol, Symbols};
 use super::{Scope, is_epsilon, is_never_free, report_reserved};
 
 impl Scope {
-    /// Replaces states and parameters.
     pub(in crate::check) fn with(self, symbols: Symbols) -> Self {
         let states = symbols.states.iter().cloned().zip((0..).map(Symbol::State));
         let parameters = symbols.parameters.iter().cloned().zip((0..).map(Symbol::Parameter));
@@ -29,8 +28,7 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// Builds the scope of a block without constants and claims. States of a family are its arrays;
-    /// parameters include those of sites.
+    /// Builds the scope of a block without constants and claims; states of a family are its arrays.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
@@ -137,7 +135,6 @@ impl Scope {
     }
 }
 
-/// Formats a state as written: in a family with its index.
 fn written_in(block: &Block) -> impl Fn(&str) -> String {
     let index = if block.family.is_some() { "[i]" } else { "" };
     move |state| format!("{state}{index}")

@@ -31,8 +31,7 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Returns the outputs, each operation rounded by `round`. `inputs` are indexed by variable. A
-    /// multiply-add rounds twice.
+    /// Returns the outputs, rounded by `round` (twice in a multiply-add); `inputs` by variable.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {

@@ -8,7 +8,6 @@ use crate::prime_field::SplitMix64;
 use super::super::Plan;
 use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 
-/// A point, its next point, and the error of elimination.
 #[derive(Debug)]
 pub(super) struct Trial {
     /// States, parameters and ε, in the order of variables.
@@ -19,7 +18,6 @@ pub(super) struct Trial {
     pub(super) elimination: f64,
 }
 
-/// The plan that elimination needs, with dimensions.
 pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,

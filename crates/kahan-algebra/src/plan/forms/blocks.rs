@@ -37,8 +37,7 @@ pub(in crate::plan) struct Blocks<'a> {
     first: usize,
 }
 
-/// A block: states R by minors of `rows`, then states of an independent set S, which move by 2ε
-/// times `moved`.
+/// A block: states R by minors of `rows`, then independent states S, which move by 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
@@ -91,8 +90,7 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// Eliminates independent sets by their pivots, the other states by minors; `None` if a block
-    /// is too large.
+    /// Eliminates independent sets by pivots, other states by minors; `None` for too large blocks.
     pub(in crate::plan) fn eliminating(&self) -> Option<Arrangement> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -101,8 +99,7 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(Arrangement)
     }
 
-    /// Solves all states by minors of at most `operations` operations, in the `orders` cheapest
-    /// distinct orders of rows.
+    /// Solves by minors of at most `operations` operations, in up to `orders` cheap row orders.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {

@@ -52,8 +52,7 @@ impl Candidate {
 }
 
 impl Writer {
-    /// Returns the kernel of a form, and the number of its constants that are rounded more than
-    /// once.
+    /// Returns the kernel, and the number of constants rounded more than once.
     fn kernel(&self, outputs: &[Node]) -> (Plan, usize) {
         let plan = self.draft.builder.finish(outputs);
         let epsilon = self.scaling.epsilon();
@@ -68,8 +67,7 @@ impl Writer {
     }
 }
 
-/// Returns a price of operations and cycles to the next state, plus a penalty for constants rounded
-/// more than once.
+/// Returns a price of operations and cycles, plus a penalty for constants rounded more than once.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));

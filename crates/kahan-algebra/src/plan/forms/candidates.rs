@@ -1,5 +1,4 @@
-//! The candidate forms of a step: numerators εn and denominator d from the reduced polynomials or
-//! from determinants of A.
+//! The candidate forms of a step, from the reduced polynomials or from determinants of A.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
@@ -42,16 +41,13 @@ const WRITTEN_TERMS: usize = 120;
 /// Number of row orders compared for blocks solved whole.
 const ORDERS: usize = 3;
 
-/// The forms worth a plan.
 pub(in crate::plan) struct Forms<'a> {
     pub(in crate::plan) best: Candidate,
-    /// The source of other forms, if any.
     factored: Option<FactoredMap<'a>>,
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence than this: one with two divisions, and
-    /// those divided by the time step.
+    /// Returns forms that may have a shorter recurrence: with two divisions, or over the time step.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -86,9 +82,8 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether the step may be made from A itself: the map is beyond the budget, or nothing was
-/// divided out of its determinant, and there are more than three variables, for which better forms
-/// exist.
+/// Returns whether the step may be made from A: the map is beyond the budget, or has more than
+/// three variables and a constant common factor.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
@@ -121,7 +116,6 @@ impl WithDenominator {
 }
 
 impl FactoredMap<'_> {
-    /// Returns the cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
         let starts = self.empty.iter().flat_map(|empty| self.denominators(empty));
         let starts = starts.map(|mut start| (start.price(), start));
@@ -168,8 +162,7 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes determinants of A if nothing was divided out: entries of A are shorter than the
-    /// expanded determinant.
+    /// Writes determinants of A if nothing was divided out: entries are shorter than the expansion.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -211,7 +204,6 @@ impl FactoredMap<'_> {
         determinants(writer, &rows)
     }
 
-    /// Completes a form with numerators from the factors.
     fn finish(&self, start: WithDenominator) -> Candidate {
         let WithDenominator { mut writer, denominator, numerators } = start;
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);

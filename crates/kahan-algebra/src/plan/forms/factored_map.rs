@@ -13,7 +13,6 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::Writer;
 
-/// The common input of all forms of one step.
 pub(in crate::plan) struct FactoredMap<'a> {
     pub(in crate::plan) field: &'a Field,
     pub(in crate::plan) map: &'a RationalMap,
@@ -57,8 +56,7 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// Returns the factors of a denominator p·q where all components need p and some do not need q
-    /// (E1 and E5), as (p, q).
+    /// Returns (p, q) for a denominator p·q if all components need p but not all need q (E1, E5).
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -75,8 +73,7 @@ impl<'a> FactoredMap<'a> {
     }
 
     /// Writes short numerators over one factor and long ones over both. Short numerators contain
-    /// the factor `other`; the powers are those of short and long numerators, and c/d is the first
-    /// reciprocal.
+    /// the factor `other`; `powers` are of short and long numerators, c/d is the first reciprocal.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],

@@ -23,9 +23,8 @@ use crate::plan::writing::writer::Writer;
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// Returns the forms over ε and ε², and the one with two divisions, without twice rounded
-    /// constants and with a possible [recurrence](crate::plan::StepPlan::recurrence) below this
-    /// one.
+    /// Returns the forms over ε and ε², and the one with two divisions, with constants rounded once
+    /// and a possible [recurrence](crate::plan::StepPlan::recurrence) below this one.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
             // Constants are one product anyway, so division gains nothing.
@@ -54,8 +53,7 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Returns whether a product of states has a sum as coefficient, which is one prepared constant
-    /// if it keeps its ε.
+    /// Returns whether a product of states has a sum as coefficient, one constant with its ε.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
@@ -98,8 +96,7 @@ impl FactoredMap<'_> {
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// Returns 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators over one factor p, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for
-    /// numerators over both.
+    /// Returns 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators over p, 2(n/εᵏ)/(p/εᵏ)/(q/ε) over both.
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();

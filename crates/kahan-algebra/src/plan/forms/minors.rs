@@ -94,8 +94,7 @@ fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Ta
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
 }
 
-/// Returns an upper bound on the operations of [`determinants`] from the pattern of nonzero
-/// entries.
+/// Returns an upper bound on the operations of [`determinants`] from the nonzero pattern.
 pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     let mut known: Vec<u64> = vec![0];
     let mut count = 0;
@@ -138,7 +137,6 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
     orders.swap_remove(rank.min(last)).1
 }
 
-/// The most minors of one size.
 const MOST_MINORS: usize = 4096;
 /// The most operations of Cramer's rule in one block; elimination is faster beyond.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

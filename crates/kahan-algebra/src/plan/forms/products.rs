@@ -2,8 +2,7 @@
 //! without expansion.
 //!
 //! Near a common zero of the sums the terms of the expanded product cancel, and a large factor 1/s
-//! magnifies the rounding error. Cramer's rule on A·(x̃ − x) = 2εf multiplies f by cofactors and
-//! keeps its products.
+//! magnifies the rounding error. Cramer's rule on A·(x̃ − x) = 2εf keeps the products in f.
 
 use kahan_syntax::rational::Rational;
 

@@ -30,8 +30,7 @@ impl Structure {
     }
 
     /// Returns independent states of a block: they act neither on each other nor on themselves, so
-    /// their rows and columns of A are those of the identity. Chosen greedily, states with few
-    /// couplings first.
+    /// their rows and columns of A are those of the identity. Chosen greedily.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -55,8 +54,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // Count the other states that each block depends on, directly or indirectly, in groups of 64
-    // states, one bit each.
+    // Count the other states that each block depends on, 64 states at a time, one bit each.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {
@@ -76,8 +74,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     by_weight.into_iter().map(|(block, _)| block).collect()
 }
 
-/// Returns the strongly connected components, each after those that it points to (R. E. Tarjan,
-/// SIAM J. Comput. 1 (1972) 146–160).
+/// Returns the strongly connected components (R. E. Tarjan, SIAM J. Comput. 1 (1972) 146–160).
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];

@@ -41,13 +41,11 @@ pub struct StepPlan {
     pub constants: Plan,
     /// The operations for each state.
     pub kernel: Kernel,
-    /// Whether preparation divides by ε. If so, the step serves only floats, and only an ε away
-    /// from zero.
+    /// Whether preparation divides by ε: then the step serves only floats and ε away from zero.
     pub has_inverse_step: bool,
     /// The plan for lanes, if it differs: a second division can shorten the recurrence of one
     /// orbit, but the divider bounds many orbits at once. If this plan [divides by
-    /// ε](Self::has_inverse_step), `general` also serves scalars that are not floats and an ε near
-    /// zero.
+    /// ε](Self::has_inverse_step), `general` also serves exact scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest size ‖εf′‖∞ among 1, 10, 100, 1000 up to which the step loses about as little as
     /// elimination with partial pivoting, measured at seeded points. At most [`LARGEST_SIZE`].
@@ -162,7 +160,6 @@ impl StepPlan {
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
     }
 
-    /// Replaces the plans of constants by `change`.
     #[must_use]
     pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
         let general = self.general.map(|general| Box::new(general.mapped(change)));
@@ -174,9 +171,8 @@ impl PlanBuilder {
     /// Divides the increment of a single variable directly, x̃ = x ± 2εn/d: returns the numerator
     /// over the divisor of a reciprocal ±1/d or ±2/d; `None` for other reciprocals.
     ///
-    /// A shared reciprocal saves divisions for several components. For a single one, the
-    /// multiplication after it would lengthen the recurrence and round once more, so that an orbit
-    /// might miss a pole.
+    /// A shared reciprocal saves divisions for several components. For one, its multiplication
+    /// would lengthen the recurrence and round once more, and an orbit might miss a pole.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

@@ -77,8 +77,7 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Returns whether only further divisions use a quotient. If a component is eliminated before
-/// others, increments also use reciprocals.
+/// Returns whether only divisions use a quotient; eliminated components also use reciprocals.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
     let uses = |user: &Operation| user.operands().any(|operand| operand == quotient);
     kernel.operations.iter().enumerate().filter(|(_, user)| uses(user)).all(|(index, user)| {

@@ -8,8 +8,7 @@
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Cost of a negated result. A subtraction costs 1: no operation, but it differs from neighbouring
-/// additions.
+/// Cost of a negated result; a subtraction costs 1, as it differs from neighbouring additions.
 const NEGATION: usize = 4;
 
 /// Maximal rounds of the descent; it nearly always ends earlier.
@@ -36,8 +35,7 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over the signs of prepared differences and of sums with summands of both signs;
-/// `reversed` is a choice.
+/// A search over signs of prepared differences and mixed sums; `reversed` is a choice.
 struct Search<'a> {
     kernel: &'a Plan,
     /// For each prepared constant its node in the kernel, if it is a difference.
@@ -46,7 +44,6 @@ struct Search<'a> {
     is_free: Vec<bool>,
 }
 
-/// The signs that follow from a choice.
 struct Signs {
     /// Whether the value is carried with opposite sign.
     negative: Vec<bool>,

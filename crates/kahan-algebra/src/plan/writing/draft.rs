@@ -1,5 +1,4 @@
-//! A plan under construction that knows when each value is ready, so that sums and products can
-//! combine late values last.
+//! A plan under construction that knows when values are ready, so that late ones combine last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -13,7 +12,6 @@ use crate::poly::Variable;
 use crate::plan::writing::scaling::Scaling;
 use crate::plan::{Input, Node, Operation, PlanBuilder};
 
-/// A builder with the cycle in which each operation's result is ready.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Draft {
     pub(in crate::plan) builder: PlanBuilder,
@@ -125,8 +123,7 @@ impl Draft {
     /// new ones.
     ///
     /// Unless the draft folds constants, two constants are not multiplied while a state is left:
-    /// their product would have the same rounding error in every step, and integrals of a long
-    /// orbit would drift.
+    /// the rounding error of their product would recur in every step, and integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),
@@ -227,7 +224,6 @@ impl Draft {
     }
 }
 
-/// A node with a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::plan) struct Signed {
     pub(in crate::plan) node: Node,

@@ -1,6 +1,5 @@
 //! Factors several polynomials over one base: common factors of two, contents in one variable, and
-//! factors of quadratics with a square discriminant. The factorisation is incomplete; it finds the
-//! factors that a step can reuse.
+//! factors of quadratics with a square discriminant. Finds only factors that steps reuse.
 
 use kahan_syntax::rational::Rational;
 
@@ -8,7 +7,6 @@ use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
 /// The most work to find factors; beyond it polynomials stay unchanged.
 const WORK: u64 = 20_000;
-/// The most terms of polynomials to factor.
 const TERMS: usize = 60;
 /// The most terms of a polynomial whose discriminants are computed.
 const QUADRATIC_TERMS: usize = 16;
@@ -26,7 +24,6 @@ impl Factored {
         self.factors.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
     }
 
-    /// Removes a factor once, if it occurs.
     pub(in crate::plan) fn without(&self, factor: &Polynomial) -> Self {
         let mut quotient = self.clone();
         for (known, exponent) in &mut quotient.factors {
@@ -42,8 +39,7 @@ pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
-/// Returns pairwise coprime polynomials without monomial factors, of which the given ones are
-/// products.
+/// Returns pairwise coprime polynomials without monomial factors that factor the given ones.
 fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     let mut budget = Budget::new(TERMS * TERMS, WORK);
     let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
@@ -102,8 +98,7 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     })
 }
 
-/// Returns a factor of av² + bv + c in some variable v: if b² − 4ac is a square s², a factor is
-/// shared with 2av + b − s.
+/// Returns a factor of av² + bv + c: if b² − 4ac is a square s², one is shared with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;

@@ -19,11 +19,9 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms for which all forms are compared; longer polynomials are nested by their most
-/// frequent variable.
+/// The most terms for which all forms are compared; longer ones use their most frequent variable.
 const COMPARED: usize = 12;
 
-/// The most terms to examine in comparisons.
 const MOST_LOOKED_AT: usize = 1_000_000;
 
 /// The aim of a form.
@@ -45,7 +43,6 @@ impl Goal {
     }
 }
 
-/// A summand of a nested form.
 #[derive(Clone, Debug)]
 pub(in crate::plan) enum Summand {
     Term(Monomial, Rational),
@@ -66,7 +63,6 @@ enum Form {
     Flat,
     /// A product, and a rest with its own estimate.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
-    /// Products and terms.
     Grouped(Vec<Summand>),
 }
 
@@ -76,7 +72,6 @@ struct Known {
     estimates: Vec<Rc<Estimate>>,
 }
 
-/// A cache of estimates.
 #[derive(Debug)]
 pub(in crate::plan) struct Nesting {
     goal: Goal,
@@ -164,8 +159,7 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out of terms; values that depend on no state are
-    /// prepared instead.
+    /// Returns whether a variable may be factored out; others are prepared instead.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
@@ -226,8 +220,7 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
 
-    /// Estimates the form that factors out all variables at once, each term by its most frequent
-    /// variable.
+    /// Estimates the form that factors out all variables at once, most frequent first.
     fn grouped(&self, polynomial: &Polynomial) -> Estimate {
         let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
         let flat = self.flat(&rest);
@@ -242,8 +235,7 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Grouped(own) }
     }
 
-    /// Returns variable · quotient as a summand, its operations, and the cycle in which it is
-    /// ready.
+    /// Returns variable · quotient as a summand, its operations, and its cycle of readiness.
     fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
@@ -297,8 +289,7 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// Sums all products of 200 states: one state at a time would examine 200 polynomials of 10 000
-    /// terms.
+    /// The sum of all products of 200 states, one at a time, would examine 200 · 10 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

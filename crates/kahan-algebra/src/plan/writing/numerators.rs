@@ -1,5 +1,4 @@
-//! The numerators, times ε or divided by a power of ε, as products of factors; shared subproducts
-//! are multiplied once.
+//! The numerators times powers of ε as products of factors; shared subproducts are multiplied once.
 
 use crate::poly::{Polynomial, Variable};
 
@@ -25,8 +24,7 @@ impl Power {
         }
     }
 
-    /// Divides each factor by the powers of ε that cancel in it; returns the product and the
-    /// remaining power.
+    /// Cancels powers of ε in each factor; returns the product and the remaining power.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -39,7 +37,6 @@ impl Power {
     }
 }
 
-/// Products under construction, one for each numerator.
 pub(in crate::plan) struct Products {
     lists: Vec<Factors>,
 }
@@ -55,7 +52,6 @@ impl Products {
         Products { lists: Vec::new() }
     }
 
-    /// Adds coefficient · monomial · ∏ factorᵉ.
     pub(in crate::plan) fn push(&mut self, writer: &mut Writer, product: &Factored, goal: Goal) {
         let (nodes, negative) = writer.factors_of_term(&product.monomial, &product.coefficient);
         let mut list = Factors { nodes, negative };
@@ -66,8 +62,7 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds the product times a power of ε, placed in the monomial or in the factor where it costs
-    /// the fewest operations.
+    /// Adds the product times a power of ε, placed where it costs the fewest operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();

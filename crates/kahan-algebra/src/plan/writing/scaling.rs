@@ -55,7 +55,6 @@ impl Scaling {
         self.epsilon
     }
 
-    /// Returns the variable of the k-th gathered coefficient.
     pub(in crate::plan) fn coefficient(&self, k: usize) -> Variable {
         Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
     }
@@ -71,8 +70,7 @@ impl Scaling {
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// Returns the cycle in which a variable is ready; `None` for variables that depend on no
-    /// state.
+    /// Returns the cycle in which a variable is ready; `None` if it depends on no state.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {

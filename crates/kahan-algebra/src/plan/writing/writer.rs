@@ -20,12 +20,10 @@ use crate::plan::writing::nesting::{Goal, Nesting, Summand};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// The most terms of a polynomial in which multiples of others are sought; the cost grows with
-/// their square.
+/// The most terms of a polynomial in which multiples are sought; the cost is quadratic.
 const REUSED: usize = 24;
 
-/// The most terms for which a common constant may stay inside, since its product with each term's
-/// factors may exist already.
+/// The most terms for which a common constant may stay inside, as its products may exist already.
 const SHARED: usize = 3;
 
 /// A matrix entry: its polynomial over scaled symbols, if known, and its operation.
@@ -42,7 +40,6 @@ pub(in crate::plan) struct Writer {
     pub(in crate::plan) scaling: Scaling,
     /// The polynomials with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
-    /// The operation of each polynomial.
     steps: Vec<Signed>,
     /// The indices of polynomials with several terms.
     sums: Vec<usize>,
@@ -117,7 +114,6 @@ impl Writer {
         self.put.push((symbol, node));
     }
 
-    /// Writes a polynomial for a goal.
     pub(in crate::plan) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let (sign, positive) = normalised(polynomial);
         if let Some(number) = self.made.find(&positive) {
@@ -154,7 +150,6 @@ impl Writer {
         self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
     }
 
-    /// Records that an operation computes this polynomial.
     pub(in crate::plan) fn remember(&mut self, polynomial: &Polynomial, written: Signed) {
         let (sign, positive) = normalised(polynomial);
         self.remember_positive(positive, written.flipped(sign));

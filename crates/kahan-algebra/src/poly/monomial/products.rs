@@ -87,8 +87,7 @@ impl Monomial {
         Some(Self { degree: self.degree - divisor.degree, powers })
     }
 
-    /// Returns whether the monomial divides `multiple`. Allocates nothing, since most divisions
-    /// fail.
+    /// Returns whether the monomial divides `multiple`, without allocation.
     pub fn divides(&self, multiple: &Self) -> bool {
         if self.degree > multiple.degree {
             return false;

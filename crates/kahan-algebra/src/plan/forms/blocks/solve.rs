@@ -23,7 +23,6 @@ const COMPARED_TERMS: usize = 12;
 /// x̃ᵢ − xᵢ: a signed numerator and its reciprocal.
 type Increment = (Signed, Option<Node>);
 
-/// A form under construction.
 #[derive(Clone)]
 struct Solution {
     writer: Writer,
@@ -31,8 +30,7 @@ struct Solution {
 }
 
 impl Arrangement {
-    /// Returns the distinct rotations of rows, at most `most`: after some rotations every block is
-    /// in its original order.
+    /// Returns the distinct rotations of rows, at most `most`, until every block repeats.
     fn turns(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -42,8 +40,8 @@ impl Arrangement {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each of at most `turns` rotations of rows. The rows of the first
-    /// block are written once for all.
+    /// Returns a candidate for each of at most `turns` rotations, with shared rows of the first
+    /// block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -108,8 +106,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Adds x̃ᵢ = xᵢ + numerator · reciprocal for later blocks (dropped if unused); for a tangent
-    /// vector, only the increment.
+    /// Adds x̃ᵢ = xᵢ + numerator · reciprocal, or for a tangent vector only the increment.
     fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));

@@ -1,5 +1,4 @@
-//! Gathers sums of constants that multiply one product of states into coefficients, computed when
-//! the map is prepared.
+//! Gathers sums of constants that multiply products of states into prepared coefficients.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,8 +12,7 @@ const MOST_GATHERED: usize = 1024;
 
 impl Writer {
     /// Replaces each sum of constants that multiplies one product of states by a coefficient; sums
-    /// with products of constants only if they may be rounded twice. `None` if there is no sum to
-    /// replace.
+    /// with products of constants only if they may be rounded twice. `None` without such a sum.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;

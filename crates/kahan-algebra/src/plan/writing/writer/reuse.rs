@@ -10,8 +10,7 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// Writes the polynomial as multiples of existing sums and a rest; `None` if no multiple
-    /// shortens it.
+    /// Writes the polynomial as multiples of existing sums and a rest; `None` if none shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();

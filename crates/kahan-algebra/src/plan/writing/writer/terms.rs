@@ -21,8 +21,7 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// Returns the factors of a term and its sign. A power of two goes into the ε of a scaled
-    /// symbol, where it costs nothing.
+    /// Returns the factors of a term and its sign. A power of two joins the ε of a scaled symbol.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,
@@ -57,8 +56,7 @@ impl Writer {
         (factors, negative)
     }
 
-    /// Returns the factors with all constants in one product, joined with the ε of a scaled state
-    /// if there is one.
+    /// Returns the factors with all constants in one product, with the ε of a scaled state if any.
     pub(super) fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
         let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
         let (mut states, constants): (Vec<Variable>, Vec<Variable>) =
