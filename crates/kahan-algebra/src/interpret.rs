@@ -1,5 +1,5 @@
 //! The second back end: evaluates every object of Kahan's method at a point, at run time, in any
-//! arithmetic. Exact arithmetic reports undefined values; floats follow IEEE rules.
+//! arithmetic. Exact arithmetic returns `None` for undefined values.
 
 mod map;
 

@@ -165,7 +165,7 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The limit on degrees is 2²⁰, well above 10⁵, but not above 64 times that.
+    // The claim has a degree of about 10⁵, below the limit 2²⁰; with p = q^64 it is above.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);

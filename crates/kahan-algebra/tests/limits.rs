@@ -28,7 +28,7 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
 
-/// How a limit is tested.
+/// A test of a limit.
 enum Tied {
     /// By a block at the limit without mistakes, and one beyond it.
     AtTheLimit(fn(usize) -> String),

@@ -261,7 +261,7 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
     }
 }
 
-/// ṡ = αcm and ċ = −βsm, or ṡ = κsm and ċ = −κcm, for random m, ẋ and centres, mixed.
+/// ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm for random m, ẋ and centres, in mixed coordinates.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

@@ -120,7 +120,7 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with (256 e)^k < 2⁻¹⁰⁰, roughly.
+    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with u^k < 2⁻¹⁰⁰, u = 256 e rounded up to a 2^m.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));

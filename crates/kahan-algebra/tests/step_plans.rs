@@ -232,7 +232,7 @@ fn divisions_are_as_few_as_possible() {
 
 /// If each step waits for ε in the denominator, the step is divided by it. E1, E3 and E5 then have
 /// no rounded constants except 1/(2ε) and its doubles, so they are exactly Kahan's map at a nearby
-/// ε. The general form divides only once.
+/// ε. The form for any scalar does not divide by ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

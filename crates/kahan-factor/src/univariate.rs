@@ -173,7 +173,7 @@ fn advance(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// Returns the primitive part of lc(whole)·∏ factors, symmetric residues modulo `modulus`.
+/// Returns the primitive part of lc(whole)·∏ factors in symmetric residues modulo `modulus`.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,

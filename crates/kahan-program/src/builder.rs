@@ -1,5 +1,5 @@
 //! Builds programs: each operation occurs once, after exact simplifications (0 + a, 1 · a, a −
-//! (−b), …). The identities hold in every field, and so do programs.
+//! (−b), …). The identities hold in every field, so programs are valid over every field.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -61,7 +61,7 @@ where
     /// Returns the node of an operation, added without simplification unless it is already present.
     ///
     /// # Panics
-    /// If an operand is no operation of this builder.
+    /// If an operand is not an operation of this builder.
     pub fn push(&mut self, operation: Operation<I, C, F>) -> Node {
         Node(self.operations.number(operation))
     }

@@ -89,7 +89,8 @@ where
     }
 
     /// Returns each output, or `None` for an output that depends on a missing input, a constant
-    /// without a value, a division by zero, or a call outside its domain. `input` gives inputs.
+    /// without a value, a division by zero, or a call outside its domain. `input` returns the value
+    /// of each input.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,

@@ -10,8 +10,8 @@ use crate::Program;
 use crate::operation::{Function, Node, Operation};
 
 impl<I, C, F: Function + Display> Operation<I, C, F> {
-    /// Returns the right-hand side, such as `x*y + z`, with operands named by `name`, if it
-    /// computes.
+    /// Returns the right-hand side, such as `x*y + z`, with operands named by `name`; `None` for an
+    /// input or a constant.
     pub fn text<S: Display>(&self, name: impl Fn(Node) -> S) -> Option<String> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) => return None,

@@ -20,7 +20,7 @@ use super::names::{Scope, references};
 use super::stand_in::StandIn;
 use super::{report_names, report_size};
 
-/// Checks the family of a block; returns a stand-in, and a family if there is no mistake.
+/// Checks the family of a block; returns a stand-in, and a family without mistakes.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,

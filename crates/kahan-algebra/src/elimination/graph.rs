@@ -77,8 +77,8 @@ impl Graph {
     /// A row inherits all columns right of the diagonal from the rows of its pivots. If row p has
     /// an entry in column q and row q one in column p, then row q inherits the columns of row p
     /// right of q, and rows below q examine row p only up to column q (S. C. Eisenstat and J. W. H.
-    /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). Mutual couplings cost the number of
-    /// entries.
+    /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If all couplings are mutual, the cost is
+    /// the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = turns(order);

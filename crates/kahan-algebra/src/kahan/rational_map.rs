@@ -3,7 +3,8 @@
 //!
 //! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, n̂ⱼ being det Â with column j replaced by p, and
 //! N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂, because ε does not
-//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; its zeros are removable poles.
+//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; a pole where only it vanishes is
+//! removable.
 
 use kahan_syntax::rational::Rational;
 

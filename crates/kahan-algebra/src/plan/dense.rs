@@ -13,7 +13,7 @@ use super::{Node, Plan, PlanBuilder};
 const FEWEST_VARIABLES: usize = 10;
 /// The minimal number of products of two variables; straight-line code is faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
-/// A dense field has nonzero coefficients at one in at least `SPARSEST` of all products.
+/// In a dense field at least one product in `SPARSEST` has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]

@@ -26,7 +26,8 @@ struct Description {
 }
 
 /// Returns for each operation a description that can serve as a name. `None` if long or beginning
-/// with a digit, and for quotients except a constant over ε. `prepared` are known names.
+/// with a digit, and for quotients except a constant over ε. `prepared` names the prepared
+/// constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());

@@ -11,8 +11,8 @@ impl Polynomial {
     /// Costs a product of terms for every term of the root, plus one.
     ///
     /// The leading term of r is the root of self's leading term; the highest term of self − r²
-    /// determines each further term. Roots with more terms than their squares (13 or more) are not
-    /// found.
+    /// determines each further term. A root with more terms than its square (the shortest known has
+    /// 13) is not found.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);

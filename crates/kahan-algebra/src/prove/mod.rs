@@ -40,7 +40,7 @@ pub enum Verdict {
     Vacuous,
     /// The claim divides by zero identically.
     Undefined,
-    /// Under its conditions det A vanishes identically, so there is no map.
+    /// Under its conditions det A vanishes identically: the map does not exist.
     NoMap,
     /// The degree is too high for a reasonable number of points.
     TooLarge,

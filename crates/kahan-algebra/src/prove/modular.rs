@@ -52,7 +52,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
     }
 }
 
-/// Returns whether the claim holds at a small exact point; `None` if it has no value at any.
+/// Returns whether the claim holds at a small exact point; `None` if no exact step is possible.
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;

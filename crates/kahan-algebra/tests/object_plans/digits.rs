@@ -48,7 +48,7 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// Returns one of the floats around a number: the nearest, or the one beyond `rest`.
+    /// Returns `nearest` or its neighbour on the side of `rest`, at random; exact numbers stay.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()

@@ -45,7 +45,7 @@ pub struct StepPlan {
     pub has_inverse_step: bool,
     /// The plan for lanes, if it differs: a second division can shorten the recurrence of one
     /// orbit, but the divider bounds many orbits at once. If this plan [divides by
-    /// ε](Self::has_inverse_step), `general` also serves exact scalars and ε near zero.
+    /// ε](Self::has_inverse_step), `general` also serves all other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest size ‖εf′‖∞ among 1, 10, 100, 1000 up to which the step loses about as little as
     /// elimination with partial pivoting, measured at seeded points. At most [`LARGEST_SIZE`].

@@ -1,7 +1,7 @@
 //! The time of a step in an orbit, where each step waits for the previous one.
 //!
 //! The relevant path is the longest dependency cycle from a state through several steps back to
-//! itself, not the longest path through one step: components outside of denominators may be late.
+//! itself, not the longest path through one step: a component absent from denominators may be late.
 
 use crate::poly::Variable;
 

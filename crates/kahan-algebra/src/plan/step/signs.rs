@@ -3,7 +3,7 @@
 //! A constant a − b is prepared as b − a, and dependent values change their sign, if fewer sums
 //! then subtract and fewer results are negated. Rounding is symmetric, so no bit changes. The order
 //! of a difference in normal form is arbitrary; with a good one, similar components use the same
-//! instructions, and compilers that vectorise scalar code save a fifth of a large step. Kernels
+//! instructions, and compilers that vectorise scalar code save a fifth of its instructions. Kernels
 //! without prepared differences stay unchanged.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
