@@ -111,7 +111,7 @@ fn a_claim_that_divides_by_zero_identically_is_undefined() {
 
 #[test]
 fn multiples_of_large_primes_are_no_hiding_place() {
-    // 2^61 − 1 and other 61-bit primes: a fixed prime would see zeros.
+    // 2^61 − 1 and other primes of 60 and 61 bits: a fixed prime would see zeros.
     for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
         let text = format!("{E3} integral F = y/x + {prime}*z;");
         assert!(matches!(verdicts(&text)[..], [Verdict::Refuted(_)]), "{prime}");
