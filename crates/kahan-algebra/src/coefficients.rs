@@ -13,11 +13,11 @@ use crate::system::System;
 pub struct Coefficient {
     /// The index of the component.
     pub component: usize,
-    /// The indices of the states that it multiplies: none for an entry of c, one for B, two for Q.
+    /// The indices of the states in the monomial: none for an entry of c, one for B, two for Q.
     pub states: [Option<usize>; 2],
-    /// The index of the parameter that it multiplies.
+    /// The index of the parameter in the monomial.
     pub parameter: Option<usize>,
-    /// The value.
+    /// The value of the coefficient.
     pub value: Rational,
 }
 

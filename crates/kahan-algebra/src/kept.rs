@@ -92,7 +92,7 @@ impl Values {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// Returns the variable of a value, which is added if new; `None` beyond 16 bits.
+    /// Returns the variable of a value, which is added if new; `None` beyond 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
@@ -149,7 +149,7 @@ impl Values {
         })
     }
 
-    /// Returns the reciprocal of a nonzero state-independent polynomial; `None` beyond 16 bits.
+    /// Returns the reciprocal of a nonzero state-independent polynomial, unless variables run out.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);

@@ -37,7 +37,7 @@ pub struct System {
 pub struct Claim {
     /// The kind of claim.
     pub kind: ClaimKind,
-    /// Its name.
+    /// The name of the claim.
     pub name: Name,
     /// The claim as written, for display.
     pub body: ClaimBody,
@@ -53,9 +53,9 @@ pub struct Claim {
 pub struct Condition {
     /// The condition as written, for display.
     pub written: syntax::Condition,
-    /// The name that it was solved for.
+    /// The name that the relation was solved for.
     pub variable: Variable,
-    /// Its value, in names that no condition of the claim is solved for.
+    /// The value of `variable`, in names that no condition of the claim is solved for.
     pub value: RationalFunction,
     /// The polynomials that must be nonzero for this relation: coefficient of the name, divisors.
     pub nonzero: Vec<Polynomial>,

@@ -23,7 +23,7 @@ pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 pub(super) struct Problem<'a> {
     /// The polynomial, with integer coefficients.
     pub(super) whole: &'a Polynomial,
-    /// Its variables, the main one first.
+    /// The variables of the polynomial, the main one first.
     pub(super) order: &'a [Variable],
     /// The values of all variables but the main one.
     pub(super) points: &'a [i64],

@@ -200,7 +200,7 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Joins |a| and |b| by `join` and puts the sign in front, if a or b is a negation.
+    /// Joins a and b without their negations and puts the sign in front; `None` without a negation.
     fn with_sign_outside(
         &mut self,
         a: Node,

@@ -427,7 +427,7 @@ fn highest_power(expansion: &Expansion, symbols: &Symbols) -> Option<(Variable, 
     powers.filter(|(variable, _)| !symbols.is_state(*variable)).max_by_key(|(_, exponent)| *exponent)
 }
 
-/// Returns the diagnostic of a too high power of a parameter; `place` quotes it.
+/// Returns the diagnostic of an excessive power of a parameter; `place` quotes the power.
 fn exponent_too_high(span: Span, place: &str) -> Diagnostic {
     let message = format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}");
     let help = "declare the power as a parameter of its own";

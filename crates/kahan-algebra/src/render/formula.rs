@@ -13,7 +13,7 @@ use super::notation::Notation;
 pub struct Formulas<'a> {
     /// The field.
     pub field: &'a Field,
-    /// Its map in closed form; `None` beyond the budget.
+    /// The map of the field in closed form; `None` beyond the budget.
     pub map: Option<&'a RationalMap>,
     /// The notation.
     pub notation: &'a dyn Notation,

@@ -21,7 +21,7 @@ pub(super) struct Trial {
 pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
-    /// f′ row by row, then f, then the common denominators.
+    /// The numerators of f′ row by row, then those of f, then the denominators.
     values: FloatPlan<'a>,
 }
 

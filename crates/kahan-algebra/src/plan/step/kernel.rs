@@ -6,7 +6,7 @@ use crate::plan::{Node, Plan};
 /// to the factors of the increments: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// Its outputs are the numerators, one for each component, then the distinct reciprocals, each
+    /// The outputs are the numerators, one for each component, then the distinct reciprocals, each
     /// ±c/d or ±c/d/d′ with a power of two c.
     pub plan: Plan,
     /// For each component the index of its reciprocal; `None` without a division.
