@@ -1,5 +1,4 @@
-//! Fields made of their coefficients, and the coefficients of fields: ẋ = Q(x, x) + Bx + c without a
-//! text.
+//! Quadratic fields ẋ = Q(x, x) + Bx + c built from coefficients, and the coefficients of a field.
 
 use kahan_syntax::rational::Rational;
 
@@ -9,21 +8,21 @@ use crate::poly::{Monomial, Polynomial};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::System;
 
-/// A coefficient of a field, with what it multiplies.
+/// A coefficient of a field, and the monomial that it multiplies.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coefficient {
-    /// The component of the field, from 0 on.
+    /// The index of the component.
     pub component: usize,
-    /// The states that it multiplies, from 0 on: none for an entry of c, one for an entry of B.
+    /// The indices of the states in the monomial: none for an entry of c, one for B, two for Q.
     pub states: [Option<usize>; 2],
-    /// The parameter that it multiplies, from 0 on.
+    /// The index of the parameter in the monomial.
     pub parameter: Option<usize>,
-    /// The number.
+    /// The value of the coefficient.
     pub value: Rational,
 }
 
 impl System {
-    /// The system without claims whose components are the sums of these coefficients.
+    /// Returns the system without claims whose components are the sums of these terms.
     ///
     /// # Panics
     /// If a component, a state or a parameter has an index beyond those of the symbols.
@@ -44,8 +43,7 @@ impl System {
         System::of(field, kept)
     }
 
-    /// The coefficients of the field, component by component; `None` where a term has parameters
-    /// otherwise than one of them as a factor.
+    /// Returns the coefficients by component; `None` for divisors, ε, or products of parameters.
     #[must_use]
     pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
         let symbols = &self.field.symbols;

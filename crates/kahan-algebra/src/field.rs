@@ -1,8 +1,8 @@
-//! The checked quadratic field: from here on nothing can be wrong.
+//! The checked quadratic field. Later stages have no error path.
 //!
-//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced.
-//! Coefficients may depend on ε²; the map approximates the field at ε = 0. Everything that the map
-//! needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
+//! ẋᵢ = pᵢ/qᵢ in lowest terms, pᵢ of degree at most 2 in the states and qᵢ free of states.
+//! Coefficients may depend on ε²; the map approximates the field at ε = 0. [`crate::kahan`] derives
+//! f′, the bilinear form, A and b.
 
 use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
@@ -11,38 +11,38 @@ use crate::symbols::Symbols;
 /// A quadratic vector field ẋ = Q(x) + Bx + c with exact coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
-    /// The names.
+    /// The names of states and parameters.
     pub symbols: Symbols,
-    /// One component p/q a state: p is a polynomial in states, parameters and ε², of degree at most
-    /// two in the states; q is one in parameters and ε², not zero at ε = 0.
+    /// One component p/q for each state. p is a polynomial in states, parameters and ε², of degree
+    /// at most 2 in the states; q is a polynomial in parameters and ε², nonzero at ε = 0.
     pub components: Vec<RationalFunction>,
 }
 
 impl Field {
-    /// The number of states.
+    /// Returns the number of states.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.components.len()
     }
 
-    /// Returns the numerators p, component by component.
+    /// Returns the numerator p of each component.
     pub fn numerators(&self) -> impl Iterator<Item = &Polynomial> {
         self.components.iter().map(RationalFunction::numerator)
     }
 
-    /// Returns the denominators q, component by component.
+    /// Returns the denominator q of each component.
     pub fn denominators(&self) -> impl Iterator<Item = &Polynomial> {
         self.components.iter().map(RationalFunction::denominator)
     }
 
-    /// Whether a coefficient depends on ε.
+    /// Returns whether a coefficient depends on ε.
     #[must_use]
     pub fn depends_on_eps(&self) -> bool {
         let eps = self.symbols.epsilon();
         self.components.iter().any(|component| component.contains(eps))
     }
 
-    /// The numerator's part of degree `degree` (0, 1 or 2) in the states.
+    /// Returns the part of a numerator of degree `degree` (0, 1 or 2) in the states.
     #[must_use]
     pub fn homogeneous_part(&self, component: usize, degree: u32) -> Polynomial {
         let is_in = |monomial: &Monomial| monomial.degree_where(|v| self.symbols.is_state(v)) == degree;
@@ -50,14 +50,14 @@ impl Field {
         numerator.map_monomials(|monomial| is_in(monomial).then(|| monomial.clone()))
     }
 
-    /// Whether all terms are quadratic (B = 0 and c = 0).
+    /// Returns whether all terms are quadratic (B = 0 and c = 0).
     #[must_use]
     pub fn is_homogeneous(&self) -> bool {
         (0..self.dimension())
             .all(|i| self.homogeneous_part(i, 0).is_zero() && self.homogeneous_part(i, 1).is_zero())
     }
 
-    /// The states of a monomial, with multiplicity.
+    /// Returns the states of a monomial, with multiplicity.
     #[must_use]
     pub fn states_of(&self, monomial: &Monomial) -> Vec<usize> {
         let mut states = Vec::new();

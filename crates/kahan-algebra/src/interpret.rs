@@ -1,7 +1,5 @@
-//! Every object of Kahan's method at a point, at run time, in any arithmetic: the second back end.
-//!
-//! Exact arithmetic gives exact answers and says where something has no value; floats give what
-//! floats give.
+//! The second back end: evaluates every object of Kahan's method at a point, at run time, in any
+//! arithmetic. Exact arithmetic returns `None` for undefined values.
 
 mod map;
 
@@ -14,13 +12,13 @@ use crate::poly::Variable;
 use crate::symbols::Symbol;
 use crate::system::{System, upper_index};
 
-/// A system made ready for evaluation.
+/// A system prepared for evaluation.
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     derived: Derived,
 }
 
-/// Where to evaluate.
+/// A point of evaluation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Point<V> {
     /// The states x.
@@ -31,10 +29,10 @@ pub struct Point<V> {
     pub eps: V,
 }
 
-/// A bracket's name and its n×n matrix, where it has a value.
+/// A bracket's name and its n×n matrix, if defined.
 pub type NamedTensor<V> = (String, Option<Vec<Vec<V>>>);
 
-/// All objects at a point. `None` where something has no value there.
+/// All objects at a point. `None` marks undefined values.
 #[derive(Clone, Debug)]
 pub struct Evaluation<V> {
     /// f(x)
@@ -55,7 +53,7 @@ pub struct Evaluation<V> {
     pub det_jacobian: Option<V>,
     /// The unconditional integrals.
     pub integrals: Vec<(String, Option<V>)>,
-    /// The unconditional density; the outer `None` where none is declared.
+    /// The unconditional density; the outer `None` if none is declared.
     pub density: Option<Option<V>>,
     /// The unconditional brackets as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
@@ -63,12 +61,12 @@ pub struct Evaluation<V> {
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 
-/// A parameter value at which the field itself divides by zero.
+/// The error of a parameter value at which the field divides by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
 impl Interpreter {
-    /// Derives and plans everything once.
+    /// Derives the plans once.
     #[must_use]
     pub fn new(system: &System) -> Self {
         Interpreter { derived: derive(system) }
@@ -78,10 +76,10 @@ impl Interpreter {
         At { derived: &self.derived, arithmetic, point }
     }
 
-    /// Everything at one point.
+    /// Evaluates all objects at one point.
     ///
     /// # Errors
-    /// Where a parameter makes the field divide by zero.
+    /// If a parameter makes the field divide by zero.
     pub fn evaluate<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -93,7 +91,7 @@ impl Interpreter {
         }
     }
 
-    /// Q(x, y).
+    /// Returns Q(x, y).
     pub fn bilinear<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -103,7 +101,7 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().bilinear(), y)
     }
 
-    /// Q(x,y) + ½B(x+y) + c.
+    /// Returns Q(x,y) + ½B(x+y) + c.
     pub fn polarized<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -113,12 +111,12 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
     }
 
-    /// x̃ of the reduced map; `None` at a pole, where a float divides by zero, too.
+    /// Returns x̃ of the reduced map; `None` at a pole, also for floats.
     pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         self.at(arithmetic, point).next()
     }
 
-    /// ∂x̃/∂x, where x̃ is `next`: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
+    /// Returns ∂x̃/∂x for x̃ = `next`: by dual numbers, or A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -129,7 +127,6 @@ impl Interpreter {
     }
 }
 
-/// A system at a point, in an arithmetic.
 struct At<'a, A: Arithmetic> {
     derived: &'a Derived,
     arithmetic: &'a A,
@@ -168,7 +165,6 @@ impl<A: OverRationals> At<'_, A> {
         })
     }
 
-    /// A(x,ε), row by row.
     fn matrix(&self) -> Option<Vec<Vec<A::Value>>> {
         self.rows(self.derived.matrix())
     }
@@ -178,7 +174,7 @@ impl<A: OverRationals> At<'_, A> {
         Some(entries.chunks(self.point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 
-    /// The results of a plan, if all have a value.
+    /// Returns the outputs of a plan, if all are defined.
     fn run(&self, plan: &Plan) -> Option<Vec<A::Value>> {
         self.run_with(plan, &self.point.state)
     }
@@ -200,7 +196,7 @@ impl<A: OverRationals> At<'_, A> {
         }
     }
 
-    /// The antisymmetric matrix with these entries above its diagonal.
+    /// Returns the antisymmetric matrix with these entries above its diagonal.
     fn full(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
         let n = self.point.state.len();
         let zero = self.arithmetic.constant(&Rational::zero())?;

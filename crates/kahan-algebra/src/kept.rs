@@ -1,11 +1,10 @@
-//! A field as it was written: its sums that stand as factors and its divisors are values.
+//! The written form of a field: sums used as factors, and reciprocals of divisors, are named
+//! values.
 //!
-//! An expanded field can lose digits that its text keeps: `(p - q)*x*y` cancels where p is near q,
-//! `p*x*y - q*x*y` loses what was left. Over a common divisor `x/(1 + nu) + x/(mu - nu)` divides by
-//! a polynomial that cancels where neither divisor does. So plans that run in floats are made from
-//! what is kept here: each component is a polynomial in states, parameters and values, and it
-//! divides by nothing. What holds: with the definitions of the values put in, the components are
-//! those of the [`Field`], which stays the one that is proved, reduced and printed.
+//! Expansion can lose digits: `(p - q)*x*y` is accurate for p near q, `p*x*y - q*x*y` is not; a
+//! common divisor of `x/(1 + nu) + x/(mu - nu)` can cancel where neither divisor does. So plans for
+//! floats use polynomials in states, parameters and values, without a division. After substitution
+//! of the values the components equal those of the [`Field`], which is proved, reduced and printed.
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
@@ -17,7 +16,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// A number by which points of an orbit are differentiated.
+/// The quantity by which points of an orbit are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum By {
     /// A coordinate of the first point.
@@ -28,16 +27,16 @@ pub enum By {
     Epsilon,
 }
 
-/// What a value is, in states, parameters and values before it.
+/// The definition of a value, in states, parameters and earlier values.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
-    /// A sum that was written as a factor.
+    /// A sum written as a factor.
     Sum(Polynomial),
-    /// 1 over what was divided by; it is free of states.
+    /// The reciprocal of a divisor that is free of states.
     Reciprocal(Polynomial),
 }
 
-/// The values of a field. Variables stand for them that are numbered after all of its symbols.
+/// The values of a field. Their variables are numbered after all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
@@ -49,18 +48,16 @@ pub(crate) struct Values {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept {
     pub(crate) values: Values,
-    /// One polynomial for each state.
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field whose values are parameters of it, numbered after its own, where they are free of
-/// states: a quadratic field like every other, of which a step can be planned.
+/// A field whose state-independent values are additional parameters, for which steps are planned.
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// This field over the sums that depend on states; `None` where it is the field itself.
+    /// The field over sums that depend on states; `None` if it is the field itself.
     pub(crate) kept: Option<Kept>,
-    /// For each added parameter the index of the value that it is.
+    /// For each added parameter the index of its value.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Values,
     /// The field's own symbols, without the added parameters.
@@ -82,12 +79,11 @@ impl Value {
 }
 
 impl Values {
-    /// None yet.
     pub(crate) fn of(symbols: &Symbols) -> Self {
         Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// The index of the value that this variable stands for.
+    /// Returns the index of the value of a variable.
     pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
@@ -96,21 +92,18 @@ impl Values {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// The variable of a value, which is a new one where it is none yet; `None` where there are
-    /// more values than 16 bits can number.
+    /// Returns the variable of a value, which is added if new; `None` beyond 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
     }
 
-    /// These values besides, none of which is one already.
     fn with(mut self, values: impl IntoIterator<Item = Value>) -> Self {
         values.into_iter().for_each(|value| _ = self.values.number(value));
         self
     }
 
-    /// A polynomial as a factor of a product: a sum becomes a value times a number, a single term
-    /// stays what it is.
+    /// Converts a polynomial to a factor: a sum becomes a value times a number, a term stays.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -128,7 +121,7 @@ impl Values {
         }
     }
 
-    /// A quotient, its divisor being free of states and not 0: what both are multiples of cancels.
+    /// Returns the quotient by a nonzero divisor without states; common monomials cancel.
     pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
         let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
         let common = dividend.monomial_content().gcd(&divisor.monomial_content());
@@ -137,7 +130,7 @@ impl Values {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Whether a polynomial over the values divides by nothing but factors of the `denominator`.
+    /// Returns whether a polynomial over the values divides only by factors of `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
         places.all(|place| match &self.values[place] {
@@ -146,8 +139,7 @@ impl Values {
         })
     }
 
-    /// Replaces each value in a polynomial by the sum that it is. The caller guarantees that no
-    /// value in it is a reciprocal.
+    /// Replaces each value by its sum. The polynomial must not contain reciprocals.
     fn with_sums(&self, polynomial: &Polynomial) -> Polynomial {
         polynomial.variables().into_iter().fold(polynomial.clone(), |polynomial, variable| {
             match self.place(variable).map(|place| &self.values[place]) {
@@ -157,8 +149,7 @@ impl Values {
         })
     }
 
-    /// 1 over a polynomial that is free of states and not 0; `None` where there are more values
-    /// than 16 bits can number.
+    /// Returns the reciprocal of a nonzero state-independent polynomial, unless variables run out.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -168,8 +159,8 @@ impl Values {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// The slopes of a polynomial in all variables that are wanted, from those of the values in it.
-    /// A slope of a value that is a sum becomes a value, too.
+    /// Returns the derivatives of a polynomial by all wanted variables, by the chain rule through
+    /// values. Derivatives of values that are sums become values.
     fn gradient(
         &mut self,
         polynomial: &Polynomial,
@@ -219,7 +210,7 @@ impl Values {
     }
 }
 
-/// The derivatives by the variables on which something depends, in no order.
+/// The nonzero derivatives by variable, unordered.
 type Gradient = Vec<(Variable, Polynomial)>;
 
 fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
@@ -230,10 +221,9 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 }
 
 impl Kept {
-    /// These components over values, of which those that none needs are left out.
+    /// Builds a field over the values that it needs.
     ///
-    /// Where ε occurs in even powers only, ε² becomes the first value, so that plans of a step
-    /// treat it as a parameter.
+    /// If ε occurs in even powers only, ε² becomes the first value, a parameter of plans.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -278,8 +268,7 @@ impl Kept {
         Kept { components, values: kept }
     }
 
-    /// What stands for a field that was made of another one: its polynomials, its denominators
-    /// being divisors.
+    /// Returns the expanded form of a field, with its denominators as divisors.
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
@@ -290,14 +279,13 @@ impl Kept {
         Kept::new(values, components)
     }
 
-    /// Whether an odd power of ε occurs.
     pub(crate) fn has_odd_powers_of_eps(&self) -> bool {
         let Values { epsilon, values, .. } = &self.values;
         let mut polynomials = values.iter().map(Value::polynomial).chain(&self.components);
         !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
     }
 
-    /// The field with coefficients at this ε, where its divisors must differ from 0.
+    /// Returns the field at this ε, where its divisors must be nonzero.
     pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
         let mut values = Values::of(symbols);
         let put = |variable| match variable == symbols.epsilon() {
@@ -308,8 +296,7 @@ impl Kept {
         Kept::new(values, components)
     }
 
-    /// The field with a vector of derivatives for each entry of `by`, over values. Its symbols are
-    /// `tangent`.
+    /// Returns the field with derivative vectors for `by`; its symbols are `tangent`.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -339,7 +326,7 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// ∂f/∂a over the values. For a = ε it is f + ε ∂f/∂ε, which the step multiplies by 1/ε.
+    /// Returns ∂f/∂a over the values; for a = ε returns f + ε ∂f/∂ε, to be multiplied by 1/ε.
     fn sources(&self, symbols: &Symbols, values: &mut Values, by: By) -> Vec<Polynomial> {
         let name = match by {
             By::Start => return vec![Polynomial::zero(); self.components.len()],
@@ -355,8 +342,7 @@ impl Kept {
         self.components.iter().map(source).collect()
     }
 
-    /// The entries of f′(x) over the values that are not identically zero, row by row in the order
-    /// of their columns, and the values with what it has besides.
+    /// Returns the nonzero entries of f′(x) by rows and columns, and the values in them.
     pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
@@ -370,14 +356,13 @@ impl Kept {
         (values, rows)
     }
 
-    /// The field over those values that are free of states, which become parameters. Where a
-    /// coefficient vanishes once its values are put in, this is the `field` itself.
+    /// Turns state-independent values into parameters; returns `field` if a coefficient vanishes.
     pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// The same over the values that are free of all that `varies`; where such a thing is divided
-    /// by, the field itself.
+    /// Turns values into parameters that are free of all variables that satisfy `varies`. Returns
+    /// the plain field if it divides by such a variable.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
@@ -431,12 +416,11 @@ impl Kept {
         WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums. That
-    /// is so where a product of two of them is written, and where a constant stands before one, as
-    /// in `(y - 1)/s`. A sum that depends on the component's own state does no harm: the constant
-    /// then stands on the diagonal of A, too, and is divided by.
+    /// Returns whether a step planned from expanded sums may lose digits: products of two written
+    /// sums, or a constant times a sum as in `(y - 1)/s`. A sum that contains the component's own
+    /// state is harmless: the constant is also on the diagonal of A and divided out.
     ///
-    /// The caller guarantees that every value is a sum, as in a field with constants.
+    /// Every value must be a sum, as in a field with constants.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
@@ -453,7 +437,7 @@ impl Kept {
         })
     }
 
-    /// The components with something put in for each variable, over values that join the `others`.
+    /// Substitutes for each variable; values are added to `others`.
     pub(crate) fn with(&self, others: &mut Values, put: impl Fn(Variable) -> Polynomial) -> Vec<Polynomial> {
         let mut moved: Vec<Polynomial> = Vec::with_capacity(self.values.values.len());
         let in_others = |polynomial: &Polynomial, moved: &[Polynomial]| {
@@ -484,14 +468,13 @@ impl Kept {
 }
 
 impl WithConstants {
-    /// The field itself, with its denominators and nothing that is kept.
+    /// Returns the expanded field without values.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Values::of(&symbols);
         WithConstants { field: field.clone(), kept: None, places: Vec::new(), values, symbols }
     }
 
-    /// Whether no parameter is a value, so that this is the field itself.
     pub(crate) fn is_plain(&self) -> bool {
         self.places.is_empty()
     }

@@ -1,17 +1,16 @@
 //! The exact front end of Kahan's method.
 //!
-//! In: tokens of the language of `kahan!`. Out: a checked quadratic vector field with a
-//! verdict on every claim about its map ([`read`]), and every plan that evaluates it
-//! ([`derive()`]). It must not know any target language, nor the scalars of `kahan-core`: the
-//! macro, the maps made at run time and the command read the same [`Derived`].
+//! [`read`] takes tokens of the language of `kahan!` and returns a checked quadratic vector field
+//! with a verdict on every claim about its map. [`derive()`] returns every plan that evaluates the
+//! map. [`check`] makes a [`system`] or a [`family`] of the syntax tree, [`prove`] decides the
+//! claims, [`derived`] makes the [`plan`]s.
 //!
-//! `kahan-syntax` makes a tree of the text; [`check`] makes a [`system`] or a [`family`] of it,
-//! [`prove`] judges the claims, [`derived`] makes the [`plan`]s. The modules stand below from the
-//! exact arithmetic upward.
+//! The crate must not know any target language, nor the scalars of `kahan-core`: the macro, maps at
+//! run time and the command share one [`Derived`].
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each needs those before it only, which a test guards.
+// Each module uses only modules above it; a test checks this.
 pub mod prime_field;
 
 pub mod poly;
@@ -57,7 +56,7 @@ pub mod prove;
 pub mod check;
 
 pub use derived::{Derived, derive};
-/// Who reads a field here needs no second crate for its text, its numbers and its mistakes.
+/// Modules of `kahan-syntax`, so that users of this crate need no second dependency.
 pub use kahan_syntax::{diagnostics, lenient, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};
@@ -66,7 +65,7 @@ use prime_field::Shake256;
 use syntax::Block;
 use token::Token;
 
-/// Reads a block: parse, check, prove.
+/// Parses and checks a block, and proves its claims.
 #[must_use]
 pub fn read(tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -74,7 +73,7 @@ pub fn read(tokens: &[Token]) -> Checked {
     checked(block, Some(tokens), diagnostics)
 }
 
-/// Reads a block without a proof of its claims: parse, check.
+/// Parses and checks a block without proving its claims.
 #[must_use]
 pub fn read_unproved(tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -82,8 +81,8 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
     checked(block, None, diagnostics)
 }
 
-/// Reads a text without a proof of its claims: as people write it, parse, check. The tokens, which
-/// take several times the memory of the text, are gone before the check.
+/// Parses and checks a text in the lenient notation without proving its claims. Frees the tokens,
+/// which take several times the memory of the text, before the check.
 #[must_use]
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -91,13 +90,13 @@ pub fn read_unproved_text(text: &str) -> Checked {
     checked(block, None, diagnostics)
 }
 
-/// Checks a block that was put together, without a proof of its claims.
+/// Checks a syntax tree without proving its claims.
 #[must_use]
 pub fn check_unproved(block: Block) -> Checked {
     checked(block, None, Diagnostics::default())
 }
 
-/// Checks a block; proves its claims if it is given the tokens.
+/// Checks a block; proves its claims if the tokens are given.
 fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {
@@ -109,7 +108,7 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
         }
         None => {
             let (stand_in, system) = check::check_system(block, &mut diagnostics);
-            // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
+            // A wrong field makes every claim wrong, so report only the mistakes of the field.
             if let (Some(system), Some(tokens)) = (&system, tokens) {
                 prove::check_claims(system, seed(tokens), &mut diagnostics);
             }
@@ -126,8 +125,8 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
     }
 }
 
-/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible,
-/// and one that nobody can steer, so that no claim can be written for the points it is tested at.
+/// Returns the seed of the prover's points: a cryptographic hash of the block's text. Builds are
+/// reproducible, and no claim can be constructed to hold only at its test points.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

@@ -1,25 +1,19 @@
-//! Integrals of Kahan's map that follow from an integral of the flow by linear algebra alone.
+//! Integrals of Kahan's map that follow from integrals of the flow by linear algebra over rational
+//! functions of the parameters. Absent: orbits, primes and searches (`kahan-discover`).
 //!
-//! In: a checked field ẋ = f(x). Out: quadratic integrals I of the flow with the functions that the
-//! map keeps in their place, as exact formulas with symbolic parameters and ε (half the time step).
-//! Two theorems make them, both for any number of variables; [`Rule`] states them with the cases
-//! that have names of their own. Everything is a null space over the rational functions of the
-//! parameters. Absent on purpose: orbits, primes, and searches (`kahan-discover`).
+//! Let x̃ be the image of x and f(x,x̃) the polarised field: x̃ − x = 2ε f(x,x̃). A *form* is an
+//! affine function of x. Two theorems hold in any dimension; [`Rule`] states special cases.
 //!
-//! Write x̃ for the image of x, h = 2ε, and f(x,x̃) for the polarised field, so that
-//! x̃ − x = h f(x,x̃). A *form* is an affine function of x.
-//!
-//! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 identically, and let Cf be affine. Then
-//! I − ε² fᵀCf is kept. Proof: C acts on forms y whose derivative ℓ = ẏ is affine; say
-//! I = a·x + yᵀCy. The quadratic polynomial dI/dt = 2ℓᵀCy + a·f vanishes, and so does its
-//! polarisation, ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0. With ỹ − y = ε(ℓ + ℓ̃),
+//! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 and Cf affine. Then I − ε² fᵀCf is an
+//! integral. Proof: write I = a·x + yᵀCy with forms y whose derivatives ℓ are affine. Polarise
+//! dI/dt = 2ℓᵀCy + a·f = 0 to ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0. As ỹ − y = ε(ℓ + ℓ̃),
 //!
 //! Ĩ − I = ε(ℓ + ℓ̃)ᵀC(y + ỹ) − 2ε(ℓᵀCỹ + ℓ̃ᵀCy) = ε(ℓ̃ − ℓ)ᵀC(ỹ − y) = ε²(ℓ̃ᵀCℓ̃ − ℓᵀCℓ).
 //!
-//! **Rotation.** Let y be forms with ẏ = m N y, where m is a form and N a constant matrix, and let
-//! I = yᵀQy with QN antisymmetric (dI/dt = 0) and QN² = −δQ. Then I/(1 + ε²δm²) is kept. Proof:
-//! ỹ − y = ε N(m ỹ + m̃ y), that is (1 − εmN)ỹ = (1 + εm̃N)y. As QN = −NᵀQ, the value of I at
-//! (1 − εmN)ỹ is ỹᵀQ(1 − ε²m²N²)ỹ = (1 + ε²δm²)Ĩ, and that at (1 + εm̃N)y is (1 + ε²δm̃²)I.
+//! **Rotation.** Let ẏ = m N y with a form m and a constant matrix N, I = yᵀQy, QN antisymmetric
+//! (dI/dt = 0), QN² = −δQ. Then I/(1 + ε²δm²) is an integral. Proof: (1 − εmN)ỹ = (1 + εm̃N)y. As
+//! QN = −NᵀQ, I has on the left the value ỹᵀQ(1 − ε²m²N²)ỹ = (1 + ε²δm²)Ĩ, and on the right (1 +
+//! ε²δm̃²)I.
 
 mod linear_relations;
 
@@ -31,76 +25,71 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
 
-/// The most terms of a formula, and the work for each theorem: lifted chains of hundreds of
-/// variables are far from it.
+/// Limits on the terms of a formula and on the work for each theorem, generous for lifted chains.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The theorem by which a function is kept.
+/// The theorem that yields an integral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
+    /// I = a·x + xᵀCx with Cf affine yields I − ε² fᵀCf.
     ///
-    /// For linear I this is I itself, and where f is linear I itself is kept. *Relations*: with
-    /// w = x² and ẋ = y, w − x² + ε²y² is kept, whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and
-    /// Ẇ = F·p, where W stands for a potential and F for its gradient, |p|²/2 + W − ε²|F|²/2 is
-    /// kept, whatever the equations of F are.
+    /// For linear I this is I; for linear f, I itself is an integral. *Relations*: w = x² and ẋ = y
+    /// yield w − x² + ε²y² for any ẏ. *Energy*: ẋ = p, ṗ = −F and Ẇ = F·p, for a potential W with
+    /// gradient F, yield |p|²/2 + W − ε²|F|²/2 for any equations of F.
     Polarisation,
-    /// ẏ = m N y with N² = −δ, δ > 0, keeps yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is
-    /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is; where m is constant along orbits, I itself.
+    /// ẏ = m N y with N² = −δ, δ > 0, yields yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is (βs² +
+    /// αc²)/(1 + ε²αβm²) for any ṁ; if m is constant along orbits, I itself.
     Rotation,
-    /// Like [`Rotation`](Rule::Rotation) with δ < 0: for ṡ = κsm, ẇ = −κwm it is
-    /// sw/(1 − ε²κ²m²). The sign of a δ with parameters is that of its leading coefficient.
+    /// Like [`Rotation`](Rule::Rotation) with δ < 0: ṡ = κsm, ẇ = −κwm yield sw/(1 − ε²κ²m²). The
+    /// sign of a δ with parameters is that of its leading coefficient.
     Hyperbolic,
 }
 
-/// A quadratic or linear integral of the flow, and what Kahan's map keeps in its place.
+/// A quadratic or linear integral of the flow, and the corresponding integral of Kahan's map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModifiedIntegral {
-    /// The theorem that says that it is kept.
+    /// The theorem that yields it.
     pub rule: Rule,
-    /// The integral I of the flow, a polynomial in states and parameters of degree at most two in
-    /// the states.
+    /// The integral I of the flow, of degree at most 2 in the states.
     pub of_flow: Polynomial,
-    /// The integral of the map, in states, parameters and ε; I where ε = 0.
+    /// The integral of the map, in states, parameters and ε; it is I at ε = 0.
     pub of_map: RationalFunction,
 }
 
-/// All functions that the two theorems say Kahan's map of a field keeps: a basis of the linear
-/// integrals, then one of the I of the polarisation rule but for products of these, then those of
-/// the rotation rule for each m. They are linearly independent, and functionally most often.
+/// Returns all integrals that the two theorems yield: a basis of the linear ones, then of those by
+/// polarisation modulo products of linear ones, then those by rotation for each m. They are
+/// linearly independent, and usually functionally.
 ///
-/// Integrals that would take more than a bounded amount of work are left out.
+/// Integrals beyond a bounded amount of work are omitted.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
     let mut found = Vec::new();
-    // Integrals before the budget is spent are integrals.
+    // Integrals found before the budget is spent are valid.
     let _ = flow.add_polarised(&mut found, &mut budget());
     let _ = flow.add_rotations(&mut found, &mut budget());
     found
 }
 
-/// Returns the function that Kahan's map keeps in the place of an integral of the flow, which has
-/// degree at most two in the states; `None` where neither theorem applies, or beyond a bounded
-/// amount of work. The rotation rule may change the constant term, which makes a denominator
-/// without states a factor.
+/// Returns the integral of Kahan's map that corresponds to an integral of the flow of degree at
+/// most 2; `None` if neither theorem applies, or beyond a bounded amount of work. The rotation rule
+/// may change the constant term, multiplied by a state-independent denominator.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
     flow.polarised(integral, &mut budget()).or_else(|_| flow.rotated(integral, &mut budget())).ok()
 }
 
-/// Returns a basis of the linear integrals Σ cₖ xₖ of a field whose coefficients are numbers, each
-/// as pairs (k, cₖ); they hold at all values of the parameters and ε, and Kahan's map keeps them.
+/// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, each as pairs (k,
+/// cₖ). They hold for all parameters and ε, for the flow and the map. Empty beyond a bounded amount
+/// of work.
 ///
-/// The basis is in reduced echelon form read from the end of `order`, a permutation of the states:
-/// the last variable of each, in that order, occurs in no other one.
-///
-/// The basis is empty beyond a bounded amount of work.
+/// The basis is in reduced echelon form from the end of `order`, a permutation of the states: the
+/// last variable of each relation occurs in no other one.
 ///
 /// # Panics
-/// If `order` names a state that the field has not.
+/// If `order` contains an index that is not a state.
 #[must_use]
 pub fn linear_integrals(field: &Field, order: &[usize]) -> Vec<Vec<(usize, Rational)>> {
     let mut budget = budget();
@@ -116,7 +105,7 @@ fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// A theorem gives nothing: its premises do not hold, or the budget is spent.
+/// The reason for no integral: a premise fails, or the budget is spent.
 #[derive(Clone, Copy, Debug)]
 struct No;
 
@@ -126,7 +115,7 @@ impl From<OverBudget> for No {
     }
 }
 
-/// A form λ and its derivative, or that over m.
+/// A form λ with its derivative, or its derivative over m.
 type WithSlope = (Polynomial, Polynomial);
 
 /// A product of two linear integrals, and two states whose product occurs in it.
@@ -155,7 +144,7 @@ impl<'a> Flow<'a> {
         Polynomial::variable(self.symbols.state(i))
     }
 
-    /// Σ ∂P/∂xᵢ vᵢ.
+    /// Returns Σ ∂P/∂xᵢ vᵢ.
     fn along(&self, polynomial: &Polynomial, v: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
         let slopes = polynomial.gradient(|variable| self.symbols.is_state(variable));
         slopes.iter().try_fold(Polynomial::zero(), |sum, (variable, slope)| {
@@ -174,7 +163,7 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // The integrals begin a basis of the forms whose derivative is affine.
+        // The linear integrals begin a basis of the forms with affine derivative.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -189,8 +178,7 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // With a momentum the energy is known but for its square: without x·y in (x + y)² it
-            // is a sum of squares.
+            // Reduce modulo products: without x·y from (x + y)² the energy is a sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -201,9 +189,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// The products of linear integrals, given as relations and as forms, those of different ones
-    /// first. The last state of each occurs in no other one, so that no later product has the pair
-    /// of an earlier one.
+    /// Returns the products of linear integrals, those of two different ones first. The last state
+    /// of each occurs in no other one, so no later product contains the pair of an earlier one.
     fn products(
         &self,
         relations: &[Relation],
@@ -216,7 +203,7 @@ impl<'a> Flow<'a> {
                 let is_square = i == j;
                 let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
                 let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
-                // The square of a state was left out already.
+                // The square of a single state was omitted already.
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -226,10 +213,10 @@ impl<'a> Flow<'a> {
         Ok([of_two, squares].concat())
     }
 
-    /// Adds those by rotation, with ẏ = m N y for one m after the other.
+    /// Adds the integrals by rotation, ẏ = m N y, for each m.
     fn add_rotations(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         for multiplier in self.multipliers(budget)? {
-            // The variables with ẋ = m n and forms n of each other, and the constant 1.
+            // The variables with ẋ = m n, n a form in these variables, and the constant 1.
             let mut slopes = Vec::with_capacity(self.components.len());
             for component in &self.components {
                 let slope = component.div_within(&multiplier, budget)?;
@@ -270,8 +257,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// The integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ for forms λᵢ and further functions vₖ, each beside its
-    /// derivative; but for products of the first `constant` forms.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ for forms λᵢ and `further` functions vₖ with
+    /// their derivatives, without products of the first `constant` forms.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -298,8 +285,8 @@ impl<'a> Flow<'a> {
         Ok(integrals)
     }
 
-    /// The forms m by which two components at least can be divided, as far as a pair of variables
-    /// could be turned by m: one of them occurs in the other's component, or each in its own.
+    /// Returns the forms m that divide at least two components and could rotate a pair of
+    /// variables: one occurs in the other's component, or each in its own.
     fn multipliers(&self, budget: &mut Budget) -> Within<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -322,7 +309,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Leaves out the variables whose n depends on one that is left out.
+    /// Removes the variables whose n depends on a removed one.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -338,15 +325,15 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// I − ε² fᵀCf.
+    /// Returns I − ε² fᵀCf.
     fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
         self.check(integral, budget)?;
-        // Of a linear field the map is the midpoint rule, which keeps I itself.
+        // For a linear field the map is the midpoint rule, which preserves I.
         if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
             let of_map = integral.clone().into();
             return Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map });
         }
-        // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, the bracket being the derivative of ∂I/∂xᵢ.
+        // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, where (2Cf)ᵢ is the derivative of ∂I/∂xᵢ.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
             let second = self.along(&slope, &self.components, budget)?;
@@ -364,7 +351,7 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// I/(1 + ε²δm²), found from the forms y = 2Qx: ẏ = m u, u̇ = −δ m y.
+    /// Returns I/(1 + ε²δm²), from the forms y = 2Qx: ẏ = m u, u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
@@ -410,7 +397,7 @@ impl<'a> Flow<'a> {
         let of_flow = centred.numerator().clone();
         let (_, leading) = above.leading_term().expect("δ is not 0");
         let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
-        // Where m is an integral, so is 1 + ε²δm².
+        // If m is an integral, so is 1 + ε²δm².
         if self.along(&multiplier, &self.components, budget)?.is_zero() {
             return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
         }
@@ -424,7 +411,7 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule, of_flow, of_map: of_map.expect("1 + ε²δm² is not zero") })
     }
 
-    /// Whether a polynomial is an integral of the flow that a theorem could speak of.
+    /// Refuses all but integrals of the flow of degree 1 or 2, free of ε.
     fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), No> {
         let is_fit = (1..=2).contains(&self.symbols.degree(integral))
             && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
@@ -433,12 +420,11 @@ impl<'a> Flow<'a> {
     }
 }
 
-/// The index of a relation's last coefficient.
 fn last(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }
 
-/// Σ cₖ vₖ.
+/// Returns Σ cₖ vₖ.
 fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)

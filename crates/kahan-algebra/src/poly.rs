@@ -1,11 +1,8 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
-//! In come variables and rational coefficients; out go sums, products, derivatives, exact quotients
-//! and greatest common divisors. What holds: the terms stand strictly decreasing in graded
-//! lexicographic order and none has a zero coefficient, so equal polynomials are equal as data and
-//! every iteration is deterministic. Absent on purpose: names of variables (whoever renders knows
-//! them), evaluation (the plans evaluate), and irreducible factors, for which the macro has no use
-//! (`kahan-factor`).
+//! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. So
+//! equal polynomials are equal as data, and every iteration is deterministic. Absent: names,
+//! evaluation (by plans), irreducible factors (`kahan-factor`).
 
 mod arithmetic;
 mod budget;
@@ -29,50 +26,47 @@ pub use monomial::{Monomial, Variable};
 
 use kahan_syntax::rational::Rational;
 
-/// One monomial with its coefficient.
 pub(crate) type Term = (Monomial, Rational);
 
-/// A polynomial with rational coefficients.
-///
-/// The zero polynomial has no terms and, by convention here, degree 0.
+/// A polynomial with rational coefficients. The zero polynomial has no terms and degree 0.
 #[derive(Clone, PartialEq, Eq, Hash, Default)]
 pub struct Polynomial {
     terms: Vec<Term>,
 }
 
 impl Polynomial {
-    /// The polynomial 0.
+    /// Returns the polynomial 0.
     pub fn zero() -> Self {
         Self::default()
     }
 
-    /// The polynomial 1.
+    /// Returns the polynomial 1.
     pub fn one() -> Self {
         Self::constant(Rational::ONE)
     }
 
-    /// A constant.
+    /// Returns a constant polynomial.
     pub fn constant(value: Rational) -> Self {
         Self::term(Monomial::one(), value)
     }
 
-    /// A single variable.
+    /// Returns the polynomial of a single variable.
     pub fn variable(variable: Variable) -> Self {
         Self::term(Monomial::variable(variable), Rational::ONE)
     }
 
-    /// The monomial times the coefficient.
+    /// Returns the product of a monomial and a coefficient.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         if coefficient.is_zero() { Self::zero() } else { Self { terms: vec![(monomial, coefficient)] } }
     }
 
-    /// The sum of the given terms, in any order, repeated monomials added up. Costs a sort.
+    /// Returns the sum of terms in any order; repeated monomials are added up. Costs a sort.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
         let Ok(sum) = Self::collected(terms.into_iter().collect(), |a, b| Ok::<_, Infallible>(a + b));
         sum
     }
 
-    /// The sum of the terms, repeated monomials added up by `add`.
+    /// Sums terms; `add` adds the coefficients of repeated monomials.
     fn collected<E>(
         mut unsorted: Vec<Term>,
         mut add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,
@@ -95,57 +89,55 @@ impl Polynomial {
         Ok(Self { terms })
     }
 
-    /// Takes terms that are already strictly decreasing and without zeros.
     fn from_sorted(terms: Vec<Term>) -> Self {
         debug_assert!(terms.is_sorted_by(|left, right| left.0 > right.0));
         Self { terms }
     }
 
-    /// The terms, highest first in graded lexicographic order.
+    /// Returns the terms, highest first in graded lexicographic order.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
         self.terms.iter().map(|(monomial, coefficient)| (monomial, coefficient))
     }
 
-    /// The same as a slice.
     pub(crate) fn as_terms(&self) -> &[Term] {
         &self.terms
     }
 
-    /// The highest term; `None` for zero.
+    /// Returns the highest term; `None` for 0.
     pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
         self.terms.first().map(|(monomial, coefficient)| (monomial, coefficient))
     }
 
-    /// The number of terms.
+    /// Returns the number of terms.
     pub fn len(&self) -> usize {
         self.terms.len()
     }
 
-    /// Whether there are no terms, the same as [`is_zero`](Self::is_zero).
+    /// Returns whether the polynomial has no terms, like [`is_zero`](Self::is_zero).
     pub fn is_empty(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// Whether this is 0.
+    /// Returns whether the polynomial is 0.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// Whether this is 1.
+    /// Returns whether the polynomial is 1.
     pub fn is_one(&self) -> bool {
         self.terms.len() == 1 && self.terms[0].0.is_one() && self.terms[0].1.is_one()
     }
 
-    /// The value, if no variable occurs.
+    /// Returns the value of a constant polynomial.
     pub fn as_constant(&self) -> Option<Rational> {
         match self.leading_term() {
             None => Some(Rational::ZERO),
-            // The order is graded: if the highest monomial is 1, it is the only one.
+            // In a graded order, a leading monomial 1 is the only one.
             Some((monomial, coefficient)) => monomial.is_one().then(|| coefficient.clone()),
         }
     }
 
-    /// The coefficient of `monomial`, 0 where it does not occur. Costs a binary search.
+    /// Returns the coefficient of `monomial`, 0 if absent. Costs a binary search.
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
         match self.terms.binary_search_by(|term| monomial.cmp(&term.0)) {
             Ok(index) => self.terms[index].1.clone(),
@@ -153,12 +145,12 @@ impl Polynomial {
         }
     }
 
-    /// The total degree.
+    /// Returns the total degree.
     pub fn degree(&self) -> u32 {
         self.terms.first().map_or(0, |(monomial, _)| monomial.degree())
     }
 
-    /// The highest exponent of `variable`.
+    /// Returns the highest exponent of `variable`.
     pub fn degree_in(&self, variable: Variable) -> u32 {
         let mut degree = 0;
         for (monomial, _) in &self.terms {
@@ -167,7 +159,7 @@ impl Polynomial {
         degree
     }
 
-    /// The degree in the variables that `belongs` picks, the others counted as coefficients.
+    /// Returns the degree in the variables that satisfy `belongs`.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
         for (monomial, _) in &self.terms {
@@ -176,7 +168,7 @@ impl Polynomial {
         degree
     }
 
-    /// The variables that occur, in order.
+    /// Returns the variables that occur, in order.
     pub fn variables(&self) -> Vec<Variable> {
         let mut variables: Vec<Variable> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -189,18 +181,17 @@ impl Polynomial {
         variables
     }
 
-    /// Whether `variable` occurs.
+    /// Returns whether `variable` occurs.
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }
 
-    /// Whether every power of `variable` has an even exponent.
+    /// Returns whether every exponent of `variable` is even.
     pub fn is_even_in(&self, variable: Variable) -> bool {
         self.terms.iter().all(|(monomial, _)| monomial.exponent(variable).is_multiple_of(2))
     }
 }
 
-/// Whether these are in order, none twice.
 fn is_decreasing(terms: &[Term]) -> bool {
     let mut index = 1;
     while index < terms.len() {
@@ -224,7 +215,6 @@ impl From<Rational> for Polynomial {
     }
 }
 
-/// For test output: `3*v0^2*v1 + -1/2`.
 impl fmt::Debug for Polynomial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_zero() {

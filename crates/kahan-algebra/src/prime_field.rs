@@ -1,9 +1,8 @@
-//! Arithmetic modulo a prime of up to 62 bits, and the primes themselves.
+//! Arithmetic modulo a prime below 2^62, and the primes themselves.
 //!
-//! Identities between rational functions are tested by evaluating them in such a field at seeded
-//! points. In go seeds and rationals, out go residues in 0..p. What holds: primality is decided,
-//! not guessed, and equal seeds give equal primes and points on every machine. Absent on purpose:
-//! Montgomery form; one `u128` remainder is fast enough here.
+//! The prover tests identities between rational functions by evaluation in a prime field at seeded
+//! points. Primality is decided, not guessed; equal seeds give equal primes and points on every
+//! machine. Absent: Montgomery form, since a `u128` remainder is fast enough here.
 
 mod random;
 #[cfg(test)]
@@ -27,48 +26,48 @@ impl PrimeField {
     /// The field of 2^61 − 1 elements, for computations whose result does not depend on the prime.
     pub const MERSENNE_61: Self = Self { prime: (1 << 61) - 1 };
 
-    /// The field with `prime` elements; `None` unless `prime` is a prime below 2^62.
+    /// Returns the field with `prime` elements; `None` unless `prime` is a prime below 2^62.
     pub fn new(prime: u64) -> Option<Self> {
         (prime < 1 << 62 && is_prime_u64(prime)).then_some(Self { prime })
     }
 
-    /// A field with a uniformly drawn prime of 61 bits.
+    /// Returns the field of a uniformly drawn prime of 61 bits.
     pub fn random(rng: &mut dyn Random) -> Self {
         Self { prime: random_prime_61(rng) }
     }
 
-    /// The number of elements.
+    /// Returns the number of elements.
     pub fn prime(self) -> u64 {
         self.prime
     }
 
-    /// a + b.
+    /// Returns a + b.
     pub fn add(self, a: u64, b: u64) -> u64 {
         let sum = a + b;
         if sum >= self.prime { sum - self.prime } else { sum }
     }
 
-    /// a − b.
+    /// Returns a − b.
     pub fn sub(self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.prime - b }
     }
 
-    /// a·b.
+    /// Returns a·b.
     pub fn mul(self, a: u64, b: u64) -> u64 {
         mul_mod(a, b, self.prime)
     }
 
-    /// −a.
+    /// Returns −a.
     pub fn neg(self, a: u64) -> u64 {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// a^exponent; 0^0 is 1.
+    /// Returns a^exponent; 0^0 is 1.
     pub fn pow(self, a: u64, exponent: u64) -> u64 {
         pow_mod(a, exponent, self.prime)
     }
 
-    /// 1/a by the extended Euclidean algorithm; `None` for 0.
+    /// Returns 1/a by the extended Euclidean algorithm; `None` for 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
         if a == 0 {
             return None;
@@ -84,13 +83,13 @@ impl PrimeField {
         Some(if s < 0 { (s + self.prime as i64) as u64 } else { s as u64 })
     }
 
-    /// The residue of an integer.
+    /// Returns the residue of an integer.
     pub fn reduce_i64(self, value: i64) -> u64 {
         let residue = value.unsigned_abs() % self.prime;
         if value < 0 { self.neg(residue) } else { residue }
     }
 
-    /// The residue of a rational; `None` if p divides the denominator.
+    /// Returns the residue of a rational; `None` if p divides the denominator.
     pub fn reduce(self, value: &Rational) -> Option<u64> {
         let (num, den) = match value.as_small_ratio() {
             Some((num, 1)) => return Some(self.reduce_i64(num)),
@@ -104,7 +103,7 @@ impl PrimeField {
         value.mod_floor(&BigInt::from(self.prime)).to_u64().expect("a residue is below p")
     }
 
-    /// A uniformly drawn element.
+    /// Draws an element uniformly.
     pub fn sample(self, rng: &mut dyn Random) -> u64 {
         rng.below(self.prime)
     }
@@ -130,10 +129,10 @@ fn pow_mod(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
 /// and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
 const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 
-/// Trial divisors beyond the bases: cheap, and they settle most composites.
+/// Upper limit of trial divisors, which are cheap and settle most composites.
 const TRIAL_LIMIT: u64 = 256;
 
-/// Whether `n` is prime, for certain.
+/// Returns whether `n` is prime; the answer is certain.
 pub fn is_prime_u64(n: u64) -> bool {
     if n < 4 {
         return n >= 2;
@@ -154,7 +153,7 @@ pub fn is_prime_u64(n: u64) -> bool {
     BASES.iter().all(|&base| is_strong_probable_prime(n, base))
 }
 
-/// n − 1 = d·2^s with d odd: a prime n has base^d = 1 or base^(d·2^r) = −1 for some r < s.
+/// Tests base^d = 1 or base^(d·2^r) = −1 for some r < s, with n − 1 = d·2^s and d odd.
 fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     let twos = (n - 1).trailing_zeros();
     let mut power = pow_mod(base, (n - 1) >> twos, n);
@@ -170,8 +169,7 @@ fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     false
 }
 
-/// A prime drawn uniformly among those between 2^60 and 2^61, about 42 odd numbers tried on
-/// average.
+/// Draws a prime uniformly between 2^60 and 2^61. Tries about 21 odd numbers on average.
 pub fn random_prime_61(rng: &mut dyn Random) -> u64 {
     loop {
         let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;

@@ -1,11 +1,9 @@
 //! Rational functions over ℚ in normal form.
 //!
-//! In come polynomials, out go sums, products, quotients, powers and derivatives of their
-//! quotients. What holds: numerator and denominator are coprime, and the denominator is primitive
-//! with a positive leading coefficient, so two equal functions are equal as data. Each operation
-//! exists within a [`Budget`] and without one; cancellation uses that the operands are reduced
-//! already (Henrici: only factors named below can be common), which keeps each gcd small. Absent on
-//! purpose: evaluation, and quotients left unreduced.
+//! Numerator and denominator are coprime, and the denominator is primitive with positive leading
+//! coefficient, so equal functions are equal as data. Each operation exists with and without a
+//! [`Budget`]. Operands are in lowest terms, so only a few factors can cancel (Henrici), which
+//! keeps each gcd small. Absent: evaluation, and unreduced quotients.
 
 mod common;
 #[cfg(test)]
@@ -20,7 +18,7 @@ pub(crate) use common::{Row, reduced, with_leading_one};
 
 use crate::poly::{Budget, Polynomial, Variable, Within, gcd_within};
 
-/// A quotient of two polynomials, in lowest terms.
+/// A quotient of two polynomials in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct RationalFunction {
     numerator: Polynomial,
@@ -28,32 +26,32 @@ pub struct RationalFunction {
 }
 
 impl RationalFunction {
-    /// The function 0.
+    /// Returns the function 0.
     pub fn zero() -> Self {
         Self::from(Polynomial::zero())
     }
 
-    /// The function 1.
+    /// Returns the function 1.
     pub fn one() -> Self {
         Self::from(Polynomial::one())
     }
 
-    /// A constant.
+    /// Returns a constant function.
     pub fn constant(value: Rational) -> Self {
         Self::from(Polynomial::constant(value))
     }
 
-    /// A single variable.
+    /// Returns the function of a single variable.
     pub fn variable(variable: Variable) -> Self {
         Self::from(Polynomial::variable(variable))
     }
 
-    /// The quotient in lowest terms; `None` if the denominator is zero.
+    /// Returns the quotient in lowest terms; `None` if the denominator is zero.
     pub fn new(numerator: Polynomial, denominator: Polynomial) -> Option<Self> {
         unlimited(|budget| Self::new_within(numerator, denominator, budget))
     }
 
-    /// [`new`](Self::new) within a budget.
+    /// Computes [`new`](Self::new) within a budget.
     pub fn new_within(
         numerator: Polynomial,
         denominator: Polynomial,
@@ -66,43 +64,42 @@ impl RationalFunction {
         Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
-    /// The numerator; it carries the rational content and the sign.
+    /// Returns the numerator, which carries the rational content and the sign.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
 
-    /// The denominator, primitive with positive leading coefficient; 1 exactly for polynomials.
+    /// Returns the denominator, primitive with positive leading term; 1 exactly for polynomials.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
     }
 
-    /// Whether this is 0.
+    /// Returns whether the function is 0.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
-    /// The function as a polynomial, if it is one.
+    /// Returns the function as a polynomial, if it is one.
     pub fn as_polynomial(&self) -> Option<&Polynomial> {
         self.denominator.is_one().then_some(&self.numerator)
     }
 
-    /// Returns whether the function depends on this variable.
+    /// Returns whether the function depends on `variable`.
     pub fn contains(&self, variable: Variable) -> bool {
         self.numerator.contains(variable) || self.denominator.contains(variable)
     }
 
-    /// Changes numerator and denominator, and reduces their quotient; `None` if the denominator
-    /// becomes zero.
+    /// Applies `change` to numerator and denominator; `None` if the denominator becomes zero.
     pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
         Self::new(change(&self.numerator), change(&self.denominator))
     }
 
-    /// The quotient; `None` if `divisor` is zero.
+    /// Returns the quotient; `None` if `divisor` is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         unlimited(|budget| self.div_within(divisor, budget))
     }
 
-    /// The reciprocal; `None` for zero.
+    /// Returns the reciprocal; `None` for 0.
     pub fn recip(&self) -> Option<Self> {
         if self.is_zero() {
             return None;
@@ -110,15 +107,14 @@ impl RationalFunction {
         Some(Self::from_coprime(self.denominator.clone(), self.numerator.clone()))
     }
 
-    /// The partial derivative.
+    /// Returns the partial derivative.
     pub fn derivative(&self, variable: Variable) -> Self {
         unlimited(|budget| self.derivative_within(variable, budget))
     }
 
-    /// The sum, within a budget.
+    /// Returns the sum within a budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
-        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still
-        // cancel.
+        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g), g = gcd(b, d); only divisors of g may cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
         let other_cofactor = divide(&other.denominator, &common, budget)?;
@@ -133,25 +129,25 @@ impl RationalFunction {
         Ok(Self::from_coprime(sum, denominator))
     }
 
-    /// The difference, within a budget.
+    /// Returns the difference within a budget.
     pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         self.add_within(&-other, budget)
     }
 
-    /// The product, within a budget.
+    /// Returns the product within a budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
-        // Both factors are reduced, so what cancels cancels crosswise.
+        // Both factors are reduced, so only crosswise cancellation is possible.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
         Ok(Self::from_coprime(a.mul_within(&c, budget)?, b.mul_within(&d, budget)?))
     }
 
-    /// The quotient, within a budget; `None` if `divisor` is zero.
+    /// Returns the quotient within a budget; `None` if `divisor` is zero.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
     }
 
-    /// The partial derivative, within a budget.
+    /// Returns the partial derivative within a budget.
     pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> Within<Self> {
         // (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′)
         let slope = self.denominator.derivative(variable);
@@ -166,8 +162,7 @@ impl RationalFunction {
         Ok(Self::from_coprime(numerator, denominator))
     }
 
-    /// The function with `variable` replaced by `value`, within a budget; `None` where its
-    /// denominator then vanishes identically.
+    /// Replaces `variable` by `value`; `None` if the denominator then vanishes identically.
     pub fn compose_within(
         &self,
         variable: Variable,
@@ -184,7 +179,7 @@ impl RationalFunction {
         Self::new_within(above, below, budget)
     }
 
-    /// The normal form of a quotient of coprime polynomials, the denominator not zero.
+    /// Normalises a quotient of coprime polynomials with nonzero denominator.
     pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         if numerator.is_zero() {
             return Self::zero();
@@ -198,7 +193,7 @@ impl RationalFunction {
     }
 }
 
-/// Both polynomials divided by their gcd; not both may be zero.
+/// Divides both polynomials by their gcd; at least one must be nonzero.
 fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polynomial, Polynomial)> {
     if a.is_one() || b.is_one() {
         return Ok((a.clone(), b.clone()));
@@ -207,7 +202,6 @@ fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polyno
     Ok((divide(a, &common, budget)?, divide(b, &common, budget)?))
 }
 
-/// The quotient by a known divisor.
 fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if divisor.is_one() {
         return Ok(multiple.clone());
@@ -215,7 +209,7 @@ fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> W
     Ok(multiple.div_within(divisor, budget)?.expect("a common divisor divides"))
 }
 
-/// Runs a budgeted computation with nothing but the limit on degrees.
+/// Runs a computation with a budget that limits only degrees.
 ///
 /// # Panics
 /// Beyond a total degree of 2^24, where exponents might overflow.
@@ -250,7 +244,6 @@ impl Neg for &RationalFunction {
     }
 }
 
-/// For test output: `(numerator)/(denominator)`.
 impl fmt::Debug for RationalFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "({:?})/({:?})", self.numerator, self.denominator)

@@ -1,21 +1,19 @@
-//! Relations between parameters and ε, each solved for a name that enters it linearly.
+//! Relations between parameters and ε, each solved for a name that enters linearly.
 //!
-//! In come polynomials that are to vanish, one after the other; out go values of some names as
-//! rational functions of the others. What holds: a value mentions no name that has a value. What a
-//! relation is divided by to be solved, the coefficient of its name, is not 0 where the relations
-//! hold: that is part of their meaning, and what later relations share with it is divided out of
-//! them. Where coefficient and rest have no common factor the relation is irreducible, so that
-//! "generic on the relations" means the same whichever name is solved for.
+//! Polynomials that are to vanish come in; values of some names as rational functions of the others
+//! go out. A value contains no name that has a value. To solve a relation divides by the
+//! coefficient of its name; the coefficient is assumed nonzero where the relations hold, and its
+//! factors are divided out of later relations. A relation whose coefficient and rest are coprime is
+//! irreducible, so its generic points do not depend on the name that it is solved for.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, Within, gcd_within};
 use crate::rational_function::RationalFunction;
 
-/// The most terms of a value or of a relation after the values before it are put in, and products
-/// of terms in all.
+/// Limits on the terms of a value or relation, and on the total of term products.
 const MOST_TERMS: usize = 10_000;
 const MOST_WORK: u64 = 300_000;
 
-/// Relations, solved.
+/// A set of solved relations.
 #[derive(Clone, Debug)]
 pub struct Relations {
     values: Vec<(Variable, RationalFunction)>,
@@ -23,32 +21,31 @@ pub struct Relations {
     budget: Budget,
 }
 
-/// Why a relation cannot stand behind those before it.
+/// The reason why a relation cannot be added to the earlier ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
-    /// It holds already.
+    /// The relation holds already.
     Identity,
-    /// It never holds.
+    /// The relation never holds.
     Contradiction,
-    /// No name enters it linearly.
+    /// No name enters linearly.
     NotLinear,
-    /// It is a product, and holds where either factor vanishes.
+    /// A product, which holds if either factor vanishes.
     Product(Polynomial, Polynomial),
-    /// It is too large to be solved.
+    /// The relation is too large to be solved.
     TooLarge,
 }
 
-/// How good a name is to solve a relation for, the best first.
+/// The quality of a name to solve a relation for, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
-    /// Its coefficient is a number.
+    /// The coefficient is a number.
     Number,
-    /// Its coefficient has no factor in common with the rest, so that the relation is irreducible.
+    /// Coefficient and rest are coprime, so the relation is irreducible.
     Irreducible,
-    /// It has one, which is then not 0 either.
+    /// Coefficient and rest have a common factor, which is assumed nonzero.
     Factor,
-    /// There is no rest: the relation is this name times its coefficient, and either may be meant
-    /// to vanish.
+    /// The rest is 0: the relation is name · coefficient, and either may be meant to vanish.
     Product,
 }
 
@@ -65,14 +62,14 @@ impl Default for Relations {
 }
 
 impl Relations {
-    /// Adds the relation that `polynomial` vanishes and gives the name it was solved for: the best
-    /// by its coefficient (a number, else one without a factor in common with the rest), and the
-    /// first of those in the order of `names` and then of what earlier values brought in.
+    /// Adds the relation `polynomial` = 0 and returns the name that it was solved for. Prefers a
+    /// coefficient that is a number, then one coprime to the rest; ties go to the first name in
+    /// `names`, then among variables that earlier values introduced.
     ///
     /// # Errors
-    /// The [`Obstacle`]; nothing is added then.
+    /// Returns the [`Obstacle`] and adds nothing.
     pub fn add(&mut self, polynomial: &Polynomial, names: &[Variable]) -> Result<Variable, Obstacle> {
-        // It vanishes where its numerator does.
+        // The relation holds where its numerator vanishes.
         let mut relation = self.put_into(polynomial)?.ok_or(Obstacle::Contradiction)?.numerator().clone();
         if relation.is_zero() {
             return Err(Obstacle::Identity);
@@ -115,15 +112,14 @@ impl Relations {
         Ok(name)
     }
 
-    /// A relation that is a product as it is written does not say which factor is to vanish.
+    /// Refuses a relation written as a product, which does not say which factor is to vanish.
     fn refuse_product(&mut self, polynomial: &Polynomial) -> Result<(), Obstacle> {
         let mut own = polynomial.clone();
         for index in 0..self.nonzero.len() {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial that is linear in a name is a product where its two coefficients share a
-        // factor.
+        // A polynomial that is linear in a name is a product if its coefficients share a factor.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };
@@ -150,7 +146,7 @@ impl Relations {
         })
     }
 
-    /// Notes that `polynomial` is not 0 where the relations hold; `false` if they make it vanish.
+    /// Records that `polynomial` is nonzero on the relations; returns `false` if it vanishes there.
     pub fn require(&mut self, polynomial: &Polynomial) -> Within<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
@@ -159,36 +155,34 @@ impl Relations {
         Ok(!vanishes)
     }
 
-    /// Whether `polynomial` is 0 where the relations hold, or has no value there.
+    /// Returns whether `polynomial` vanishes, or has no value, where the relations hold.
     pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> Within<bool> {
         Ok(self.put_into(polynomial)?.is_none_or(|value| value.is_zero()))
     }
 
-    /// The value of a name that has one.
+    /// Returns the value of a name, if it has one.
     #[must_use]
     pub fn value(&self, name: Variable) -> Option<&RationalFunction> {
         self.values.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
-    /// The names that have a value, with their values, in the order of their relations.
+    /// Returns the names that have a value, with their values, in order of their relations.
     pub fn values(&self) -> impl Iterator<Item = (Variable, &RationalFunction)> {
         self.values.iter().map(|(name, value)| (*name, value))
     }
 
-    /// What may not vanish, so that the relations have these values.
+    /// Returns the polynomials that must be nonzero for the values to exist.
     pub fn nonzero(&self) -> &[Polynomial] {
         &self.nonzero
     }
 
-    /// The polynomial with every name replaced by its value; `None` where that divides by zero
-    /// identically.
+    /// Replaces every name by its value; `None` if a divisor then vanishes identically.
     pub fn put_into(&mut self, polynomial: &Polynomial) -> Within<Option<RationalFunction>> {
         put_into(polynomial, self.values.iter().map(|(name, value)| (*name, value)), &mut self.budget)
     }
 }
 
-/// The polynomial with names replaced by their values, within a budget; `None` where that divides
-/// by zero identically.
+/// Replaces names by their values within a budget; `None` if a divisor then vanishes identically.
 pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,
@@ -204,13 +198,13 @@ pub(crate) fn put_into<'a>(
     Ok(Some(function))
 }
 
-/// The coefficient of a name in a polynomial that is linear in it, and the rest.
+/// Returns the coefficient of a name in a polynomial that is linear in it, and the rest.
 fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial) {
     let mut parts = polynomial.coefficients_in(name);
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())
 }
 
-/// The polynomial without the factors that it shares with `other`.
+/// Removes all factors that the polynomial shares with `other`.
 fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     loop {
         let common = gcd_within(&polynomial, other, budget)?;

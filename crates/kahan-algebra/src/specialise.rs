@@ -1,5 +1,4 @@
-//! A system on which some of its parameters have values: a smaller system, reduced after the values
-//! are put in.
+//! Systems with values for some parameters, reduced after substitution.
 
 use std::sync::Arc;
 
@@ -16,9 +15,8 @@ use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, Condition, System};
 
 impl System {
-    /// The system at these values of parameters, which become constants of it. Claims `when` one of
-    /// them has another value are left out, and those whose relations cannot be solved any more.
-    /// `None` where the field then divides by zero.
+    /// Returns the system at these values of parameters, which become constants. Drops claims whose
+    /// conditions contradict the values or cannot be solved. `None` if the field divides by zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
@@ -33,8 +31,7 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has one density without `when`; another that becomes so differs by an
-            // integral.
+            // A block has one unconditional density; a second one differs from it by an integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {
                 claims.push(claim);
@@ -47,7 +44,7 @@ impl System {
         Some(specialised)
     }
 
-    /// The system with more parameters behind its own, on which nothing depends.
+    /// Returns the system with additional parameters on which nothing depends.
     #[must_use]
     pub fn with_parameters(&self, names: &[String]) -> System {
         let old = &self.field.symbols;
@@ -63,8 +60,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// The system with its coefficients at this ε, without claims. At ε = 0 it has the field that
-    /// the map approximates. `None` where the field divides by zero, which never happens at ε = 0.
+    /// Returns the system at this ε without claims. At ε = 0 its field is the one that the map
+    /// approximates. `None` if the field divides by zero, which never happens at ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
@@ -76,9 +73,8 @@ impl System {
         Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
-    /// The system where these relations between parameters hold, without claims: the parameters
-    /// that they are solved for are gone. `None` where the field then divides by zero, or is too
-    /// large.
+    /// Returns the system where these relations between parameters hold, without claims and without
+    /// the parameters that they are solved for. `None` for a division by zero, or beyond limits.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -100,12 +96,11 @@ impl System {
 struct Specialisation<'a> {
     field: &'a Field,
     new: &'a Symbols,
-    /// Between parameters.
     relations: &'a Relations,
 }
 
 impl Specialisation<'_> {
-    /// A variable that has no value, under its new number.
+    /// Returns a variable without a value under its new index.
     fn renamed(&self, variable: Variable) -> Variable {
         let old = &self.field.symbols;
         let symbol = match old.symbol(variable) {
@@ -133,8 +128,7 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// What is kept of these components; `None` where a relation fixes a quotient, and where what
-    /// was divided by is gone from them.
+    /// Specialises the kept values; `None` for rational parameters, or if a divisor is lost.
     fn kept(&self, kept: &Kept, components: &[RationalFunction]) -> Option<Kept> {
         let mut values = Values::of(self.new);
         let put = |variable| match self.relations.value(variable) {
@@ -164,8 +158,7 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// What is left to be solved of a claim's conditions; `None` where they do not hold, or are not
-    /// known to say the same.
+    /// Solves a claim's conditions on the specialisation; `None` if false or not known equivalent.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

@@ -1,45 +1,43 @@
-//! Which variable of the polynomials stands for which name.
-//!
-//! The order is fixed: states, parameters, ε, then a second copy of the states for bilinear forms.
+//! The assignment of variables to names: states, parameters, ε, then a second copy of the states.
 
 use crate::poly::{Polynomial, Variable, gcd_all};
 
-/// The names of a system, and the variables that stand for them.
+/// The names of states and parameters of a system.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Symbols {
-    /// The state variables, in the order of their equations.
+    /// The state variables, in order of their equations.
     pub states: Vec<String>,
-    /// The parameters, in the order of the header.
+    /// The parameters, in order of the header.
     pub parameters: Vec<String>,
 }
 
-/// What a variable stands for.
+/// The meaning of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// The state with this index.
     State(usize),
     /// The parameter with this index.
     Parameter(usize),
-    /// Half the time step.
+    /// ε, half the time step.
     Epsilon,
     /// The state with this index at the second point of a bilinear form.
     SecondState(usize),
 }
 
 impl Symbols {
-    /// The number of states.
+    /// Returns the number of states.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.states.len()
     }
 
-    /// How many variables there are: each state twice, the parameters and ε.
+    /// Returns the number of variables: each state twice, the parameters and ε.
     #[must_use]
     pub fn count(&self) -> usize {
         2 * self.states.len() + self.parameters.len() + 1
     }
 
-    /// The variable of a symbol.
+    /// Returns the variable of a symbol.
     #[must_use]
     pub fn variable(&self, symbol: Symbol) -> Variable {
         let (states, parameters) = (self.states.len(), self.parameters.len());
@@ -52,25 +50,25 @@ impl Symbols {
         Variable(u16::try_from(index).expect("a block has fewer names than 16 bits can number"))
     }
 
-    /// The variable of state `i`.
+    /// Returns the variable of state `i`.
     #[must_use]
     pub fn state(&self, i: usize) -> Variable {
         self.variable(Symbol::State(i))
     }
 
-    /// The variable of parameter `k`.
+    /// Returns the variable of parameter `k`.
     #[must_use]
     pub fn parameter(&self, k: usize) -> Variable {
         self.variable(Symbol::Parameter(k))
     }
 
-    /// The variable of ε.
+    /// Returns the variable of ε.
     #[must_use]
     pub fn epsilon(&self) -> Variable {
         self.variable(Symbol::Epsilon)
     }
 
-    /// What `variable` stands for.
+    /// Returns the meaning of `variable`.
     #[must_use]
     pub fn symbol(&self, variable: Variable) -> Symbol {
         let index = usize::from(variable.0);
@@ -83,26 +81,26 @@ impl Symbols {
         }
     }
 
-    /// Whether `variable` is a state.
+    /// Returns whether `variable` is a state.
     #[must_use]
     pub fn is_state(&self, variable: Variable) -> bool {
         usize::from(variable.0) < self.states.len()
     }
 
-    /// The degree of a polynomial in the states.
+    /// Returns the degree of a polynomial in the states.
     #[must_use]
     pub fn degree(&self, polynomial: &Polynomial) -> u32 {
         polynomial.degree_where(|variable| self.is_state(variable))
     }
 
-    /// Whether a polynomial depends on a state.
+    /// Returns whether a polynomial depends on a state.
     #[must_use]
     pub fn has_state(&self, polynomial: &Polynomial) -> bool {
         self.degree(polynomial) > 0
     }
 
-    /// The polynomial over the greatest common divisor of its coefficients as one in the states:
-    /// coprime integer coefficients, the leading one positive. 0 stays 0.
+    /// Divides by the greatest common divisor of the coefficients with respect to the states, and
+    /// makes the rational coefficients coprime integers, the leading one positive. 0 stays 0.
     #[must_use]
     pub fn primitive_part(&self, polynomial: &Polynomial) -> Polynomial {
         let groups = polynomial.group(|variable| self.is_state(variable));
@@ -110,7 +108,7 @@ impl Symbols {
         polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part()
     }
 
-    /// The name of a variable as the user wrote it; the second copy of a state with a prime.
+    /// Returns the name as the user wrote it; a second copy of a state gets a prime.
     #[must_use]
     pub fn name(&self, variable: Variable) -> String {
         match self.symbol(variable) {
@@ -121,7 +119,7 @@ impl Symbols {
         }
     }
 
-    /// The variable of this name.
+    /// Returns the variable of this name.
     #[must_use]
     pub fn named(&self, name: &str) -> Option<Variable> {
         (0..self.count()).map(|index| Variable(index as u16)).find(|&variable| self.name(variable) == name)

@@ -1,5 +1,4 @@
-//! A checked block: the field, and claims about its map that can be evaluated (whether they hold is
-//! the prover's question).
+//! A checked block: a field, and claims about its map with resolved names, not yet proved.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,16 +18,15 @@ use crate::symbols::Symbols;
 /// A field with its claims. Clones share the field.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// The header, where the block has one.
+    /// The header, if the block has one.
     pub header: Option<Header>,
-    /// Constants in the order of their declaration, evaluated.
+    /// Constants with their values, in order of declaration.
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Arc<Field>,
-    /// The same field as plans are made of it: with the sums and divisors that were written.
+    /// The field with the sums and divisors as written, from which plans are made.
     pub kept: Arc<Kept>,
-    /// The right-hand sides of its equations as they were written, in order; none where it was made
-    /// of another field.
+    /// The right-hand sides as written, in order; empty for a derived system.
     pub written: Arc<[Expr]>,
     /// The claims, in order.
     pub claims: Vec<Claim>,
@@ -37,35 +35,35 @@ pub struct System {
 /// A claim with resolved names.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// What is claimed.
+    /// The kind of claim.
     pub kind: ClaimKind,
-    /// Its name.
+    /// The name of the claim.
     pub name: Name,
-    /// What was written, for display.
+    /// The claim as written, for display.
     pub body: ClaimBody,
-    /// The function (one result; of a drift two, F(x) and F(x̃)), or the tensor's entries above the
-    /// diagonal, row by row (n(n−1)/2 results).
+    /// The function (one output; for a drift two, F(x) and F(x̃)), or the tensor's n(n−1)/2 entries
+    /// above the diagonal, row by row.
     pub plan: Plan,
-    /// The specialisation on which the claim is made.
+    /// The conditions under which the claim is made.
     pub conditions: Vec<Condition>,
 }
 
 /// A relation between parameters and ε behind `when`, solved for one of them.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// What was written, for display.
+    /// The condition as written, for display.
     pub written: syntax::Condition,
-    /// The name that it was solved for.
+    /// The name that the relation was solved for.
     pub variable: Variable,
-    /// Its value, in names that no condition of the claim is solved for.
+    /// The value of `variable`, in names that no condition of the claim is solved for.
     pub value: RationalFunction,
-    /// What this relation adds to what is not 0: the coefficient of the name, and divisors.
+    /// The polynomials that must be nonzero for this relation: coefficient of the name, divisors.
     pub nonzero: Vec<Polynomial>,
 }
 
 impl Condition {
-    /// The relations of a claim, each as written with its name and with how much was known not to
-    /// be 0 before and after it, once all are solved.
+    /// Builds the conditions of a claim from solved relations: each as written, its name, and the
+    /// range of its polynomials in `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,
@@ -77,7 +75,7 @@ impl Condition {
         solved.into_iter().map(condition).collect()
     }
 
-    /// `NAME = value`, written nowhere in particular.
+    /// Returns the condition `NAME = value`, without a place in the text.
     #[must_use]
     pub fn fixed(symbols: &Symbols, variable: Variable, value: &Rational) -> Condition {
         let expr = |kind| Expr { kind, span: Span::token(0) };
@@ -92,7 +90,7 @@ impl Condition {
         }
     }
 
-    /// The number that is the value, where it is one.
+    /// Returns the value, if it is a number.
     #[must_use]
     pub fn number(&self) -> Option<Rational> {
         self.value.as_polynomial().and_then(Polynomial::as_constant)
@@ -100,7 +98,7 @@ impl Condition {
 }
 
 impl Claim {
-    /// Writes the values of these names in their place.
+    /// Replaces names by their values.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.body {
             ClaimBody::Function(value) => value.put_values(values),
@@ -116,7 +114,7 @@ impl Claim {
         }
     }
 
-    /// What is claimed, with the values of the names that its conditions are solved for.
+    /// Returns the plan with values for the names that the conditions are solved for.
     #[must_use]
     pub fn where_it_holds(&self) -> Plan {
         let mut builder = PlanBuilder::default();
@@ -130,22 +128,20 @@ impl Claim {
         builder.finish(&outputs)
     }
 
-    /// Whether the claim is made for generic parameters and ε.
+    /// Returns whether the claim is made for generic parameters and ε.
     #[must_use]
     pub fn is_unconditional(&self) -> bool {
         self.conditions.is_empty()
     }
 }
 
-/// The index of entry (i, j), i < j, among the entries above the diagonal of an n×n matrix, row by
-/// row.
+/// Returns the index of entry (i, j), i < j, above the diagonal of an n×n matrix, row by row.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)
 }
 
 impl System {
-    /// Makes a system of a field that was not written, without claims.
     pub(crate) fn of(field: Field, kept: Kept) -> Self {
         System {
             header: None,
@@ -157,17 +153,17 @@ impl System {
         }
     }
 
-    /// The unconditional claims of one kind, in order.
+    /// Returns the unconditional claims of one kind, in order.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())
     }
 
-    /// The claims that are made `when` something holds, in order.
+    /// Returns the claims made under conditions, in order.
     pub fn conditional(&self) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
-    /// The system's name; `field` where it has none.
+    /// Returns the system's name, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

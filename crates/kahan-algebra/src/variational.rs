@@ -1,8 +1,8 @@
-//! The variational field: a field and tangent vectors that it carries along.
+//! The variational field: a field together with tangent vectors.
 //!
-//! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Its Kahan
-//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε
-//! f/ε + ∂f/∂ε stands in place of ∂f/∂a.
+//! ẋ = f(x) becomes ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. The map is x ↦ x̃, v
+//! ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the term is f/ε
+//! + ∂f/∂ε.
 
 use crate::field::Field;
 pub use crate::kept::By;
@@ -12,16 +12,14 @@ use crate::symbols::Symbols;
 use crate::system::System;
 
 impl System {
-    /// The system of x and a tangent vector v, whose names are those of x with a `d` before them;
-    /// without claims.
+    /// Returns the system of x and a tangent vector v (named with a leading `d`), without claims.
     #[must_use]
     pub fn variational(&self) -> System {
         self.sensitivities(&[By::Start])
     }
 
-    /// The system of x and of its derivatives, a vector for each entry of `by`, without claims. The
-    /// names of a vector are those of x with `d`s in front. With [`By::Epsilon`], 1/ε is one more
-    /// parameter, the last.
+    /// Returns the system of x and one derivative vector for each entry of `by`, without claims,
+    /// named with leading `d`s. With [`By::Epsilon`], 1/ε is an additional last parameter.
     #[must_use]
     pub fn sensitivities(&self, by: &[By]) -> System {
         let field = &self.field;
@@ -61,7 +59,7 @@ impl System {
 }
 
 impl Symbols {
-    /// Adds names of a vector for each entry of `by`, and a parameter where one is by ε.
+    /// Adds the names of a vector for each entry of `by`, and a parameter for 1/ε if needed.
     fn with_tangents(&self, by: &[By]) -> Symbols {
         let (mut states, mut parameters) = (self.states.clone(), self.parameters.clone());
         for state in by.iter().flat_map(|_| &self.states) {

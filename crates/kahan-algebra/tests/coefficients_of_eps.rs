@@ -1,5 +1,4 @@
-//! Coefficients that depend on ε: a field with ε² in its coefficients has at each ε the map of the
-//! field in which a parameter has the value ε².
+//! Coefficients that depend on ε: at each ε the map is that of a field with a parameter k = ε².
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::diagnostics::Diagnostic;
@@ -11,11 +10,10 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::By;
 
-/// At k = ε², and only there, 1 − εb − ε(1 − kb²)x cancels: x̃ = x/(1 − 2εx) and
-/// ỹ = y(1 + εb)/((1 − εb)(1 − 2εx)).
+/// At k = ε² a factor cancels: x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 − 2εx)).
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
-/// Fields with a parameter `k`, for which ε² is put in.
+/// Fields with a parameter `k`, to be replaced by ε².
 const FIELDS: [&str; 12] = [
     "xdot = k*x^2 + x;",
     "struct P { k } xdot = (1 - k)*x^2 + k^2*x - 3*k;",
@@ -38,13 +36,11 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// The field with ε² in place of `k`.
 fn with_eps(text: &str) -> System {
     let declared = text.replace(", k }", " }").replace("struct P { k }", "");
     system(&declared.replace('k', "(eps^2)"))
 }
 
-/// Numbers p/q with small p and q, all different.
 struct Numbers(u64);
 
 impl Numbers {
@@ -62,7 +58,6 @@ impl Numbers {
     }
 }
 
-/// A point of the field with ε² as one of the field with `k`, at an ε in its coefficients.
 fn at_parameter(point: &Point<Rational>, squared: &Rational) -> Point<Rational> {
     let mut point = point.clone();
     point.parameters.push(squared * squared);
@@ -117,7 +112,7 @@ fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     assert_eq!(next, [Rational::from(-4), Rational::from(-45)]);
 }
 
-/// A float step has all its digits where its constants are prepared from ε.
+/// A float step keeps all digits, since its constants are prepared from ε.
 #[test]
 fn a_step_of_floats_is_near_the_exact_one() {
     let float = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
@@ -177,7 +172,7 @@ fn the_derivative_by_eps_has_that_of_the_coefficients() {
     assert_eq!(next, [Rational::new(27, 16), Rational::new(243, 128)]);
 }
 
-/// By central differences of the exact map, for all fields.
+/// Compares with central differences of the exact map.
 #[test]
 fn derivatives_by_eps_are_limits_of_differences() {
     for text in FIELDS {
@@ -238,7 +233,6 @@ fn mistakes(text: &str) -> Vec<Diagnostic> {
     read(&lex(text).tokens).system().expect_err("a mistake")
 }
 
-/// The text that the span of a mistake covers.
 fn place(text: &str, mistake: &Diagnostic) -> std::ops::Range<usize> {
     let ranges = lex(text).ranges;
     ranges[mistake.span.first].start..ranges[mistake.span.last].end

@@ -1,8 +1,7 @@
-//! Each hint is followed to its end: to a text that is read, or to the page on fields that are not
-//! quadratic.
+//! Follows each hint to a text that can be read, or to the page on fields that are not quadratic.
 //!
-//! A line of a table has a text with one mistake, and the text that its hint leads to. What a hint
-//! quotes must stand in that text, up to `…`.
+//! Each table row has a text with one mistake, and the text that its hint leads to. Text quoted by
+//! the hint must occur there, up to `…`.
 
 use std::path::Path;
 
@@ -11,9 +10,8 @@ use kahan_algebra::diagnostics::Diagnostic;
 
 use kahan_algebra::{lenient, lexer, read};
 
-/// The page that help names.
 const PAGE: &str = "docs/how-to/not-quadratic.md";
-/// The page on texts as people write them.
+/// The page on texts in other notations.
 const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 fn checked(text: &str) -> Checked {
@@ -26,7 +24,7 @@ fn mistake(text: &str) -> Diagnostic {
     mistake.clone()
 }
 
-/// What stands in backticks, in pieces between `…`.
+/// Returns the text in backticks, split at `…`.
 fn quoted(help: &str) -> Vec<&str> {
     help.split('`').skip(1).step_by(2).flat_map(|quoted| quoted.split('…')).collect()
 }
@@ -34,7 +32,7 @@ fn quoted(help: &str) -> Vec<&str> {
 #[test]
 fn hints_lead_to_a_text_that_is_read() {
     for (wrong, right) in [
-        // Derivatives as others write them.
+        // Derivatives in other notations.
         ("dx = y; ydot = -x;", "xdot = y; ydot = -x;"),
         ("dx = -1;", "xdot = -1;"),
         ("dx = -k*dx;", "dxdot = -k*dx;"),
@@ -128,8 +126,7 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
 }
 
-/// Texts of other tools that are refused, and where each hint leads: to a text that is read, or to
-/// a page.
+/// Refused texts of other tools, with the text or the page that each hint leads to.
 #[test]
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);
@@ -183,7 +180,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(ON_TEXTS).exists());
 }
 
-/// What looks like a derivative is a state where the block names it.
+/// A name that looks like a derivative is a state if the block uses it so.
 #[test]
 fn names_that_are_used_are_states() {
     for (text, states) in [
@@ -206,7 +203,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// A field that is read as another one gives proofs of the wrong field.
+/// Misreading a field would prove claims about a wrong one.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

@@ -1,4 +1,4 @@
-//! What is kept of a text: products, divisors and differences, but nothing that cancels.
+//! Kept forms: products, divisors and differences, but nothing that cancels.
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -11,8 +11,7 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// f at a state and at values of the parameters in the order of their names' first use; `None`
-/// where the field divides by zero.
+/// Returns f at a state and parameters in order of first use; `None` at a division by zero.
 fn field<A: Arithmetic<Constant = Rational>>(
     text: &str,
     arithmetic: &A,
@@ -30,7 +29,7 @@ fn q(value: i64) -> Rational {
 
 #[test]
 fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
-    // 1 + 1e-9 and 1 have a difference of 30 bits; over the common divisor half of them are gone.
+    // 1 + 1e-9 and 1 differ by 30 bits; over the common divisor half of them would be lost.
     let (p, r) = (1.0 + 1e-9, 0.5);
     let f = field("xdot = (p - q)*x/(1 + r) + x/(p - q); ydot = y;", &Float64, &[3.0, 1.0], &[p, 1.0, r]);
     assert_eq!(f.expect("defined")[0], (1.0 / (1.0 + r)) * (3.0 * (p - 1.0)) + (1.0 / (p - 1.0)) * 3.0);
@@ -63,7 +62,7 @@ fn what_cancels_leaves_no_pole() {
         let f = field(text, &Exact, &[q(2), q(3)], &[q(5), q(5)]);
         assert_eq!(f.expect("p = q is no pole")[0], value, "{text}");
     }
-    // What stays is a pole.
+    // The remaining divisor is a pole.
     let text = "xdot = (p^2 - q^2)*x/(p - q) + x/(q - r); ydot = y;";
     assert!(field(text, &Exact, &[q(2), q(3)], &[q(5), q(5), q(1)]).is_some());
     assert!(field(text, &Exact, &[q(2), q(3)], &[q(5), q(7), q(7)]).is_none());
@@ -82,7 +81,7 @@ fn what_does_not_move_stays() {
     assert_eq!(f.expect("a polynomial")[0], 0.0);
 }
 
-/// The map has a factor in common only because one value is the product of two others.
+/// The factor of the map cancels only because one value is the product of two others.
 #[test]
 fn a_relation_between_values_costs_no_reduction() {
     let text =
@@ -91,8 +90,7 @@ fn a_relation_between_values_costs_no_reduction() {
     for (first, second) in [(same, same), (same, related), (related, related)] {
         let system = system(&text(first, second));
         assert!(derive(&system).reduced_map.is_some(), "{first} and {second}");
-        // 1 + ε(p² − q²)z is a factor of det A that both numerators share: at its zero there is a
-        // step.
+        // 1 + ε(p² − q²)z is a factor of det A and both numerators; the step exists at its zero.
         let point =
             Point { state: vec![q(1), q(2), q(-1)], parameters: vec![q(3), q(1)], eps: Rational::new(1, 8) };
         let next = Interpreter::new(&system).next(&Exact, &point);

@@ -1,10 +1,8 @@
-//! Words of the trade that are no keywords of the language: the one that is meant is suggested,
-//! once, at the word.
+//! Synonyms that are not keywords: the intended keyword is suggested once, at the word.
 
 use kahan_algebra::{lexer, read};
 
-/// The one mistake of a block with this item: its message, its help, and the word that it stands
-/// at.
+/// Returns message, help and place of the only mistake of a block with this item.
 fn mistake(item: &str) -> (String, String, String) {
     let text = format!("xdot = y; ydot = -x; {item} integral Last = x^2 + y^2;");
     let lexed = lexer::lex(&text);

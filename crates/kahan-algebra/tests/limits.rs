@@ -1,5 +1,4 @@
-//! The table of limits in the language reference and the constants of the code are one: each limit
-//! is read from the table, and a block at it is taken, one beyond it refused.
+//! Compares limits in the language reference with the code, at each limit and beyond it.
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
@@ -10,7 +9,6 @@ use kahan_algebra::{read, read_unproved};
 
 const REFERENCE: &str = include_str!("../../../kahan-core/docs/language.md");
 
-/// The rows of the table under `heading`: what is limited, and the limit.
 fn table(heading: &str) -> Vec<(&'static str, usize)> {
     let (_, section) = REFERENCE.split_once(heading).expect("the section");
     let rows = section.lines().skip_while(|line| !line.starts_with("|---")).skip(1);
@@ -26,21 +24,19 @@ fn mistakes(text: &str) -> Vec<Diagnostic> {
     read(&lenient::read(text).lexed.tokens).diagnostics().to_vec()
 }
 
-/// A list of `count` texts.
 fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
 
-/// How a limit is told from outside.
+/// A test of a limit.
 enum Tied {
-    /// By a block at the limit, which has no mistake, and one beyond it.
+    /// By a block at the limit without mistakes, and one beyond it.
     AtTheLimit(fn(usize) -> String),
-    /// By the message of a block far beyond, which says the number.
+    /// By the number in the message for a block far beyond it.
     InWords(String),
 }
 use Tied::{AtTheLimit, InWords};
 
-/// A field with these numbers of variables and couplings.
 fn coupled(variables: usize, couplings: usize) -> String {
     let row = |k: usize| {
         let own = couplings.saturating_sub(k * variables).min(variables);
@@ -81,7 +77,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
         ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
-        // 3 has two bits, and the bits of a power are those of its base times the exponent.
+        // 3 has two bits, and a power has the bits of its base times the exponent.
         ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
         (
             "terms of an expansion",
@@ -146,7 +142,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// One budget holds for all expressions of a block, and counts long numbers by their length.
+/// One budget serves all expressions of a block, and long numbers cost more.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {
@@ -156,7 +152,7 @@ fn many_large_expansions_are_one_mistake() {
     };
     let constants = listed(3_000, |k| format!("const c{} = 3/7*c{k} + 1/{};", k + 1, k + 2), " ");
     assert_eq!(only(&format!("const c0 = 5; {constants} xdot = c3000*x;")), Kind::TooLarge);
-    // The 28 860 bits of the least common multiple of 1 to 20 000 would take seconds to come by.
+    // The least common multiple of 1 to 20 000 has 28 860 bits and would take seconds.
     let sum = |count: usize| listed(count, |k| format!("x/{}", k + 1), " + ");
     assert_eq!(mistakes(&format!("xdot = {};", sum(500))), []);
     assert_eq!(only(&format!("xdot = {};", sum(20_000))), Kind::TooLarge);
@@ -164,11 +160,10 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// Equations may leave too little of the block's budget for the claims; the mistake names that
-/// budget, and is told once.
+/// Equations may leave too little of the block's budget for claims; one mistake says so.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
-    // Some 170 000 products.
+    // About 170 000 products.
     let power = "(1 + a + b + c)^30";
     let equations = |array: &str| listed(11, |k| format!("x{k}{array}dot = {power}*x{k}{array};"), " ");
     let system = |claims: &str| format!("{} ydot = d*x0; {claims}", equations(""));
@@ -183,7 +178,7 @@ fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     }
 }
 
-/// Products and powers of powers count as they are expanded.
+/// Products and powers of powers count after expansion.
 #[test]
 fn exponents_of_parameters_count_after_expansion() {
     for equation in ["a^40*a^24*x", "(a^8)^8*x", "a^64*a^36/a^40*x"] {

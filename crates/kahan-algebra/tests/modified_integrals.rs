@@ -1,4 +1,4 @@
-//! The map keeps the formulas of the rules of polarisation and rotation, to the last digit.
+//! The map preserves the formulas of the polarisation and rotation rules exactly.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -18,7 +18,6 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// The system of such components.
 fn system_of(symbols: &Symbols, components: &[Polynomial]) -> System {
     let equations = symbols.states.iter().zip(components);
     let lines: Vec<String> = equations
@@ -37,12 +36,11 @@ fn value(polynomial: &Polynomial, at: &[Rational]) -> Rational {
     })
 }
 
-/// p/d with small p and d.
 fn small(random: &mut SplitMix64) -> Rational {
     Rational::new(random.below(13) as i64 - 6, 1 + random.below(5) as i64)
 }
 
-/// Whether the map keeps a function at three random points, parameters and steps.
+/// Returns whether the map preserves a function at three random points, parameters and steps.
 fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64) -> bool {
     let interpreter = Interpreter::new(system);
     let symbols = &system.field.symbols;
@@ -67,7 +65,7 @@ fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64
     true
 }
 
-/// The formulas found for a text, `kept of the flow → kept by the map`, each checked.
+/// Returns the checked formulas for a text as `rule: integral of the map`.
 fn found(text: &str) -> Vec<String> {
     let system = system(text);
     let symbols = &system.field.symbols;
@@ -85,7 +83,7 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// I where ε = 0, and found for I alone, too.
+/// Checks that the integral is I at ε = 0, and that I leads to it.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -100,11 +98,11 @@ fn check(text: &str, expected: &[&str]) {
 
 #[test]
 fn lifted_fields_keep_relations_and_energies() {
-    // w = x², whatever ẏ is; van der Pol's field, too.
+    // w = x² for any ẏ, including van der Pol's field.
     let relation = "Polarisation: -w + x^2 - eps^2*y^2";
     check("xdot = y; ydot = x*w - 3*y^2 + y*w; wdot = 2*x*y;", &[relation]);
     check("xdot = y; ydot = mu*(y - w*y) - x; wdot = 2*x*y;", &[relation]);
-    // The pendulum, its parameters, its friction.
+    // The pendulum, with parameters, with friction.
     let turning = "Rotation: (s^2 + c^2)/(1 + eps^2*p^2)";
     check(
         "xdot = p; pdot = -s; sdot = c*p; cdot = -s*p;",
@@ -120,7 +118,7 @@ fn lifted_fields_keep_relations_and_energies() {
         "xdot = p; pdot = 2*v - 2*u; udot = -u*p; vdot = -2*v*p;",
         &["Polarisation: -4*u + 2*v + p^2 - 4*eps^2*u^2 + 8*eps^2*u*v - 4*eps^2*v^2"],
     );
-    // A linear field keeps what its flow keeps.
+    // A linear field preserves the integrals of its flow.
     check("xdot = w*y; ydot = -w*x;", &["Polarisation: x^2 + y^2"]);
     // Toda's chain: momentum and energy.
     check(
@@ -158,7 +156,7 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
         &["Rotation: (13 - 6*s + 4*c + s^2 + c^2)/(1 + eps^2*m^2)"],
     );
     check("sdot = c*m; cdot = -s*m; mdot = 0;", &["Polarisation: m", "Rotation: s^2 + c^2"]);
-    // Two pairs with one m keep their products, too.
+    // Two pairs with equal m also preserve their products.
     let four =
         found("sdot = c*(m + 1); cdot = -s*(m + 1); udot = v*(m + 1); vdot = -u*(m + 1); mdot = s*u - m^2;");
     assert_eq!(four.len(), 4);
@@ -172,10 +170,10 @@ fn fields_that_nearly_fit_keep_nothing() {
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
         // dI/dt vanishes on s² + c² = 1 only.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // Exponents that are not opposite, and a third variable in the middle.
+        // Exponents that are not opposite; a third variable that couples.
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
-        // s² + c² is kept by the flow, the pair turned by what is no form.
+        // The flow preserves s² + c², but the factor that rotates the pair is not a form.
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",
     ] {
         check(text, &[]);
@@ -193,7 +191,7 @@ fn fields_that_nearly_fit_keep_nothing() {
     assert!(modified_integral(&euler.field, &with_eps).is_none());
 }
 
-/// A random polynomial of degree `degree` in all states, its constant term beside a parameter.
+/// Returns a random polynomial in all states; its constant term contains a parameter.
 fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polynomial {
     let mut factors = vec![Polynomial::one()];
     factors.extend((0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i))));
@@ -207,7 +205,7 @@ fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polyno
     sum
 }
 
-/// The field ẋ = F(x) where state i stands for x_i + factor · other.
+/// Returns the field after the substitution xᵢ ↦ xᵢ + `by`.
 fn sheared(symbols: &Symbols, components: &[Polynomial], i: usize, by: &Polynomial) -> Vec<Polynomial> {
     let slopes = by.gradient(|variable| symbols.is_state(variable));
     let moved = slopes.into_iter().fold(components[i].clone(), |sum, (variable, slope)| {
@@ -242,7 +240,7 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let along = |slope: &Polynomial, i: usize| &integral.derivative(symbols.state(i)) * slope;
         let others = &along(&other, 1) + &(&along(&slopes[0], 2) + &along(&slopes[1], 3));
         let mut components = vec![-&others, other, slopes[0].clone(), slopes[1].clone()];
-        // Forms in place of the variables: w + 2x, x − 3u, and y moved by a constant.
+        // Replace variables by forms: w + 2x, x − 3u, and y plus a constant.
         for (i, by) in
             [(0, state(2).scale(&2.into())), (2, state(1).scale(&(-3).into())), (3, small(random).into())]
         {
@@ -257,14 +255,13 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let all = modified_integrals(&system.field);
         assert_eq!(all.len(), 1, "{components:?}: {all:?}");
         check_limit(&system.field, &all[0]);
-        // A field with one other coefficient keeps none.
+        // With one coefficient changed, nothing is preserved.
         components[0] = &components[0] + &(&state(1) * &state(2));
         assert!(modified_integrals(&system_of(&symbols, &components).field).is_empty(), "{components:?}");
     }
 }
 
-/// ṡ = αcm and ċ = −βsm, or ṡ = κsm and ċ = −κcm, for random m and ẋ, with random centres, and in
-/// coordinates that mix all.
+/// ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm for random m, ẋ and centres, in mixed coordinates.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

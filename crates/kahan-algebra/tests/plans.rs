@@ -1,4 +1,4 @@
-//! Plans compute what they were built from.
+//! Plans compute the polynomials they were built from.
 
 use kahan_algebra::arithmetic::{Exact, Modular};
 use kahan_algebra::plan::{Input, Operation, PlanBuilder};
@@ -6,7 +6,6 @@ use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::rational::Rational;
 
-/// A random polynomial in four variables, and a random point.
 fn random_case(random: &mut SplitMix64) -> (Polynomial, Vec<Rational>) {
     let small =
         |random: &mut SplitMix64| Rational::new(random.below(13) as i64 - 6, 1 + random.below(4) as i64);
@@ -20,7 +19,6 @@ fn random_case(random: &mut SplitMix64) -> (Polynomial, Vec<Rational>) {
     (Polynomial::from_terms(terms), (0..4).map(|_| small(random)).collect())
 }
 
-/// The value by adding up powers, term by term.
 fn value(polynomial: &Polynomial, point: &[Rational]) -> Rational {
     polynomial.terms().fold(Rational::zero(), |sum, (monomial, coefficient)| {
         let term = monomial.powers().iter().fold(coefficient.clone(), |product, (variable, exponent)| {
@@ -31,7 +29,6 @@ fn value(polynomial: &Polynomial, point: &[Rational]) -> Rational {
     })
 }
 
-/// The coordinate of a point that an input names.
 fn value_at(point: &[Rational], input: &Input) -> Option<Rational> {
     input.variable().map(|Variable(k)| point[usize::from(k)].clone())
 }

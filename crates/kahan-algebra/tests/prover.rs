@@ -1,5 +1,4 @@
-//! The provers: what is true is proved, what is false is refuted at a point that shows it, and both
-//! provers agree.
+//! Both provers prove true claims, refute false ones at a counterexample, and agree.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -46,10 +45,10 @@ fn both_provers_agree_on_true_and_on_false_claims() {
             true,
         ),
         (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
-        // The law of the last pair alone makes the difference.
+        // Only the invariance of the last pair differs.
         (GROWING, "bracket F { {y,z} = y*z; }", true),
         (GROWING, "bracket F { {y,z} = 1; }", false),
-        // x stays, and no small number is a value of it at which this has one.
+        // x is constant, and the claim is undefined at every small number x.
         (
             GROWING,
             "integral F = 1/(x*(x^2 - 1)*(x^2 - 4)*(x^2 - 9)*(4*x^2 - 1)*(4*x^2 - 9)*(9*x^2 - 1)*(9*x^2 - 4));",
@@ -67,7 +66,7 @@ fn both_provers_agree_on_true_and_on_false_claims() {
 
 #[test]
 fn an_invariant_tensor_that_is_not_poisson_is_refused() {
-    // Invariant under the identity-like map of a zero field, but Jacobi fails.
+    // Invariant under the zero field's identity map, but the Jacobi identity fails.
     let text = "xdot = 0; ydot = 0; zdot = 0; bracket P { {x,y} = z; {y,z} = x; {z,x} = x*y; }";
     let reading = reading(text);
     let [diagnostic] = reading.diagnostics() else { panic!("one mistake") };
@@ -112,7 +111,7 @@ fn a_claim_that_divides_by_zero_identically_is_undefined() {
 
 #[test]
 fn multiples_of_large_primes_are_no_hiding_place() {
-    // 2^61 − 1 and other 61-bit primes: a fixed prime would see zeros.
+    // 2^61 − 1 and other primes of 60 and 61 bits: a fixed prime would see zeros.
     for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
         let text = format!("{E3} integral F = y/x + {prime}*z;");
         assert!(matches!(verdicts(&text)[..], [Verdict::Refuted(_)]), "{prime}");
@@ -121,15 +120,14 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with (256 e)^k < 2⁻¹⁰⁰, but for powers of two.
+    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with u^k < 2⁻¹⁰⁰, u = 256 e rounded up to a 2^m.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// A false claim is proved if k steps pass it wrongly, of the k + 15 that are taken at most; each
-/// step is the first of 16 draws that has a value.
+/// A false claim is proved if k of at most k + 15 steps pass, each the first of 16 draws.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {

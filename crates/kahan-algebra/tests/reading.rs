@@ -1,4 +1,4 @@
-//! Reading: exact numbers, precedence, what cancels, and blocks that survive being printed.
+//! Reading: exact numbers, precedence, cancellation, and blocks that can be printed and read again.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -14,7 +14,6 @@ fn reading(text: &str) -> Checked {
     read(&lexer::lex(text).tokens)
 }
 
-/// The equations as the printer writes them.
 fn equations(text: &str) -> Vec<String> {
     let reading = reading(text);
     assert_eq!(reading.diagnostics(), [], "{text}");
@@ -48,7 +47,7 @@ fn spellings_of_one_field_are_one_field() {
         ("xdot = x/(a*b)*a;", "xdot = x/b;"),
     ];
     for (spelling, canonical) in same {
-        // Parameters that cancel are still parameters; only the equations are compared.
+        // Parameters that cancel remain parameters, so compare only the equations.
         assert_eq!(equations(spelling), equations(canonical), "{spelling}");
     }
 }
@@ -117,7 +116,6 @@ fn limits_are_errors_at_their_place() {
     }
 }
 
-/// So many names with something around each.
 fn listed(count: usize, name: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(name).collect::<Vec<_>>().join(between)
 }
@@ -138,7 +136,7 @@ fn blocks_of_more_names_and_claims_than_are_read_are_refused() {
         (format!("{} xdot = 1;", constants(9_000)), format!("{} xdot = 1;", constants(70_000))),
         (format!("xdot = 0; {}", claims(500)), format!("xdot = 0; {}", claims(501))),
         (
-            // Of many variables, or of many terms.
+            // Many variables, or many terms.
             format!("{} integral H = x0;", listed(100, |k| format!("x{k}dot = 0*x{k};"), " ")),
             format!("{} integral H = x0;", listed(1_000, |k| format!("x{k}dot = 0*x{k};"), " ")),
         ),
@@ -210,29 +208,29 @@ fn places_point_at_the_token_to_change() {
     }
 }
 
-/// Inputs that once went wrong, each with what it must be now.
+/// Inputs that failed once.
 #[test]
 fn what_once_went_wrong_stays_mended() {
-    // A literal that a letter outside ASCII touches.
+    // A literal followed by a letter outside ASCII.
     for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}");
     }
-    // An open comment swallowed the rest without a word.
+    // An open comment used to swallow the rest silently.
     assert_eq!(reading("xdot = x; /* open; ydot = y;").diagnostics().len(), 1);
-    // An underscore in an exponent is Rust's spelling too.
+    // An underscore in an exponent is also valid in Rust.
     assert_eq!(equations("xdot = 1e1_0*x;"), equations("xdot = 10000000000*x;"));
-    // An underscore is no name.
+    // An underscore is not a name.
     assert_eq!(reading("xdot = _*x;").diagnostics().len(), 1);
     assert_eq!(reading("struct _; xdot = x;").diagnostics().len(), 1);
     // A claim without any equation is one mistake: the field is missing.
     assert_eq!(reading("integral H = x;").diagnostics().len(), 1);
-    // What is not there cannot be called empty.
+    // The message must not call missing text empty.
     let read = reading("xdot = @x;");
     let message = &read.diagnostics()[0].message;
     assert!(message.contains('@') && !message.contains("empty"), "{message}");
 }
 
-/// A number to a power is a number, in a claim as in an equation; what it is a power of has limits.
+/// A power of a number is a number in claims and equations; other powers have limits.
 #[test]
 fn claims_take_powers_of_numbers_as_equations_do() {
     let claim = |text: &str| {

@@ -1,7 +1,6 @@
-//! The plan of a step solves Kahan's scheme, whatever form was chosen: (x̃ − x)/(2ε) = P(x, x̃)
-//! over ℚ, P being the polarised field. The fields take every way through the planner: reduced and
-//! unreduced maps, one and several blocks, independent sets, parameters, denominators, nothing to
-//! divide.
+//! The plan of a step solves Kahan's scheme in every form: (x̃ − x)/(2ε) = P(x, x̃) over ℚ, P being
+//! the polarised field. The fields cover all paths of the planner: reduced and unreduced maps,
+//! blocks, independent sets, parameters, denominators, no division.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -62,7 +61,6 @@ fn field(text: &str) -> Field {
     reading.system().expect("a system").field.as_ref().clone()
 }
 
-/// Random numbers of height up to 9, not zero.
 struct Numbers(SplitMix64);
 
 impl Numbers {
@@ -72,7 +70,7 @@ impl Numbers {
     }
 }
 
-/// x̃ at a point (states, parameters, ε) by the plan; `None` at a pole.
+/// Returns x̃ at a point (states, parameters, ε) by the plan; `None` at a pole.
 fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     let value = |variable: kahan_algebra::poly::Variable| Some(point[usize::from(variable.0)].clone());
     let constants = step.constants.evaluate(&Exact, |input| input.value(&[], value));
@@ -85,7 +83,7 @@ fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     Some(point.iter().zip(step.kernel.factors(&results)).map(component).collect())
 }
 
-/// (x̃ − x) − 2ε P(x, x̃), each over the denominator of its equation.
+/// Returns (x̃ − x) − 2ε P(x, x̃), each over the denominator of its equation.
 fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Rational> {
     let eps = &point[usize::from(field.symbols.epsilon().0)];
     let value = |variable| match field.symbols.symbol(variable) {
@@ -131,8 +129,7 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// Fields of four to seven states with one to three terms an equation: too large to be written out,
-/// in one block or many.
+/// Fields of four to seven states with few terms: too large to expand, in one or several blocks.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -157,8 +154,7 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
 }
 
 /// Fields of one to three states with constants of either sign, parameters and divisors: reduced
-/// maps with factors and signs of every kind, one division or two. A driven equation (no state of
-/// the others in it) makes the denominator a product.
+/// maps with various factors and signs. A driven equation makes the denominator a product.
 #[test]
 fn random_small_fields_are_stepped_by_their_reduced_maps() {
     let mut numbers = Numbers(SplitMix64::new(43));
@@ -203,8 +199,8 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// The increment of a single variable is a quotient, where its divisor depends on the state. A
-/// constant divisor keeps its reciprocal, which one division gives for all states.
+/// The increment of a single variable is a quotient if its divisor depends on the state. A constant
+/// divisor keeps its reciprocal, shared by all states.
 #[test]
 fn a_single_variable_is_divided_at_once() {
     for (text, divisions, reciprocals) in [
@@ -221,8 +217,7 @@ fn a_single_variable_is_divided_at_once() {
     }
 }
 
-/// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5; lanes
-/// have one everywhere.
+/// One division serves all components, except in E1 and E5; lanes always use one.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {
@@ -235,9 +230,9 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// Where ε in the denominator is what each step waits for, the step is divided by it; E1, E3 and E5
-/// then have no rounded constants but 1/(2ε) and its doubles, so that they are exactly Kahan's map
-/// at a half step near ε. What serves every scalar has no division but the step's own.
+/// If each step waits for ε in the denominator, the step is divided by it. E1, E3 and E5 then have
+/// no rounded constants except 1/(2ε) and its doubles, so they are exactly Kahan's map at a nearby
+/// ε. The form for any scalar does not divide by ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

@@ -1,4 +1,4 @@
-//! Polynomials modulo several primes become polynomials over ℤ (the Chinese remainder theorem).
+//! The Chinese remainder theorem: polynomials modulo several primes become polynomials over ℤ.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use num_integer::Integer;
 use super::lifted;
 use super::sparse::Residues;
 
-/// Integer coefficients modulo a product of primes.
+/// Factors with integer coefficients modulo a product of primes.
 #[derive(Default)]
 pub(super) struct Combined {
     modulus: BigInt,
@@ -19,7 +19,7 @@ pub(super) struct Combined {
 }
 
 impl Combined {
-    /// One prime more; whether that changed a coefficient.
+    /// Adds the factors modulo one more prime; returns whether a coefficient changed.
     pub(super) fn combine(&mut self, field: PrimeField, residues: Vec<Residues>) -> bool {
         let prime = BigInt::from(field.prime());
         if self.factors.is_empty() {
@@ -49,7 +49,6 @@ impl Combined {
         is_news
     }
 
-    /// The polynomials whose coefficients are those of least size.
     pub(super) fn factors(&self, order: &[Variable]) -> Vec<Polynomial> {
         let polynomial = |factor: &BTreeMap<Vec<u32>, BigInt>| {
             Polynomial::from_terms(factor.iter().map(|(exponents, value)| {

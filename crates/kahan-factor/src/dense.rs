@@ -1,16 +1,14 @@
-//! Dense polynomials in one variable over a prime field: coefficients by exponent, without zeros at
-//! the end.
+//! Dense polynomials in one variable over a prime field: coefficients by exponent.
 
 use kahan_algebra::prime_field::PrimeField;
 
 /// Coefficients by exponent.
 pub type Dense = Vec<u64>;
 
-/// Sums of products of residues below 2^62 are reduced when they come here, so that they never
-/// overflow.
+/// Bound from which sums of products of residues below 2^62 are reduced, to avoid overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
-/// Without the zeros at the end.
+/// Removes trailing zeros.
 #[must_use]
 pub fn trimmed(mut a: Dense) -> Dense {
     while a.last() == Some(&0) {
@@ -19,7 +17,7 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first coefficients of a·b to sums that are not reduced yet, as many as there are sums.
+/// Adds the first `sums.len()` coefficients of a·b to sums that are not reduced yet.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {
@@ -31,19 +29,18 @@ pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[
     }
 }
 
-/// The residues of sums of products.
 pub(super) fn reduced(field: PrimeField, sums: &[u128]) -> Dense {
     sums.iter().map(|sum| (sum % u128::from(field.prime())) as u64).collect()
 }
 
-/// The first `len` coefficients of the product, zeros at the end included.
+/// Returns the first `len` coefficients of a·b, including trailing zeros.
 pub(super) fn product_to(field: PrimeField, a: &[u64], b: &[u64], len: usize) -> Dense {
     let mut sums = vec![0; len];
     add_product(field, &mut sums, a, b);
     reduced(field, &sums)
 }
 
-/// Σ aᵢ·bᵢ.
+/// Returns Σ aᵢ·bᵢ.
 pub(super) fn dot(field: PrimeField, a: &[u64], b: &[u64]) -> u64 {
     let mut sum = 0;
     for (&left, &right) in a.iter().zip(b) {
@@ -55,7 +52,6 @@ pub(super) fn dot(field: PrimeField, a: &[u64], b: &[u64]) -> u64 {
     (sum % u128::from(field.prime())) as u64
 }
 
-/// a·b.
 pub(super) fn product(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     if a.is_empty() || b.is_empty() {
         return Dense::new();
@@ -63,19 +59,18 @@ pub(super) fn product(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     trimmed(product_to(field, a, b, a.len() + b.len() - 1))
 }
 
-/// a − b.
 pub(super) fn difference(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     let at = |side: &[u64], index: usize| side.get(index).copied().unwrap_or(0);
     trimmed((0..a.len().max(b.len())).map(|index| field.sub(at(a, index), at(b, index))).collect())
 }
 
-/// a divided by its leading coefficient; 0 stays 0.
+/// Divides a by its leading coefficient; 0 stays 0.
 pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
     let inverse = a.last().and_then(|&lead| field.inverse(lead)).unwrap_or(0);
     a.iter().map(|&coefficient| field.mul(coefficient, inverse)).collect()
 }
 
-/// Quotient and remainder.
+/// Returns the quotient and the remainder of a by b.
 ///
 /// # Panics
 /// If b is 0.
@@ -98,12 +93,11 @@ pub fn quotient_and_rest(field: PrimeField, a: &[u64], b: &[u64]) -> (Dense, Den
     (trimmed(quotient), trimmed(rest))
 }
 
-/// a modulo b.
 pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     quotient_and_rest(field, a, b).1
 }
 
-/// The monic greatest common divisor.
+/// Returns the monic greatest common divisor.
 #[must_use]
 pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
@@ -113,9 +107,9 @@ pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     monic(field, &a)
 }
 
-/// 1/a modulo `modulus`; `None` where the two are not coprime.
+/// Returns 1/a modulo `modulus`; `None` unless the two are coprime.
 pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
-    // Both rows are (r, s) with r = s·a modulo the modulus.
+    // Each row is (r, s) with r = s·a modulo `modulus`.
     let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (rest(field, a, modulus), vec![1]));
     while lower.0.len() > 1 {
         let (quotient, rest) = quotient_and_rest(field, &upper.0, &lower.0);
@@ -126,7 +120,6 @@ pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<D
     Some(rest(field, &product(field, &lower.1, &[unit]), modulus))
 }
 
-/// a^exponent modulo `modulus`.
 pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[u64]) -> Dense {
     let (mut power, mut base) = (rest(field, &[1], modulus), rest(field, a, modulus));
     while exponent > 0 {
@@ -139,15 +132,15 @@ pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[
     power
 }
 
-/// The derivative.
+/// Returns the derivative.
 #[must_use]
 pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     let terms = a.iter().enumerate().skip(1);
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }
 
-/// For pairwise coprime factors the sᵢ of degree below theirs with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None`
-/// where two share a factor.
+/// Returns for pairwise coprime factors fᵢ the sᵢ of lower degree with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None`
+/// if two factors are not coprime.
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);

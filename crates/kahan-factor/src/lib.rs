@@ -1,25 +1,11 @@
-//! Irreducible factors of multivariate polynomials over ℚ.
+//! Irreducible factors of multivariate polynomials over ℚ, as powers of primitive polynomials.
 //!
-//! In goes a polynomial, out come a rational number and powers of irreducible primitive polynomials
-//! whose product it is. The steps: rational content and monomial; contents in a main variable,
-//! found as common factors of its shortest coefficient; a polynomial that is primitive and linear
-//! in it is irreducible. Else all other variables become integers (`multivariate`), the
-//! polynomial in one variable that is left is factored (`univariate`), and its factors are
-//! lifted, one variable after another (`sparse`). Powers are lifted as such, so that square-free
-//! parts, whose gcds are dear, are only sought where the budget runs out. The crate must not know
-//! vector fields, nor names of variables.
-//!
-//! What holds: division decides what a factor is, and an irreducible image that a factor is
-//! irreducible; seeded random points decide only how fast, and a budget of work, never a clock,
-//! when to stop.
-//!
-//! Sources: Yun, SYMSAC 1976; Zassenhaus, J. Number Theory 1, 1969; Wang, Math. Comp. 32, 1978;
-//! Zippel, EUROSAM 1979; Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters
-//! 6 and 8. Absent on purpose: recombination of multivariate factors; new points, at which fewer
-//! factors fall apart, serve as well (Hilbert's irreducibility theorem).
-//!
-//! Modules in reading order: `square_free`, `multivariate`; `sparse`, `series`, `vandermonde`,
-//! `combined` (its lifts); `univariate`, `modular`, `lifted`; `root`; `dense`.
+//! Divides by the content and by monomials, splits off contents in a main variable, factors an
+//! image in one variable (`univariate`), and lifts it to further variables (`multivariate`,
+//! `sparse`, `series`). Divisions prove factors; irreducible images prove that factors are
+//! irreducible. Seeded random points only affect speed. A budget of work, never a clock, ends the
+//! search. Absent: recombination of multivariate factors. New points serve as well (Hilbert's
+//! irreducibility theorem). The crate must not know vector fields or names of variables.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -47,24 +33,24 @@ use kahan_algebra::rational::Rational;
 pub struct Factors {
     /// The rational factor, with the sign; 0 for the polynomial 0.
     pub content: Rational,
-    /// Pairwise coprime polynomials with coprime integer coefficients, the leading one positive,
-    /// and their exponents; by degree, then by length.
+    /// Pairwise coprime polynomials with coprime integer coefficients and a positive leading one,
+    /// and their exponents. Sorted by degree, then by number of terms.
     pub factors: Vec<(Polynomial, u32)>,
-    /// Whether every factor is known to be irreducible.
+    /// Whether every factor is proved irreducible.
     pub is_complete: bool,
 }
 
-/// What may be spent on square-free parts where the budget ran out.
+/// Limits on the square-free decomposition after the budget ran out.
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
-/// The irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
+/// Returns the irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
 ///
-/// Where the budget does not suffice, what resists is returned square-free and `is_complete` is
-/// false; if the gcds for that become too long as well, it is returned as it is. Either way the
-/// product is the polynomial. Costs, for what is irreducible, a pass over the terms a variable and
-/// a factorisation in one variable; for factors of t terms in n variables, about n·t lifts in two
-/// variables. A budget of ten million lasts a few seconds at most.
+/// If the budget runs out, `is_complete` is false and the rest is decomposed into square-free
+/// parts, or kept whole if their gcds become too expensive; the product is still the polynomial. An
+/// irreducible polynomial costs one pass over its terms per variable and one univariate
+/// factorisation. Factors of t terms in n variables cost about n·t lifts in two variables. A budget
+/// of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -85,7 +71,7 @@ pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
 }
 
 impl Factors {
-    /// The polynomial whose factors these are.
+    /// Returns content · ∏ factor^exponent.
     pub fn product(&self) -> Polynomial {
         self.factors.iter().fold(Polynomial::constant(self.content.clone()), |product, (factor, exponent)| {
             (0..*exponent).fold(product, |product, _| &product * factor)
@@ -93,10 +79,9 @@ impl Factors {
     }
 }
 
-/// Polynomials with their exponents.
 type Powers = Vec<(Polynomial, u32)>;
 
-/// The single variables that divide a polynomial, and the primitive part of what is left.
+/// Returns the variables that divide a polynomial, and the primitive part of the rest.
 fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     let monomial = polynomial.monomial_content();
     let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
@@ -104,8 +89,7 @@ fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// The irreducible factors of a primitive polynomial that no variable divides; `None` where they
-/// could not be found.
+/// Returns the irreducible factors of a primitive polynomial without monomial factors, if found.
 fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
     let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
     let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
@@ -118,8 +102,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// The variable in which the polynomial is linear, or else one of low degree with a short leading
-/// coefficient.
+/// Chooses a variable of degree 1, else one of low degree with a short leading coefficient.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
@@ -127,8 +110,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// The factors without `main`, and the rest, which has none: they divide every coefficient, so they
-/// are among the factors of the shortest one. `None` where that could not be factored.
+/// Splits off the factors that do not contain `main`; `None` if the search fails. These factors
+/// divide every coefficient, so they are among the factors of the shortest one.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -1,5 +1,4 @@
-//! Factors modulo a prime p become factors modulo a power of p (Hensel's lemma, one power of p a
-//! step).
+//! Hensel lifting of factors modulo a prime p to factors modulo a power of p, one power at a time.
 
 use kahan_algebra::poly::{Budget, OverBudget};
 use kahan_algebra::prime_field::PrimeField;
@@ -11,13 +10,13 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product is, up to a unit, a given one modulo `modulus`.
+/// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a unit.
 pub(super) struct Lifted {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
 }
 
-/// Lifts monic, pairwise coprime factors of `whole` modulo p until the modulus is beyond `bound`.
+/// Lifts monic, pairwise coprime factors of `whole` modulo p to a modulus above `bound`.
 pub(super) fn lift(
     field: PrimeField,
     factors: &[Dense],
@@ -59,7 +58,7 @@ fn residue(field: PrimeField, value: &BigInt) -> u64 {
     field.reduce(&Rational::from(value.clone())).expect("integers have residues")
 }
 
-/// The product modulo `modulus`, coefficients from 0 on.
+/// Returns a·b modulo `modulus`, coefficients by exponent.
 pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers {
     let mut product = vec![BigInt::zero(); a.len() + b.len() - 1];
     for (shift, left) in a.iter().enumerate() {
@@ -70,7 +69,7 @@ pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers 
     product.iter().map(|coefficient| coefficient.mod_floor(modulus)).collect()
 }
 
-/// The residue of least size.
+/// Returns the residue of least absolute value.
 pub(super) fn symmetric(value: &BigInt, modulus: &BigInt) -> BigInt {
     let residue = value.mod_floor(modulus);
     if &residue * 2 > *modulus { residue - modulus } else { residue }

@@ -1,8 +1,8 @@
-//! Factors of a square-free polynomial in one variable over a small prime field.
+//! Irreducible factors of a square-free polynomial in one variable over a small prime field.
 //!
-//! First the products of all irreducible factors of one degree, then these apart (Cantor and
-//! Zassenhaus, "A new algorithm for factoring polynomials over finite fields", Math. Comp. 36,
-//! 1981). The random choices are seeded and change how long it takes, never what is found.
+//! Separates factors by degree, then factors of equal degree (Cantor and Zassenhaus, "A new
+//! algorithm for factoring polynomials over finite fields", Math. Comp. 36, 1981). Seeded random
+//! choices affect only the running time.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -15,14 +15,14 @@ pub(super) struct EqualDegree {
 }
 
 impl EqualDegree {
-    /// The number of factors.
     pub(super) fn count(&self) -> usize {
         (self.product.len() - 1) / self.degree
     }
 }
 
-/// The factors of a monic square-free polynomial by degree: x^(p^d) − x is the product of all
-/// irreducible monic polynomials whose degree divides d.
+/// Returns the factors of a monic square-free polynomial by degree.
+///
+/// x^(p^d) − x is the product of all irreducible monic polynomials whose degree divides d.
 pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegree> {
     let mut rest = polynomial.to_vec();
     let mut frobenius = vec![0, 1];
@@ -45,7 +45,7 @@ pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegre
     parts
 }
 
-/// The irreducible factors, monic. The prime must be odd.
+/// Returns the monic irreducible factors of the product. The prime must be odd.
 pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitMix64) -> Vec<Dense> {
     let mut factors = Vec::new();
     let mut waiting = vec![part.product];

@@ -1,10 +1,9 @@
 //! Irreducible factors of a polynomial that is primitive in its main variable.
 //!
-//! All other variables are set to small integers, which leaves a polynomial in one variable. If it
-//! keeps the degree and is irreducible, so is the whole (a factor without the main variable would
-//! be a content). Else its factors are lifted modulo large primes, in the way of Wang ("An improved
-//! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978), until their product is the
-//! polynomial. They are then irreducible, as their images are.
+//! All other variables are set to small integers. If the image keeps the degree and is irreducible,
+//! so is the polynomial. Otherwise the factors of the image are lifted modulo large primes (Wang,
+//! "An improved multivariate polynomial factoring algorithm", Math. Comp. 32, 1978) until their
+//! product is the polynomial. The lifted factors are irreducible because their images are.
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -14,13 +13,12 @@ use super::combined::Combined;
 use super::sparse::{self, Problem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
-/// How often new points are taken where the factors of an image cannot be lifted; they grow from
-/// round to round.
+/// Number of attempts with new points after a failed lift; the range of the points grows each time.
 const ROUNDS: u32 = 8;
-/// Images to choose from: that with the fewest factors is lifted.
+/// Number of images to compare; the one with the fewest factors is lifted.
 const IMAGES: usize = 2;
 
-/// The irreducible factors with their exponents; `None` where no image could be lifted.
+/// Returns the irreducible factors with their exponents; `None` if no image can be lifted.
 pub(super) fn factors(
     whole: &Polynomial,
     main: Variable,
@@ -56,14 +54,14 @@ pub(super) fn factors(
     Ok(None)
 }
 
-/// The polynomial with all but the main variable fixed.
+/// The polynomial with values for all variables but the main one.
 struct Image {
     points: Vec<i64>,
     factors: Powers,
 }
 
 impl Image {
-    /// At random points below `size`; `None` where the degree falls.
+    /// Factors the image at random points below `size` + 2; `None` if the degree drops.
     fn at(
         whole: &Polynomial,
         order: &[Variable],
@@ -96,12 +94,12 @@ impl Image {
         matches!(self.factors.as_slice(), [(_, 1)])
     }
 
-    /// Less for what is nearer to the whole: no factors that happen to agree, and few of them.
+    /// Returns a sort key: fewer repeated factors first, then fewer factors.
     fn key(&self) -> (i64, usize) {
         (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
     }
 
-    /// The factors of the whole whose images these are, if there are such ones.
+    /// Returns the factors of the polynomial whose images are `self.factors`, if the lift succeeds.
     fn lifted(
         &self,
         whole: &Polynomial,
@@ -128,8 +126,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.taken_out(candidate, budget)?, *exponent));
                 }
-                // Equal degrees and the product make each factor the one whose image is its own,
-                // the largest ones first.
+                // With equal degrees, the product assigns to each image the factor that it is the
+                // image of, starting from the largest.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()
@@ -145,8 +143,7 @@ impl Image {
         Ok(None)
     }
 
-    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong
-    /// candidates seldom pass.
+    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime.
     fn agree(
         &self,
         whole: &Polynomial,
@@ -164,7 +161,6 @@ impl Image {
     }
 }
 
-/// The value modulo a prime at a fixed point.
 fn value(polynomial: &Polynomial) -> u64 {
     let field = PrimeField::MERSENNE_61;
     polynomial.terms().fold(0, |sum, (monomial, coefficient)| {
@@ -177,7 +173,6 @@ fn value(polynomial: &Polynomial) -> u64 {
     })
 }
 
-/// Whether the whole is the product.
 fn is_product(
     whole: &Polynomial,
     factors: &[(Polynomial, u32)],
@@ -195,7 +190,7 @@ fn is_product(
     Ok(rest.is_one())
 }
 
-/// The leading coefficient in the main variable.
+/// The leading coefficient in the main variable, and its factors.
 struct Lead {
     whole: Polynomial,
     content: Rational,
@@ -211,7 +206,7 @@ impl Lead {
         Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
-    /// A multiple of the leading coefficient of every factor that occurs `exponent` times.
+    /// Returns a multiple of the leading coefficient of every factor with this exponent.
     fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let mut product = Polynomial::constant(self.content.clone());
         for (factor, own) in &self.factors {
@@ -220,7 +215,7 @@ impl Lead {
         Ok(product)
     }
 
-    /// The primitive part of what a multiplier may have gone into.
+    /// Divides out the factors that a multiplier may have left, and returns the primitive part.
     fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let (_, mut rest) = without_monomial(&polynomial);
         for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {

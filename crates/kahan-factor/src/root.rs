@@ -1,22 +1,21 @@
-//! A root of a polynomial in one variable over a prime field, by the splitting of Cantor and
+//! A root in a prime field of a polynomial in one variable, by the splitting of Cantor and
 //! Zassenhaus (Math. Comp. 36, 1981).
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense;
 
-/// How often a random element may fail to split the polynomial; each fails with probability about
-/// one half.
+/// Maximal number of random splits; each fails with probability about 1/2.
 const MOST_DRAWS: usize = 64;
 
-/// Some root of the polynomial with these coefficients, lowest first; `None` where there is none,
-/// or the polynomial is constant. `draw` gives random elements of the field.
+/// Returns a root of the polynomial with these coefficients by exponent; `None` if the polynomial
+/// is constant or no root is found. `draw` returns random elements of the field.
 pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u64) -> Option<u64> {
     let polynomial = dense::trimmed(coefficients.to_vec());
     if polynomial.is_empty() {
         return None;
     }
-    // What a polynomial shares with base^exponent − less.
+    // Returns the greatest common divisor with base^exponent − less.
     let common = |polynomial: &[u64], base: &[u64], exponent: u64, less: &[u64]| {
         let power = dense::power(field, base, exponent, polynomial);
         dense::gcd(field, polynomial, &dense::difference(field, &power, less))

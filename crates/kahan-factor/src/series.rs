@@ -1,35 +1,30 @@
-//! From factors at one value of a variable y to factors with y: Hensel's lemma in F_p[[t]], t = y −
-//! point.
+//! Hensel lifting from factors at y = point to factors in x and y, in F_p[[t]] with t = y − point.
 //!
-//! Leading coefficients: the lift is of monic polynomials over power series. Each factor is
-//! multiplied by a multiple of its leading coefficient at the end, which makes it a polynomial in t
-//! again (the classic trick; see Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992,
-//! section 6.6). Powers of a factor are lifted as one, and their root is taken at the end, so
-//! nothing has to be square-free.
+//! The lift works on monic polynomials over power series. At the end each factor is multiplied by a
+//! multiple of its leading coefficient, which makes it a polynomial in t (Geddes, Czapor and
+//! Labahn, Algorithms for Computer Algebra, 1992, section 6.6). Powers of a factor are lifted
+//! together and their root is taken at the end, so the polynomial need not be square-free.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// A polynomial in x and y, or x and t: for each power of x the coefficients by powers of the
-/// other.
+/// A polynomial in x and y (or t): for each power of x, the coefficients by powers of y.
 pub(super) type Rows = Vec<Vec<u64>>;
 
-/// What is to be lifted.
 pub(super) struct Question<'a> {
-    /// The product, up to what does not contain x; all rows have the same length.
+    /// The product, up to a factor without x; all rows have equal length.
     pub(super) whole: &'a Rows,
-    /// The factors at y = point, and how often they occur.
+    /// The factors at y = point, with their exponents.
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient: coefficients by powers of y, as many
-    /// as a row has.
+    /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
     pub(super) multipliers: &'a [Dense],
-    /// Where the factors are known.
+    /// The value of y at which the factors are known.
     pub(super) point: u64,
 }
 
-/// The factors, each times what its multiplier has beyond its leading coefficient; `None` where the
-/// point is a bad one: the leading coefficient vanishes there, or factors agree.
+/// Lifts the factors, each multiplied by multiplier / leading coefficient. `None` at a bad point:
+/// the leading coefficient vanishes there, or two factors agree.
 pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Rows>> {
     let Question { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -54,8 +49,8 @@ pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Row
     Some(results)
 }
 
-/// Monic factors as power series, from their values at t = 0: for each factor its coefficients by
-/// powers of t, each a polynomial in x.
+/// Lifts monic factors from t = 0: for each factor its coefficients, polynomials in x, by powers of
+/// t.
 fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;
@@ -71,7 +66,7 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     }
     let mut lifted: Vec<Vec<Dense>> = factors.into_iter().map(|factor| vec![factor]).collect();
     for step in 1..by_t.len() {
-        // The products as they are without the new coefficients,
+        // Update the products, first without the new coefficients,
         for index in 0..lifted.len() {
             let mut sums = vec![0; whole.len()];
             if index > 0 {
@@ -83,7 +78,7 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
             products[index].push(dense::reduced(field, &sums));
         }
         let error = dense::difference(field, &by_t[step], &products[lifted.len() - 1][step]);
-        // and with them.
+        // then with them.
         let mut before: Dense = Vec::new();
         for index in 0..lifted.len() {
             let image = lifted[index][0].clone();
@@ -104,15 +99,16 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     Some(lifted)
 }
 
-/// Rows and columns exchanged; rows that are too short end with zeros.
+/// Transposes; short rows are padded with zeros.
 fn transposed(rows: &[Dense], columns: usize) -> Rows {
     let column = |place: usize| rows.iter().map(|row| row.get(place).copied().unwrap_or(0)).collect();
     (0..columns).map(column).collect()
 }
 
-/// The monic k-th root of a monic polynomial in x over power series in t that is a k-th power.
+/// Returns the monic k-th root of a monic polynomial in x over power series in t that is a k-th
+/// power.
 ///
-/// With x^(kd)·h(1/x) the power and α = 1/k, h^α is found term by term from h·(h^α)′ = α·h′·h^α
+/// With h(1/x)·x^(kd) the power and α = 1/k, the series h^α follows from h·(h^α)′ = α·h′·h^α
 /// (Knuth, The Art of Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
 fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Rows> {
     if exponent == 1 {
@@ -120,7 +116,6 @@ fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Row
     }
     let alpha = field.inverse(u64::from(exponent) % field.prime())?;
     let degree = (power.len() - 1) / exponent as usize;
-    // From the highest power of x downwards.
     let mut root: Rows = vec![power[power.len() - 1].clone()];
     for m in 1..=degree {
         let mut sums = vec![0; len];
@@ -140,7 +135,7 @@ fn scaled(field: PrimeField, row: &[u64], factor: u64) -> Dense {
     row.iter().map(|&value| field.mul(value, factor)).collect()
 }
 
-/// The coefficients of a(y + by), as many as a has.
+/// Returns the coefficients of a(y + by).
 fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     let mut shifted = a.to_vec();
     for done in 0..a.len() {
@@ -151,7 +146,7 @@ fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     shifted
 }
 
-/// 1/a as a power series, as many terms as a has; `None` where a(0) = 0.
+/// Returns 1/a as a power series of equal length; `None` if a(0) = 0.
 fn reciprocal(field: PrimeField, a: &[u64]) -> Option<Dense> {
     let unit = field.inverse(*a.first()?)?;
     let mut inverse = vec![unit];

@@ -1,12 +1,10 @@
-//! Factors modulo a large prime p, one variable after another.
+//! Factors modulo a large prime p, lifted one variable at a time.
 //!
-//! Known are the factors with the first variables, the others fixed at points. The next variable y
-//! is let free at several points of the first ones, which takes a lift from one value of y to all
-//! ([`series`](super::series)); a coefficient of each factor is then interpolated on the monomials
-//! that the factor has already (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM
-//! 1979), at the powers of one point, so that the linear systems are Vandermonde's (Monagan and
-//! Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A monomial that vanishes at a fixed point is
-//! missing in the result; whoever divides sees it.
+//! Each step frees one variable y: it lifts in y ([`series`](super::series)) at several values of
+//! the earlier variables and interpolates on the known monomials of each factor (Zippel,
+//! "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers of one
+//! point, so the linear systems are Vandermonde's (Monagan and Tuncer, CASC 2016; Chen and Monagan,
+//! CASC 2020). Monomials that vanish at a fixed point are missing, which division detects.
 
 use std::collections::BTreeMap;
 
@@ -21,29 +19,27 @@ use super::vandermonde;
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
-/// What is to be factored.
+/// A polynomial to factor, with the factors of one of its images.
 pub(super) struct Problem<'a> {
     /// The polynomial, with integer coefficients.
     pub(super) whole: &'a Polynomial,
-    /// Its variables, the main one first.
+    /// The variables of the polynomial, the main one first.
     pub(super) order: &'a [Variable],
-    /// The values of all but the main variable.
+    /// The values of all variables but the main one.
     pub(super) points: &'a [i64],
-    /// The factors at the points and their exponents.
+    /// The factors at the points, with their exponents.
     pub(super) images: &'a [(Polynomial, u32)],
     /// For each factor a multiple of its leading coefficient in the main variable.
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// The factors modulo p, each times what its multiplier has beyond its leading coefficient; `None`
-/// at a bad point.
+/// Lifts the factors modulo p, times multiplier / leading coefficient; `None` at a bad point.
 pub(super) fn lift(
     field: PrimeField,
     problem: &Problem<'_>,
     rng: &mut SplitMix64,
     budget: &mut Budget,
 ) -> Result<Option<Vec<Residues>>, OverBudget> {
-    // Each variable costs a pass over what is left.
     budget.charge((problem.whole.len() * problem.order.len()) as u64)?;
     let points: Vec<u64> = problem.points.iter().map(|&point| field.reduce_i64(point)).collect();
     let wholes = stages(field, problem.whole, problem.order, &points);
@@ -70,8 +66,7 @@ pub(super) fn lift(
     Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
 }
 
-/// The polynomial with the first i variables free, for each i beginning with the main variable
-/// alone.
+/// Returns for each i the polynomial with its first i variables free, starting with i = 1.
 fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
     let mut stages = vec![residues(field, polynomial, order)];
     for &point in points.iter().rev() {
@@ -98,7 +93,7 @@ fn residues(field: PrimeField, polynomial: &Polynomial, order: &[Variable]) -> R
         .collect()
 }
 
-/// One variable more.
+/// The step that frees one more variable.
 struct Step<'a> {
     field: PrimeField,
     whole: &'a Residues,
@@ -158,21 +153,20 @@ fn column(rows: &Rows) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// The value of a monomial, the main variable and those from `end` on left out.
+/// Returns the value of a monomial, without main variable and variables after `base`.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial evaluated at the powers of a point, one after another.
+/// A polynomial that is evaluated at successive powers of a point.
 struct Walk {
-    /// For each term the powers of the variables that stay, and the value and the factor to the
-    /// next.
+    /// For each term: exponents of the two free variables, value, and ratio to the next value.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
 impl Walk {
-    /// The main variable stays, and the one at `second`.
+    /// Starts at the power 0. The main variable and the one at index `second` stay free.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);
@@ -181,7 +175,7 @@ impl Walk {
         Self { terms: polynomial.iter().map(term).collect() }
     }
 
-    /// The values at the next power, by powers of the main and the second variable.
+    /// Returns the coefficients at the next power, by powers of the main and the second variable.
     fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> Rows {
         let mut values = vec![vec![0; columns]; rows];
         for (row, column, value, ratio) in &mut self.terms {
@@ -208,7 +202,6 @@ impl Shape {
         Self { groups }
     }
 
-    /// How many values the interpolation takes.
     fn samples(&self) -> usize {
         self.groups.values().map(Vec::len).max().unwrap_or(1)
     }

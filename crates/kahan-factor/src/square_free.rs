@@ -1,10 +1,9 @@
-//! Square-free decomposition: f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On
+//! Square-free decomposition f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On
 //! square-free decomposition algorithms", SYMSAC 1976).
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
-/// The decomposition of a primitive polynomial, and whether the budget sufficed; where it did not,
-/// what is left stands undecomposed.
+/// Decomposes a primitive polynomial. If the budget runs out, the rest is returned undecomposed.
 pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(Polynomial, u32)> {
     let Some(main) = polynomial.variables().into_iter().min_by_key(|v| polynomial.degree_in(*v)) else {
         return Vec::new();
@@ -27,7 +26,7 @@ fn content_and_rest(
     Ok((content, rest.primitive_part()))
 }
 
-/// The decomposition of a polynomial that is primitive as one in `main`.
+/// Decomposes a polynomial that is primitive in `main`.
 pub(super) fn yun(
     polynomial: &Polynomial,
     main: Variable,
@@ -41,7 +40,7 @@ pub(super) fn yun(
     let quotient = |a: &Polynomial, b: &Polynomial, budget: &mut Budget| {
         Ok(a.div_within(b, budget)?.expect("a common divisor divides"))
     };
-    // At the k-th step: left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
+    // In step k: left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
     let mut left = quotient(polynomial, &repeated, budget)?;
     let mut slope = quotient(&derivative, &repeated, budget)?;
     let mut factors = Vec::new();

@@ -6,7 +6,7 @@ use kahan_algebra::rational::Rational;
 
 use super::{Factors, factors};
 
-/// A sum of terms such as `-3/2*x^2*y`; variables are letters.
+/// Parses a sum of terms such as `-3/2*x^2*y`; variables are letters.
 fn p(text: &str) -> Polynomial {
     let text = text.replace(' ', "").replace('-', "+-");
     Polynomial::from_terms(text.split('+').filter(|term| !term.is_empty()).map(|term| {
@@ -38,7 +38,6 @@ fn product<'a>(factors: impl IntoIterator<Item = &'a (Polynomial, u32)>) -> Poly
     })
 }
 
-/// What holds of any answer.
 fn assert_sound(polynomial: &Polynomial, factors: &Factors) {
     assert_eq!(product(&factors.factors).scale(&factors.content), *polynomial);
     for (factor, exponent) in &factors.factors {
@@ -49,7 +48,7 @@ fn assert_sound(polynomial: &Polynomial, factors: &Factors) {
     }
 }
 
-/// The complete answer.
+/// Returns the factors, which must be complete.
 fn all_factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
     let factors = factors(polynomial, &mut Budget::new(100_000, 50_000_000));
     assert_sound(polynomial, &factors);
@@ -57,7 +56,6 @@ fn all_factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
     factors.factors
 }
 
-/// The given factors, all irreducible, are found again.
 fn assert_found(given: &[(&str, u32)]) {
     let given: Vec<(Polynomial, u32)> =
         given.iter().map(|(text, e)| (p(text).primitive_part(), *e)).collect();
@@ -78,10 +76,10 @@ fn known_products_come_back() {
     assert_found(&[("x^2 + 2*x*y + 2*y^2", 1), ("x^2 - 2*x*y + 2*y^2", 1)]);
     assert_found(&[("x + y + z + 1", 1), ("x + y + z - 1", 1)]);
     assert_found(&[("a", 3), ("b", 1), ("a^2 + b", 2), ("a + b^2", 3), ("a*b - 1", 1)]);
-    // The same in other words.
+    // Expanded forms of products above.
     assert_eq!(all_factors(&p("x^4 + 4*y^4")).len(), 2);
     assert_eq!(all_factors(&p("x^2 + y^2 + z^2 + 2*x*y + 2*x*z + 2*y*z - 1")).len(), 2);
-    // One of the factors divides an image of another.
+    // One factor divides an image of another.
     assert_found(&[("x^2 + y", 1), ("x^2 + y + z^2 - z*t", 2), ("x^2 + y + z", 1)]);
 }
 
@@ -93,17 +91,16 @@ fn irreducible_ones_stay() {
         "x^4 + 1",
         "x^4 - 10*x^2 + 1",
         "x^4 - 10*x^2*y^2 + y^4",
-        // Irreducible, although it falls apart wherever y is a square.
+        // Reducible wherever y is a square.
         "x^2 - y",
         "x^4 - y",
         "x^2 + y^2",
         "x^2 - 2*y^2*z^2",
         "x^2 + y^2 + z^2 - 1",
-        // The roots are the sums of the roots of 2, 3 and 5.
+        // The roots are the sums ±√2 ± √3 ± √5.
         "x^8 - 40*x^6 + 352*x^4 - 960*x^2 + 576",
         "x^2*y^2 + x^2*z^2 + y^2*z^2 - x*y*z*t",
         "x^3*y^2 - z^5",
-        // Powers at no point, but one of few terms.
         "x^6 + y^6 + z^6 - 3*x^2*y^2*z^2 + t",
     ] {
         assert_irreducible(text);
@@ -115,9 +112,9 @@ fn the_determinant_of_unknowns_is_irreducible() {
     let det = "a*e*i + b*f*g + c*d*h - c*e*g - b*d*i - a*f*h";
     assert_irreducible(det);
     assert_found(&[(det, 2), ("a + e + i", 1)]);
-    // Symmetric, so that no variable off the diagonal is linear.
+    // A symmetric matrix: no variable off the diagonal is linear.
     assert_irreducible("a*b*c + 2*x*y*z - a*x^2 - b*y^2 - c*z^2");
-    // Of a skew matrix it is the square of the Pfaffian.
+    // The determinant of a skew-symmetric matrix is the square of the Pfaffian.
     let pfaffian = p("a*f - b*e + c*d");
     assert_eq!(all_factors(&(&pfaffian * &pfaffian)), [(pfaffian, 2)]);
 }
@@ -151,15 +148,14 @@ fn leading_coefficients_may_have_several_variables() {
     assert_found(&[("a*x^2 + b", 1), ("c*x^2 + d", 2), ("a*b*x^2 + b^2*c + 1", 1)]);
     assert_found(&[("a*x^2 + a*b + 1", 3), ("6*a^2*x^2 + 5*b^2 + 1", 1), ("10*b*x^2 + a^2", 2)]);
     assert_found(&[("x^2*y^2*z - 1", 1), ("x^2*z^2*y + x + t", 1), ("t^2*x^2 + y^2*z^2 + 7", 1)]);
-    // No main variable with a short leading coefficient.
+    // No main variable has a short leading coefficient.
     assert_found(&[
         ("x^2*y^2*z^2 + x^2*y^2 + y^2*z^2 + x^2*z^2 + x^2 + 3", 1),
         ("x^2*y^2*z^2 - 2*x^2*y^2 + y^2*z^2 - x^2*z^2 + z^2 + 5*x*y*z", 2),
     ]);
 }
 
-/// Points where the leading coefficient vanishes or factors agree lie close to the origin, as the
-/// points tried first.
+/// Near the origin, where points are tried first, leading coefficients vanish or factors agree.
 #[test]
 fn bad_points_are_no_matter() {
     let zeros = (-9..10).fold(Polynomial::one(), |product, root| &product * &p(&format!("y + {root}")));

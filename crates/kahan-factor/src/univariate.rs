@@ -1,9 +1,9 @@
 //! Irreducible factors of a polynomial in one variable over ℤ.
 //!
-//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime
-//! p are lifted to factors modulo a power of p beyond twice the coefficients of any true factor,
-//! and products of few of them are tried. The degrees that sums of degrees modulo several primes
-//! allow settle most irreducible polynomials before.
+//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: lifts factors modulo a small
+//! prime p to a power of p above twice the coefficients of any true factor, then tries products of
+//! few of them. Degrees of factors modulo several primes prove most irreducible polynomials
+//! irreducible before any lift.
 
 use kahan_algebra::poly::{Budget, Monomial, OverBudget, Polynomial, RESIDUES_PER_TERM, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64, is_prime_u64};
@@ -19,12 +19,12 @@ use super::{modular, square_free};
 /// Coefficients by exponent, the last one positive.
 pub(super) type Integers = Vec<BigInt>;
 
-/// The primes that are looked at: the one with the fewest factors is lifted.
+/// Number of primes to compare; the one with the fewest factors is lifted.
 const PRIMES: usize = 5;
-/// Primes from here on: odd, and seldom such that two factors agree modulo them.
+/// The first prime to try: odd, and large enough that factors rarely agree modulo it.
 const FIRST_PRIME: u64 = 1009;
 
-/// The irreducible factors of a primitive polynomial in `main`, with their exponents.
+/// Returns the irreducible factors of a primitive polynomial in `main`, with their exponents.
 pub(super) fn factors(
     polynomial: &Polynomial,
     main: Variable,
@@ -44,8 +44,7 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// The irreducible factors of a primitive square-free polynomial with a positive leading
-/// coefficient.
+/// Returns the irreducible factors of a primitive square-free polynomial with positive lead.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -79,12 +78,12 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     recombine(polynomial, lifted, budget)
 }
 
-/// What the factors by degree cost modulo one small prime.
+/// Returns the work of separating factors by degree modulo one small prime.
 fn effort(degree: usize) -> u64 {
     (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
-/// The monic image modulo a prime that keeps the degree and the square-freeness.
+/// Returns the monic image modulo a prime, if it keeps the degree and is square-free.
 fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
     let field = PrimeField::new(prime)?;
     let image: Dense =
@@ -95,7 +94,6 @@ fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> 
         .then(|| (field, dense::monic(field, &image)))
 }
 
-/// The degrees that a factor may have.
 struct DegreeSet(Vec<bool>);
 
 impl DegreeSet {
@@ -103,7 +101,7 @@ impl DegreeSet {
         Self(vec![true; degree + 1])
     }
 
-    /// The sums of degrees of factors modulo a prime.
+    /// Returns the degrees of products of factors modulo a prime.
     fn sums(degree: usize, parts: &[modular::EqualDegree]) -> Self {
         let mut possible = vec![false; degree + 1];
         possible[0] = true;
@@ -128,14 +126,14 @@ impl DegreeSet {
     }
 }
 
-/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math.
-/// Comp. 28, 1974).
+/// Returns a bound on the coefficients of lc(f)/lc(g)·g for all factors g of f: |lc(f)|·2^n·‖f‖₂
+/// (Mignotte, Math. Comp. 28, 1974).
 fn coefficient_bound(polynomial: &Integers) -> BigInt {
     let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
     ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()
 }
 
-/// The true factors as products of factors modulo a power of a prime, the fewest first.
+/// Finds the true factors as products of factors modulo a prime power, small sets first.
 fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let Lifted { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
@@ -150,7 +148,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
             for &index in chosen.iter().rev() {
                 factors.remove(index);
             }
-            // Smaller sets have been tried already.
+            // Smaller sets were tried before.
             chosen = (0..chosen.len()).collect();
         } else if !advance(&mut chosen, factors.len()) {
             chosen = (0..=chosen.len()).collect();
@@ -162,7 +160,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
     Ok(found)
 }
 
-/// The next subset of the same size in lexicographic order, if there is one.
+/// Advances to the next subset of equal size in lexicographic order; returns false after the last.
 fn advance(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
@@ -175,7 +173,7 @@ fn advance(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// The primitive part of lc(whole)·∏ factors, coefficients of least size modulo `modulus`.
+/// Returns the primitive part of lc(whole)·∏ factors in symmetric residues modulo `modulus`.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,
@@ -194,7 +192,7 @@ fn candidate<'a>(
     product
 }
 
-/// The quotient of integer polynomials where there is one.
+/// Returns the quotient of integer polynomials if the division is exact.
 fn exact_quotient(whole: &Integers, divisor: &Integers) -> Option<Integers> {
     let divides = |a: &BigInt, b: &BigInt| if b.is_zero() { a.is_zero() } else { (a % b).is_zero() };
     if !divides(&whole[0], &divisor[0]) {

@@ -1,11 +1,11 @@
-//! Linear systems whose rows are powers of the same numbers: Σ cᵢ·mᵢ^k = vₖ.
+//! Linear systems whose rows are powers of given numbers: Σ cᵢ·mᵢ^k = vₖ.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// For each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k from 1 on; `None` where nodes
-/// agree.
+/// Returns for each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k ≥ 1; `None` if a node
+/// is 0 or two agree.
 ///
 /// With q = ∏_{j≠i} (z − mⱼ), the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {

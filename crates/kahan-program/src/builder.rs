@@ -1,7 +1,5 @@
-//! Writing programs: every operation once, with the obvious simplifications.
-//!
-//! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a program computes
-//! what was asked over any field.
+//! Builds programs: each operation occurs once, after exact simplifications (0 + a, 1 · a, a −
+//! (−b), …). The identities hold in every field, so programs are valid over every field.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -10,18 +8,18 @@ use core::hash::Hash;
 use crate::operation::{Function, Node, Operation};
 use crate::{Numbered, Program};
 
-/// Constants that a [`Builder`] simplifies with.
+/// Constants that a [`Builder`] can simplify.
 pub trait ExactConstant: Clone + Eq + Hash {
-    /// The number 1.
+    /// Returns the number 1.
     fn one() -> Self;
-    /// Whether this is the integer n.
+    /// Returns whether the constant equals the integer n.
     fn is(&self, n: i64) -> bool;
-    /// Whether this is less than 0.
+    /// Returns whether the constant is less than 0.
     fn is_negative(&self) -> bool;
-    /// −c
+    /// Returns −c.
     #[must_use]
     fn negated(&self) -> Self;
-    /// c / d; `None` where it is no constant, such as for d = 0.
+    /// Returns c / d; `None` if the quotient is not a constant of this type, for example if d = 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
 }
 
@@ -43,44 +41,43 @@ where
     C: Clone + Eq + Hash,
     F: Function + Clone + Eq + Hash,
 {
-    /// Returns the program with these outputs; operations that no output needs are dropped.
+    /// Returns the program with these outputs, without operations that no output needs.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Program<Vec<Operation<I, C, F>>> {
         Program::of_results(&self.operations, outputs)
     }
 
-    /// Returns the operations so far.
+    /// Returns the operations pushed so far.
     #[must_use]
     pub fn operations(&self) -> &[Operation<I, C, F>] {
         &self.operations
     }
 
-    /// Forgets all operations but the first `length`.
+    /// Removes all operations after the first `length`.
     pub fn truncate(&mut self, length: usize) {
         self.operations.truncate(length);
     }
 
-    /// Returns the number of this very operation, without simplification; an operation that is
-    /// there already keeps its number.
+    /// Returns the node of an operation, added without simplification unless it is already present.
     ///
     /// # Panics
-    /// If an operand is no operation of this builder.
+    /// If an operand is not an operation of this builder.
     pub fn push(&mut self, operation: Operation<I, C, F>) -> Node {
         Node(self.operations.number(operation))
     }
 
-    /// Returns an input.
+    /// Returns the node of an input.
     pub fn input(&mut self, input: I) -> Node {
         self.push(Operation::Input(input))
     }
 
-    /// Whether the product of two operations is an operation already.
+    /// Returns whether a · b is already an operation of the builder.
     #[must_use]
     pub fn has_product(&self, a: Node, b: Node) -> bool {
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns −a as a change of sign, for a whose value is needed, too.
+    /// Returns −a as a negation, for an a whose own value is also needed.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -88,7 +85,7 @@ where
         }
     }
 
-    /// Adds all operations of another program, and returns the number of each here.
+    /// Adds all operations of another program and returns the node of each in this builder.
     pub fn include_all(&mut self, operations: &[Operation<I, C, F>]) -> Vec<Node> {
         let mut renamed: Vec<Node> = Vec::with_capacity(operations.len());
         for operation in operations {
@@ -98,7 +95,7 @@ where
         renamed
     }
 
-    /// Adds the operations of another program, and returns its outputs here.
+    /// Adds the operations of another program and returns its outputs in this builder.
     pub fn include(&mut self, program: &Program<Vec<Operation<I, C, F>>>) -> Vec<Node> {
         let renamed = self.include_all(&program.operations);
         program.outputs.iter().map(|output| renamed[output.0]).collect()
@@ -115,7 +112,7 @@ where
         }
     }
 
-    /// Returns |a| of a constant.
+    /// Returns |a| if a is a constant.
     #[must_use]
     pub fn constant_size(&self, a: Node) -> Option<&C> {
         match *self.operation(a) {
@@ -135,13 +132,14 @@ where
         self.value(node).is_some_and(|constant| constant.is(n))
     }
 
-    /// Whether a node is the constant 0.
+    /// Returns whether a node is the constant 0.
     #[must_use]
     pub fn is_zero(&self, node: Node) -> bool {
         self.is_constant(node, 0)
     }
 
-    /// Returns a constant; a negative one is the negation of its size, so that signs can move.
+    /// Returns the node of a constant. A negative constant becomes the negation of its absolute
+    /// value, so that signs can move.
     pub fn constant(&mut self, value: &C) -> Node {
         if value.is_negative() {
             let size = self.push(Operation::Constant(value.negated()));
@@ -150,7 +148,7 @@ where
         self.push(Operation::Constant(value.clone()))
     }
 
-    /// −a
+    /// Returns −a.
     pub fn negate(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -160,7 +158,7 @@ where
         }
     }
 
-    /// a + b
+    /// Returns a + b.
     pub fn add(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(a, 0) {
             return b;
@@ -175,7 +173,7 @@ where
         }
     }
 
-    /// a − b
+    /// Returns a − b.
     pub fn subtract(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 0) {
             return a;
@@ -189,7 +187,7 @@ where
         }
     }
 
-    /// a · b
+    /// Returns a · b.
     pub fn multiply(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(a, 0) || self.is_constant(b, 1) {
             return a;
@@ -197,12 +195,12 @@ where
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        // One order for both orders: a·b and b·a are the same operation.
+        // Sorted operands make a·b and b·a one operation.
         self.with_sign_outside(a, b, Self::multiply)
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// The product or quotient of two values of which one is a negation, the sign in front.
+    /// Joins a and b without their negations and puts the sign in front; `None` without a negation.
     fn with_sign_outside(
         &mut self,
         a: Node,
@@ -219,7 +217,7 @@ where
         Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
-    /// a / b; a zero constant b stays, as a quotient without a value.
+    /// Returns a / b. A division by the constant 0 is kept: it has no value when the program runs.
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 1) {
             return a;
@@ -231,7 +229,7 @@ where
         self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.push(Operation::Divide(a, b)))
     }
 
-    /// a^n by repeated squaring; a^0 is 1.
+    /// Returns a^n by repeated squaring; a^0 is 1.
     pub fn power(&mut self, a: Node, exponent: u32) -> Node {
         match exponent {
             0 => self.constant(&C::one()),

@@ -1,13 +1,9 @@
-//! The cost of a program: its operations, and the length of the critical path to a result. Also
-//! multiply-adds, where they do not make that path longer.
+//! The cost of a program: its number of operations and the length of its critical path. Latencies
+//! are in cycles, from x86-64 cores of the last ten years. They only compare programs and never
+//! enter an error bound.
 //!
-//! The latencies are those of the x86-64 cores of the last ten years, in cycles; others differ by
-//! one or two, which changes no choice between programs by much. They serve to compare programs,
-//! and never enter a promise.
-//!
-//! A multiply-add saves an instruction and takes 4 cycles from the last of its operands, where an
-//! addition takes 3. So it is right unless the addend comes late on the critical path that
-//! everything waits for.
+//! A multiply-add saves one instruction but takes 4 cycles from its last operand, an addition 3. So
+//! [`Program::fused`] fuses unless a late addend would lengthen the critical path.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -15,33 +11,32 @@ use core::hash::Hash;
 
 use crate::{Node, Operation, Program};
 
-/// Cycles until the result of an addition or subtraction can be used.
+/// Latency of an addition or subtraction in cycles.
 pub const ADD: u32 = 3;
-/// Cycles until the result of a multiplication can be used.
+/// Latency of a multiplication in cycles.
 pub const MULTIPLY: u32 = 4;
-/// Cycles until the result of a multiply-add can be used.
+/// Latency of a multiply-add in cycles.
 pub const FUSED: u32 = 4;
-/// Cycles until the result of a division can be used.
+/// Latency of a division in cycles.
 pub const DIVIDE: u32 = 14;
 
-/// Operations of a program, and its critical path.
+/// The number of operations of a program, and its critical path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Additions, subtractions and negations.
     pub additions: usize,
     /// Multiplications.
     pub multiplications: usize,
-    /// Multiply-adds: one operation where the target has them, else two.
+    /// Multiply-adds: one instruction each if the target has it, otherwise two.
     pub fused: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Cycles from the inputs to the last result, if nothing else hinders: additions 3,
-    /// multiplications and multiply-adds 4, divisions 14.
+    /// Cycles from the inputs to the last output with unlimited parallelism.
     pub critical_path: u32,
 }
 
 impl Cost {
-    /// All operations, a multiply-add counted twice: what a target without it carries out.
+    /// Returns the number of operations on a target without multiply-add: each counts twice.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions
@@ -49,12 +44,12 @@ impl Cost {
 }
 
 impl<I, C> Operation<I, C> {
-    /// Cycles that the operation itself takes.
+    /// Returns the latency of the operation in cycles.
     #[must_use]
     pub fn latency(&self) -> u32 {
         match self {
             Operation::Input(_) | Operation::Constant(_) => 0,
-            // A change of sign is a bit.
+            // A negation flips one bit.
             Operation::Negate(_) => 1,
             Operation::Add(..) | Operation::Subtract(..) => ADD,
             Operation::Multiply(..) => MULTIPLY,
@@ -68,7 +63,7 @@ impl<I, C> Operation<I, C> {
 }
 
 impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
-    /// Counts the operations, and measures the critical path.
+    /// Counts the operations and measures the critical path.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
@@ -91,8 +86,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         cost
     }
 
-    /// Returns the cycle in which each operation's result can be used, inputs being there from the
-    /// beginning.
+    /// Returns for each operation the cycle in which its result is ready, counted from the inputs.
     #[must_use]
     pub fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
@@ -103,7 +97,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         ready
     }
 
-    /// Returns the program with multiply-adds. On targets without them it is carried out as before.
+    /// Returns the program with multiply-adds, without a longer critical path. Targets without the
+    /// instruction compute the original program.
     #[must_use]
     pub fn fused(mut self) -> Self {
         let mut uses = self.uses();
@@ -133,7 +128,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // Of two products the later one is fused: the earlier one is there when it begins.
+                // Fuse the later of two products: the earlier one is ready as the addend.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),
@@ -154,8 +149,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// Returns the latest cycle in which each operation may be ready without lengthening the
-    /// critical path.
+    /// Returns for each operation the latest cycle of readiness that keeps the critical path.
     #[must_use]
     pub fn required(&self) -> Vec<u32> {
         let critical_path = self.cost().critical_path;

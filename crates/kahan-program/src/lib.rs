@@ -1,10 +1,9 @@
-//! Straight-line programs: instructions without branches, each on the results of earlier ones.
+//! Straight-line programs: operations without branches, each on the results of earlier ones. A
+//! [`Builder`] writes a [`Program`] with each common subexpression once. A program runs in any
+//! [`Arithmetic`], prints as text, and is the input of compilers.
 //!
-//! A [`Builder`] writes a [`Program`], with each common subexpression once. A program runs in any
-//! [`Arithmetic`], prints itself as text, and is what others compile.
-//!
-//! In: operations. Out: their results. The crate must not know polynomials, fields or targets:
-//! inputs, constants and functions have the types that its user gives them.
+//! The crate must not know polynomials, vector fields or targets: its user chooses the types of
+//! inputs, constants and functions.
 //!
 //! | a program of | inputs `I` | constants `C` | functions `F` |
 //! |---|---|---|---|

@@ -1,8 +1,8 @@
-//! Items numbered in the order in which they came, no two alike, each found by its value.
+//! A set of distinct items, numbered in order of insertion and found by value.
 //!
-//! Plans and polynomials are looked up in every expansion of the macro, which is compiled without
-//! optimisation: there the tables of the standard library, which are many small functions, take
-//! several times as long as the few plain loops here. Besides, the last items can be forgotten.
+//! Every expansion of the macro looks up plans and polynomials, in code compiled without
+//! optimisation. There the few loops below are several times faster than the hash tables of the
+//! standard library. The last items can also be removed.
 
 use core::hash::{Hash, Hasher};
 use core::ops::Deref;
@@ -12,17 +12,17 @@ use alloc::vec::Vec;
 
 use rustc_hash::FxHasher;
 
-/// No item.
+/// Marks the end of a bucket.
 const NONE: u32 = u32::MAX;
 
-/// Distinct items in their order.
+/// Distinct items in order of insertion, with a hash table of their numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Numbered<T> {
     items: Vec<T>,
     keys: Vec<u32>,
-    /// For each item the one before it in its bucket.
+    /// For each item, the previous item in its bucket.
     before: Vec<u32>,
-    /// The last item of each bucket; a power of two of buckets.
+    /// The last item of each bucket; the number of buckets is a power of two.
     last: Vec<u32>,
 }
 
@@ -32,7 +32,6 @@ impl<T> Default for Numbered<T> {
     }
 }
 
-/// All of them.
 impl<T> Deref for Numbered<T> {
     type Target = [T];
 
@@ -42,14 +41,14 @@ impl<T> Deref for Numbered<T> {
 }
 
 impl<T> Numbered<T> {
-    /// All items, in their order.
+    /// Returns all items in order of insertion.
     pub fn into_items(self) -> Vec<T> {
         self.items
     }
 }
 
 impl<T: Hash + PartialEq> Numbered<T> {
-    /// The number of an item.
+    /// Returns the number of an item, if present.
     pub fn find(&self, item: &T) -> Option<usize> {
         self.with_key(key(item), item)
     }
@@ -67,7 +66,7 @@ impl<T: Hash + PartialEq> Numbered<T> {
         None
     }
 
-    /// The number of an item, which is added if it is not there.
+    /// Returns the number of an item; adds the item if it is absent.
     pub fn number(&mut self, item: T) -> usize {
         let key = key(&item);
         if let Some(known) = self.with_key(key, &item) {
@@ -88,9 +87,9 @@ impl<T: Hash + PartialEq> Numbered<T> {
         number
     }
 
-    /// Forgets all but the first `length`.
+    /// Removes all items after the first `length`.
     pub fn truncate(&mut self, length: usize) {
-        // The last item is the last of its bucket, too.
+        // The item with the largest number is also the last of its bucket.
         for number in (length..self.items.len()).rev() {
             let bucket = self.bucket(self.keys[number]);
             self.last[bucket] = self.before[number];
@@ -111,7 +110,6 @@ impl<T: Hash + PartialEq> Numbered<T> {
     }
 }
 
-/// A number that equal items have in common and others mostly do not.
 fn key<T: Hash>(item: &T) -> u32 {
     let mut hasher = FxHasher::default();
     item.hash(&mut hasher);

@@ -1,4 +1,4 @@
-//! One operation of a program.
+//! Operations of a straight-line program, and their operands.
 
 use core::convert::Infallible;
 
@@ -6,15 +6,15 @@ use core::convert::Infallible;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Node(pub usize);
 
-/// One operation; its operands are earlier operations.
+/// An operation on the results of earlier operations.
 ///
-/// `I` is what an input is named by, `C` the type of constants, and `F` the functions that may be
-/// called beside the four operators; a program without functions has [`Infallible`] for it.
+/// `I` names inputs, `C` is the type of constants, `F` the type of callable functions
+/// ([`Infallible`] in a program without functions).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation<I, C, F = Infallible> {
-    /// A number that is given when the program runs.
+    /// A number given when the program runs.
     Input(I),
-    /// A number that the program contains.
+    /// A number contained in the program.
     Constant(C),
     /// a + b
     Add(Node, Node),
@@ -26,22 +26,22 @@ pub enum Operation<I, C, F = Infallible> {
     Divide(Node, Node),
     /// −a
     Negate(Node),
-    /// a · b + c, rounded once where the arithmetic can
+    /// a · b + c, rounded once if the arithmetic can
     MultiplyAdd(Node, Node, Node),
-    /// a · b − c, rounded once where the arithmetic can
+    /// a · b − c, rounded once if the arithmetic can
     MultiplySubtract(Node, Node, Node),
-    /// a − b · c, rounded once where the arithmetic can
+    /// a − b · c, rounded once if the arithmetic can
     SubtractProduct(Node, Node, Node),
-    /// f(a, b); a function of one argument has it twice
+    /// f(a, b); for a function f of one argument, b = a
     Call(F, Node, Node),
 }
 
-/// A double as a constant: two are equal where all their bits are, so 0 and −0 differ.
+/// A double as a constant, compared by bits: 0 and −0 differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Float(u64);
 
 impl Float {
-    /// Returns this double as a constant.
+    /// Returns the constant of a double.
     #[must_use]
     pub const fn of(value: f64) -> Self {
         Float(value.to_bits())
@@ -55,9 +55,9 @@ impl Float {
     }
 }
 
-/// The functions that operations may call.
+/// Functions that operations may call.
 pub trait Function {
-    /// The number of arguments, 1 or 2.
+    /// Returns the number of arguments, 1 or 2.
     fn arguments(&self) -> usize;
 }
 
@@ -68,7 +68,7 @@ impl Function for Infallible {
 }
 
 impl<I, C, F: Function> Operation<I, C, F> {
-    /// Returns the operands, at most three, in order.
+    /// Returns the operands in order, at most three.
     pub fn operands(&self) -> impl Iterator<Item = Node> + use<I, C, F> {
         let (nodes, count) = match *self {
             Operation::Input(_) | Operation::Constant(_) => ([Node(0); 3], 0),
@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation on other operands, in a program that may have other inputs, constants
-    /// and functions. `None` for an input, a constant and a call.
+    /// Returns the operation with renamed operands, in a program that may have other types of
+    /// inputs, constants and functions. `None` for an input, a constant or a call.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,
@@ -107,7 +107,7 @@ impl<I, C, F> Operation<I, C, F> {
         })
     }
 
-    /// Whether the operation computes nothing: an input or a constant.
+    /// Returns whether the operation is an input or a constant.
     #[inline]
     #[must_use]
     pub fn is_given(&self) -> bool {
@@ -116,7 +116,7 @@ impl<I, C, F> Operation<I, C, F> {
 }
 
 impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
-    /// Returns this operation on other operands.
+    /// Returns the operation with renamed operands.
     #[must_use]
     pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
         self.renamed(&mut rename)
@@ -130,8 +130,8 @@ impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
     }
 }
 
-/// The operands of one operation. All passes ask for them, and adapters of the standard library
-/// would be a dozen calls for each where nothing is optimised.
+/// An iterator over the operands of one operation. All passes use it, and in unoptimised builds
+/// adapters of the standard library would cost a dozen calls for each operand.
 struct Operands {
     nodes: [Node; 3],
     next: usize,

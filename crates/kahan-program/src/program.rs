@@ -1,4 +1,4 @@
-//! A program, and what can be asked of it without running it.
+//! Straight-line programs, and analyses that do not run them.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -7,16 +7,15 @@ use core::ops::{Deref, Range};
 use crate::Builder;
 use crate::operation::{Function, Node, Operation};
 
-/// A straight-line program: operations, each on the results of earlier ones, of which some are the
-/// outputs.
+/// A straight-line program: a list of operations, some of which are outputs.
 ///
-/// `O` holds the operations and `N` the outputs: vectors in a program that owns them, slices in one
-/// that borrows them.
+/// `O` holds the operations and `N` the outputs: vectors in a program that owns them, slices in a
+/// program that borrows them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations, operands before their uses; a builder writes none twice.
+    /// The operations, operands before their uses; programs from a builder contain none twice.
     pub operations: O,
-    /// The results.
+    /// The outputs.
     pub outputs: N,
 }
 
@@ -26,7 +25,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns how many times each operation is used, as an operand or as an output.
+    /// Returns how often each operation is used as an operand or as an output.
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
@@ -59,8 +58,8 @@ where
         needed
     }
 
-    /// Whether operations read only earlier ones, functions of one argument have it twice, and
-    /// outputs are operations.
+    /// Returns whether each operation reads only earlier ones, each call of a one-argument function
+    /// repeats its operand, and each output exists.
     #[must_use]
     pub fn is_well_formed(&self) -> bool {
         let operations: &[Operation<I, C, F>] = &self.operations;
@@ -72,7 +71,7 @@ where
             && self.outputs.iter().all(|output| output.0 < operations.len())
     }
 
-    /// Returns the inputs that the program reads, each once.
+    /// Returns the inputs of the program in order. A built program has each once.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>
     where
@@ -89,11 +88,11 @@ where
 }
 
 impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
-    /// Returns the program of these results, with the operations that they need.
+    /// Returns the program of these outputs, with only the operations that they need.
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
         let needed = Program { operations, outputs }.needed();
-        // An operation that is not needed has no place.
+        // The place of an operation that is not needed is never read.
         let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
         for (index, operation) in operations.iter().enumerate() {
             if needed[index] {
@@ -104,7 +103,7 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
         Program { operations: kept, outputs: outputs.iter().map(|node| places[node.0]).collect() }
     }
 
-    /// Returns the program of these outputs of this one.
+    /// Returns the program of a range of this program's outputs.
     #[must_use]
     pub fn part(&self, outputs: Range<usize>) -> Self {
         Program::of_results(&self.operations, &self.outputs[outputs])
@@ -117,8 +116,7 @@ where
     C: Clone + core::hash::Hash + Eq,
     F: Function + Clone + core::hash::Hash + Eq,
 {
-    /// Returns several programs as one, their outputs one after another; operations that they share
-    /// are computed once.
+    /// Joins programs into one with all outputs in order; shared operations are computed once.
     #[must_use]
     pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
     where

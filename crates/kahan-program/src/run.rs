@@ -1,4 +1,4 @@
-//! Running programs.
+//! Runs programs in an arithmetic.
 
 use alloc::vec::Vec;
 use core::ops::Deref;
@@ -12,14 +12,14 @@ where
     O: Deref<Target = [Operation<usize, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Runs a program whose inputs are the numbers of entries of `inputs`.
+    /// Runs a program whose inputs are indices into `inputs`.
     ///
-    /// `workspace` has at least one entry an operation and `outputs` one an output; what they held
-    /// is overwritten. `None` where a constant or a quotient has no value in this arithmetic. Costs
-    /// the program's operations, and no memory.
+    /// Overwrites `workspace` (at least one entry for each operation) and `outputs` (one for each
+    /// output). Returns `None` if a constant, a quotient or a call has no value in this arithmetic.
+    /// Allocates nothing.
     ///
     /// # Panics
-    /// If a slice is too short.
+    /// If `inputs` or `workspace` is too short. A short `outputs` receives the first outputs only.
     pub fn run<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -42,10 +42,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Writes inputs and constants into their places of the workspace.
-    ///
-    /// `None` where one has no value. An input that `input` leaves without a value where the
-    /// arithmetic has one for it ends the call, too.
+    /// Writes inputs and constants into their places of the workspace; `None` if one has no value.
     pub fn load<A: Arithmetic<Constant = C>>(
         &self,
         arithmetic: &A,
@@ -62,10 +59,10 @@ where
         Some(())
     }
 
-    /// Computes all operations from number `first` on. Inputs, constants and the results of earlier
-    /// operations stand in the workspace already.
+    /// Computes the operations from index `first` on. The workspace must already hold the inputs,
+    /// the constants and the results of earlier operations.
     ///
-    /// `None` at the first quotient without a value.
+    /// Returns `None` at the first quotient or call without a value.
     #[inline(always)]
     pub fn compute<A: Calls<F, Constant = C>>(
         &self,
@@ -91,9 +88,9 @@ where
         Some(())
     }
 
-    /// Returns the outputs; `input` gives the value of each input. An output that needs an input
-    /// without a value, or divides by zero on its way, is `None`, and the others have their values.
-    /// Costs one operation of the arithmetic for each of the program's own.
+    /// Returns each output, or `None` for an output that depends on a missing input, a constant
+    /// without a value, a division by zero, or a call outside its domain. `input` returns the value
+    /// of each input.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -111,8 +108,8 @@ where
     }
 }
 
-/// The value of an operation from those of all operations before it; `None` where it, or one of its
-/// operands, has none.
+/// Returns the value of an operation from the values of all earlier ones; `None` if the operation
+/// or one of its operands has none.
 #[inline(always)]
 fn value<I, F, A: Calls<F>>(
     operation: &Operation<I, A::Constant, F>,

@@ -28,7 +28,6 @@ impl ExactConstant for i64 {
     }
 }
 
-/// Residues modulo 7.
 struct Modulo7;
 
 impl Arithmetic for Modulo7 {
@@ -135,7 +134,7 @@ fn results_are_those_of_the_arithmetic() {
     let mut workspace = [0; 5];
     let mut outputs = [0; 2];
     assert_eq!(program.run(&Modulo7, &[3, 5, 6], &mut workspace, &mut outputs), Some(()));
-    // 3/5 = 2 and 15 − 6 = 2 modulo 7.
+    // Modulo 7: 3/5 = 2 and 15 − 6 = 2.
     assert_eq!(outputs, [2, 2]);
     assert_eq!(program.run(&Modulo7, &[3, 0, 6], &mut workspace, &mut outputs), None);
     let partly = program.evaluate(&Modulo7, |input| Some([3, 0, 6][*input]));
@@ -187,7 +186,7 @@ fn a_product_that_is_added_once_is_fused() {
     assert_eq!((cost.fused, cost.operations()), (0, 2));
 }
 
-/// Of two products the one that is ready last is fused, since its partner waits for it anyway.
+/// The later of two products is fused, since the sum waits for it.
 #[test]
 fn the_later_of_two_products_is_fused() {
     let mut builder = Builder::<usize, i64>::default();
@@ -200,7 +199,7 @@ fn the_later_of_two_products_is_fused() {
     assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 4, 4 + cost::FUSED));
 }
 
-/// Fused, the sum would be ready a cycle later, and everything waits for it.
+/// A fused sum would be ready a cycle later, and it is the last result.
 #[test]
 fn a_late_addend_on_the_chain_is_not_fused() {
     let mut builder = Builder::<usize, i64>::default();

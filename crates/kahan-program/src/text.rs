@@ -1,4 +1,4 @@
-//! Programs as text: one line an operation, `v2 = x + y`.
+//! Programs as text: one line for each operation, `v2 = x + y`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -10,8 +10,8 @@ use crate::Program;
 use crate::operation::{Function, Node, Operation};
 
 impl<I, C, F: Function + Display> Operation<I, C, F> {
-    /// Returns what is computed, `x*y + z`, its operands named by `name`; `None` for an input and a
-    /// constant.
+    /// Returns the right-hand side, such as `x*y + z`, with operands named by `name`; `None` for an
+    /// input or a constant.
     pub fn text<S: Display>(&self, name: impl Fn(Node) -> S) -> Option<String> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) => return None,
@@ -38,8 +38,8 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns the program as text, a line an operation; inputs and constants stand where they are
-    /// used, and operation k is called `vk`.
+    /// Returns the program as text, one line for each operation. Inputs and constants are inlined;
+    /// operation k is named `vk`.
     pub fn text(&self, input: impl Fn(&I) -> String) -> String {
         let names: Vec<String> = (self.operations.iter().enumerate())
             .map(|(index, operation)| match operation {

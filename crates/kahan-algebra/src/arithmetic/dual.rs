@@ -4,7 +4,7 @@ use kahan_syntax::rational::Rational;
 
 use super::{Arithmetic, OverRationals};
 
-/// First-order jets in `directions` directions over `base`.
+/// The arithmetic of dual numbers in `directions` directions over `base`.
 #[derive(Debug)]
 pub struct Dual<'a, A> {
     /// The arithmetic of values and derivatives.
@@ -18,24 +18,24 @@ pub struct Dual<'a, A> {
 pub struct DualNumber<V> {
     /// The value.
     pub value: V,
-    /// The derivatives; empty stands for zero, which constants and parameters have.
+    /// The derivatives; empty for constants and parameters.
     pub gradient: Vec<V>,
 }
 
 impl<A: OverRationals> Dual<'_, A> {
-    /// A value that does not move.
+    /// Returns a constant.
     pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
         DualNumber { value, gradient: Vec::new() }
     }
 
-    /// The coordinate of direction `direction`; `None` where the arithmetic has no 0 or 1.
+    /// Returns the coordinate of a direction; `None` if the arithmetic lacks 0 or 1.
     pub fn coordinate(&self, value: A::Value, direction: usize) -> Option<DualNumber<A::Value>> {
         let mut gradient = vec![self.base.constant(&Rational::zero())?; self.directions];
         gradient[direction] = self.base.constant(&Rational::one())?;
         Some(DualNumber { value, gradient })
     }
 
-    /// The gradient α·∇a + β·∇b.
+    /// Returns α·∇a + β·∇b.
     fn combine(&self, alpha: &A::Value, a: &[A::Value], beta: &A::Value, b: &[A::Value]) -> Vec<A::Value> {
         let scaled = |factor: &A::Value, gradient: &[A::Value]| -> Vec<A::Value> {
             gradient.iter().map(|entry| self.base.multiply(factor, entry)).collect()

@@ -1,5 +1,4 @@
-//! Arithmetics whose values know their operations: rationals, residues modulo a prime, and binary
-//! floats, which round, and where division by zero is infinite and not an error.
+//! Rationals, residues modulo a prime, and binary floats, for which division by zero is infinite.
 
 use kahan_syntax::rational::Rational;
 
@@ -7,7 +6,6 @@ use crate::prime_field::PrimeField;
 
 use super::Arithmetic;
 
-/// The operations of values that have the operators.
 macro_rules! operators {
     ($value:ty) => {
         type Value = $value;
@@ -31,7 +29,7 @@ macro_rules! operators {
     };
 }
 
-/// ℚ.
+/// The rationals ℚ.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact;
 
@@ -51,7 +49,7 @@ impl Arithmetic for Exact {
     }
 }
 
-/// F_p.
+/// The prime field F_p.
 #[derive(Clone, Copy, Debug)]
 pub struct Modular(pub PrimeField);
 
@@ -105,7 +103,7 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// As generated code has it.
+            /// The range that generated code uses.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }
@@ -122,10 +120,10 @@ macro_rules! float {
 }
 
 float!(
-    /// `f64`.
+    /// Arithmetic in `f64`.
     Float64, f64, to_f64, 18_446_744_073_709_551_616.0
 );
 float!(
-    /// `f32`.
+    /// Arithmetic in `f32`.
     Float32, f32, to_f32, 65_536.0
 );

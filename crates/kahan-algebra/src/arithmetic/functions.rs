@@ -1,8 +1,7 @@
-//! Rational functions over ℚ with factored denominators: numerators in normal form (expanded), so
-//! that a value is zero exactly when its numerator has no terms. No gcd is taken; common
-//! denominators and quotients share their factors.
+//! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! Work is bounded: once the budget is spent, every further value is `None`.
+//! A value is zero exactly if its numerator has no terms. No gcd is computed; common denominators
+//! and quotients share factors. Once the budget is spent, every further value is `None`.
 
 use std::cell::RefCell;
 
@@ -15,27 +14,26 @@ use super::Arithmetic;
 /// numerator / ∏ factorᵏ
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// Expanded.
+    /// The expanded numerator.
     pub numerator: Polynomial,
     /// Distinct non-constant primitive polynomials with their exponents.
     pub denominator: Vec<(Polynomial, u32)>,
 }
 
-/// A polynomial.
 impl From<Polynomial> for Function {
     fn from(numerator: Polynomial) -> Self {
         Function { numerator, denominator: Vec::new() }
     }
 }
 
-/// The field of rational functions, with a budget of work.
+/// The field of rational functions with a budget of work.
 #[derive(Debug)]
 pub struct Functions {
     budget: RefCell<Budget>,
 }
 
 impl Functions {
-    /// The field, with this budget for everything that is computed in it.
+    /// Returns the field with a budget for all its operations.
     #[must_use]
     pub fn new(budget: Budget) -> Self {
         Functions { budget: RefCell::new(budget) }
@@ -49,7 +47,7 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// numerator · ∏ factorᵏ over the factors by which `target` exceeds `have`.
+    /// Returns numerator · ∏ factorᵏ over the factors by which `target` exceeds `have`.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -85,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which
-    /// it then cancels.
+    /// Moves factors of `below` into `denominator`, or cancels divisors of `numerator` of equal
+    /// length.
     fn cancel(
         &self,
         numerator: &mut Polynomial,
@@ -108,7 +106,7 @@ impl Functions {
         Some(())
     }
 
-    /// 1/b as numerator ∏ factorᵏ over the numerator of b; `None` over budget. b is not zero.
+    /// Returns 1/b for nonzero b; `None` beyond the budget.
     fn inverted(&self, numerator: &Polynomial, denominator: &[(Polynomial, u32)]) -> Option<Function> {
         let above = self.expand_to(&Polynomial::one(), &[], denominator)?;
         let primitive = numerator.primitive_part();
@@ -118,7 +116,7 @@ impl Functions {
     }
 }
 
-/// The exponent of a factor, which is made one with the exponent 0 where it is none.
+/// Returns the exponent of a factor, added with exponent 0 if absent.
 fn exponent_in<'a>(denominator: &'a mut Vec<(Polynomial, u32)>, factor: &Polynomial) -> &'a mut u32 {
     let place = denominator.iter().position(|(known, _)| known == factor).unwrap_or_else(|| {
         denominator.push((factor.clone(), 0));
@@ -131,7 +129,6 @@ fn exponent_of(denominator: &[(Polynomial, u32)], factor: &Polynomial) -> u32 {
     denominator.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
 }
 
-/// A value is `None` where the budget did not suffice.
 impl Arithmetic for Functions {
     type Value = Option<Function>;
     type Constant = Rational;
@@ -160,7 +157,7 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        // (a/A) / (b/B) with the factors that A and B share left out: they cancel.
+        // (a/A) / (b/B) without the common factors of A and B
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
             let left = own
                 .iter()

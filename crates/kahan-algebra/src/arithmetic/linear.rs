@@ -1,10 +1,10 @@
-//! Linear systems in any arithmetic: elimination with the best pivot of each column.
+//! Linear systems in any arithmetic, by elimination with the best pivot of each column.
 
 use kahan_syntax::rational::Rational;
 
 use super::OverRationals;
 
-/// The solution of a system, and the determinant of its matrix.
+/// The solution of a linear system, and the determinant of its matrix.
 #[derive(Clone, Debug)]
 pub struct Solved<V> {
     /// The rows of X.
@@ -13,7 +13,7 @@ pub struct Solved<V> {
     pub determinant: V,
 }
 
-/// Solves M X = R for the n×n matrix M and n rows R; `None` where det M = 0.
+/// Solves M X = R for an n×n matrix M and n rows R; `None` if det M = 0.
 pub fn solve<A: OverRationals>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
@@ -55,7 +55,7 @@ pub fn solve<A: OverRationals>(
     Some(Solved { solution, determinant })
 }
 
-/// det M.
+/// Returns det M.
 pub fn determinant<A: OverRationals>(arithmetic: &A, matrix: &[Vec<A::Value>]) -> Option<A::Value> {
     let nothing = vec![Vec::new(); matrix.len()];
     match solve(arithmetic, matrix, &nothing) {

@@ -1,4 +1,4 @@
-//! The arithmetics in which a plan runs.
+//! The arithmetics in which plans run.
 
 mod dual;
 mod fields;
@@ -16,7 +16,7 @@ pub use kahan_program::Arithmetic;
 
 use kahan_syntax::rational::Rational;
 
-/// An arithmetic whose constants are rational numbers.
+/// An arithmetic with rational constants.
 pub trait OverRationals: Arithmetic<Constant = Rational> {}
 
 impl<A: Arithmetic<Constant = Rational>> OverRationals for A {}

@@ -1,10 +1,7 @@
-//! Sizes of formal fractions: degree and coefficient size, for the error bound of the prover.
+//! Sizes of formal fractions: degrees and coefficient sizes, for the error bound of the prover.
 //!
-//! Every value of a plan is a fraction N/M of integer polynomials, formed by the rules of
-//! arithmetic without any cancellation. A [`Size`] bounds the total degrees of N and M and the
-//! logarithms of their 1-norms (the sums of the absolute values of their coefficients, which are
-//! submultiplicative). Running a plan in [`Sizes`] so gives bounds for its results; they saturate
-//! instead of overflowing.
+//! Every value of a plan is a fraction N/M of integer polynomials, formed without cancellation. A
+//! [`Size`] bounds degrees and logarithms of 1-norms; bounds saturate.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,9 +10,9 @@ use super::Arithmetic;
 /// Bounds on an integer polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Length {
-    /// Its total degree.
+    /// The total degree.
     pub degree: u64,
-    /// log₂ of its 1-norm, rounded up.
+    /// log₂ of the 1-norm (the sum of absolute values of coefficients), rounded up.
     pub bits: u64,
 }
 
@@ -34,26 +31,26 @@ impl Length {
         Length { degree, bits: self.bits.saturating_add(other.bits) }
     }
 
-    /// Bounds both of two polynomials.
+    /// Returns a bound on both polynomials.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Length { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
     }
 
-    /// Bounds the sum of 2^`bits` polynomials that are within this bound.
+    /// Returns a bound on the sum of 2^`bits` polynomials within this bound.
     fn summed(self, bits: u64) -> Self {
         self.times(Length { degree: 0, bits })
     }
 }
 
 impl Size {
-    /// A variable: degree 1, norm 1.
+    /// Returns the size of a variable: degree 1, norm 1.
     #[must_use]
     pub fn variable() -> Self {
         Size { above: Length { degree: 1, bits: 0 }, ..Size::default() }
     }
 
-    /// An exact constant p/q.
+    /// Returns the size of an exact constant p/q.
     #[must_use]
     pub fn constant(value: &Rational) -> Self {
         let length = Length { degree: 0, bits: value.bits() };
@@ -66,9 +63,9 @@ impl Size {
 pub struct Sizes;
 
 impl Sizes {
-    /// A bound for the determinant of any n×n matrix with columns among those of `rows` (n rows, at
-    /// least n columns): over the product of all denominators, each of the n! terms has one
-    /// numerator a row and no more than all denominators.
+    /// Returns a bound on the determinant of any n×n matrix of columns among those of `rows` (n
+    /// rows of at least n entries). Over the product of all denominators, each of the n! terms has
+    /// one numerator from each row and at most all denominators.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<Size>]) -> Size {
         let product =

@@ -1,4 +1,4 @@
-//! Claims: names resolved, entries of brackets in order, compiled to plans.
+//! Compiles claims to plans, with names resolved and bracket entries in order.
 
 use rustc_hash::FxHashMap;
 
@@ -16,8 +16,7 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order; one that is broken is left out, and keeps its name in what stands
-/// in.
+/// Compiles the claims in order. A broken claim is dropped; the stand-in keeps its name.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],
@@ -39,7 +38,7 @@ pub(super) fn compile_all(
             .body
             .as_ref()
             .filter(|body| {
-                // Every expression is looked at, so that all unknown names are reported.
+                // Resolve every expression, so that all unknown names are reported.
                 let mut resolve = |expr: &Expr| compiler.scope.resolve(expr, true, diagnostics);
                 match body {
                     ClaimBody::Recurrence { function, next } => {
@@ -66,7 +65,7 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake in it is reported already, so later claims that use it are silent.
+            // The mistake is reported already, so later claims that use this one are silent.
             None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
@@ -82,7 +81,7 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports the names that the next value of a drift may not hold: unknown names, states and
+/// Reports names that the next value of a drift may not contain: unknown names, states and
 /// densities. The claim's own name stands for its function, so that F(x̃) follows from F(x).
 fn resolve_next(
     next: &Expr,
@@ -125,7 +124,6 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
     }
 }
 
-/// The operations of one claim after the other.
 struct Compiler<'a> {
     builder: PlanBuilder,
     functions: FxHashMap<String, Node>,
@@ -198,7 +196,6 @@ impl Target for Compiler<'_> {
 }
 
 impl Compiler<'_> {
-    /// The results of a claim whose names and entries are sound.
     fn body(
         &mut self,
         name: &str,
@@ -227,8 +224,7 @@ impl Compiler<'_> {
     }
 }
 
-/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is
-/// wrong. All wrong entries are reported.
+/// Returns the state indices of a bracket's entries (none for other claims); reports wrong entries.
 fn entry_places(
     claim: &syntax::Claim,
     scope: &Scope,
@@ -251,7 +247,6 @@ fn entry_places(
     (places.len() == entries.len()).then_some(places)
 }
 
-/// The indices of an entry's states.
 fn entry_place(
     entry: &TensorEntry,
     earlier: &[(usize, usize)],

@@ -1,8 +1,7 @@
-//! `when expr = expr, …`: the relations on which a claim is made.
+//! Relations behind `when`: `when expr = expr, …`.
 //!
-//! They are between parameters and ε, each solved for a name that enters it linearly; states cannot
-//! be fixed, and ε = 0 is no step. Where they hold, the field itself and the relations as written
-//! must exist.
+//! Relations between parameters and ε are each solved for a name that enters linearly. States and ε
+//! = 0 cannot be fixed. Field and relations must have values.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax;
@@ -19,7 +18,7 @@ use crate::system::Condition;
 use super::expand::{Expansion, expand_as_written, is_spent};
 use super::names::Scope;
 
-/// The relations behind `when`, solved; `None` if one is broken.
+/// Solves the relations behind `when`; `None` if one is broken.
 pub(super) fn evaluate(
     written: &[syntax::Condition],
     components: &[RationalFunction],
@@ -41,8 +40,7 @@ pub(super) fn evaluate(
     Some(Condition::all(solved, &relations))
 }
 
-/// Adds a relation and gives the name it was solved for; `Ok(None)` where a mistake in it was
-/// reported elsewhere.
+/// Adds a relation and returns its name; `Ok(None)` if a mistake was reported elsewhere.
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
@@ -80,15 +78,14 @@ fn one_relation(
     Ok(Some(name))
 }
 
-/// The numerator of left − right in lowest terms.
+/// Returns the numerator of left − right in lowest terms.
 fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     let above = &(&left.numerator * &right.denominator) - &(&right.numerator * &left.denominator);
     let below = &left.denominator * &right.denominator;
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// The parameters of a relation in the order of their places, then ε; `Ok(None)` if a name is a
-/// mistake already.
+/// Returns the parameters in order of occurrence, then ε; `Ok(None)` after a reported mistake.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));
@@ -125,7 +122,7 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
     };
     let help = match scope.nearest(name, true).filter(|nearest| stands(scope, nearest)) {
         Some(nearest) => {
-            // Nothing else may use the name that was meant; that is not a second mistake.
+            // Mark the intended name as used, so that it is not reported as unused.
             scope.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
         }
@@ -143,7 +140,6 @@ fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
-/// The mistake of a relation that cannot be solved.
 fn explain(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -> Diagnostic {
     let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
     match obstacle {

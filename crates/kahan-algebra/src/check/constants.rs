@@ -1,4 +1,4 @@
-//! `const c = 1/2;`: constant expressions over numbers and earlier constants.
+//! Constants `const c = 1/2;`: expressions over numbers and earlier constants.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -8,7 +8,6 @@ use kahan_syntax::token::Span;
 use super::expand::{expand_unkept, is_spent};
 use super::names::Scope;
 
-/// Evaluates the constants in order and enters them into the scope.
 pub(super) fn evaluate(
     block: &Block,
     scope: &mut Scope,
@@ -31,8 +30,7 @@ pub(super) fn evaluate(
     values
 }
 
-/// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was
-/// reported elsewhere.
+/// Returns the value of a constant expression; `Ok(None)` if a mistake was reported elsewhere.
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;

@@ -1,4 +1,4 @@
-//! Equations: expanded exactly, of degree at most two in the states.
+//! Equations, expanded exactly, of degree at most 2 in the states.
 
 use rustc_hash::FxHashSet;
 
@@ -15,7 +15,7 @@ use crate::render::{Notation, Text};
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::{Scope, is_epsilon};
 
-/// Expands every equation, and keeps what is written of it; a broken one becomes zero.
+/// Expands every equation and keeps its written form; a broken one becomes zero.
 pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
@@ -44,7 +44,7 @@ pub(super) fn expand_all(
     (components, Kept::new(values, kept))
 }
 
-/// Kahan's method is for quadratic fields: no term of degree three or more may be left.
+/// Reports a term of degree 3 or more: Kahan's method requires quadratic fields.
 fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let degree = |monomial: &Monomial| monomial.degree_where(|variable| scope.symbols.is_state(variable));
     let monomials = expansion.numerator.terms().map(|(monomial, _)| (degree(monomial), monomial));
@@ -57,7 +57,7 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
     }
 }
 
-/// Coefficients may depend on ε², and have a value at ε = 0; those of a family are free of ε.
+/// Reports odd powers of ε in coefficients, no value at ε = 0, and all ε in a family.
 fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
     let eps = scope.symbols.epsilon();
     let Expansion { numerator, denominator, .. } = expansion;
@@ -84,13 +84,11 @@ fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope
     Err(Diagnostic::new(Kind::Name, place_of_eps(value, scope), message, help))
 }
 
-/// Whether an odd power of ε occurs.
 fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &Scope) -> bool {
     [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
 }
 
-/// The place to report of a mistake with ε: the first `eps` of the first part with odd powers, or
-/// of the whole expression where no part has any.
+/// Returns the first `eps` in the innermost part with odd powers of ε, or in the whole expression.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
@@ -106,7 +104,7 @@ fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     place.unwrap_or(expr.span)
 }
 
-/// The term in words, parameters left out, and a product of two states that divides it.
+/// Returns the term as text without parameters, and a product of two states that divides it.
 fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
     let power = |name: &str, exponent: u32| Text.power(name, exponent.into());
@@ -119,8 +117,8 @@ fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     (format!("the term `{}`", Text.product(&powers)), product)
 }
 
-/// The place that raises the degree above two: of a sum its first term that is too high, of a
-/// product the factor at which the degree passes two, of a power the whole of it.
+/// Returns the place where the degree exceeds 2: the first such term of a sum, the factor of a
+/// product that exceeds it, or a whole power.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree = |expr: &Expr| {
         expand_unkept(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator))

@@ -1,12 +1,11 @@
-//! Fractions p/q, to which equations, constants and relations behind `when` are lowered: p is
-//! expanded in states and parameters, q is free of states.
+//! Expands equations, constants and relations to fractions p/q; p in states and parameters, q free
+//! of states.
 //!
-//! Only the result counts, not what it passed through, with one exception: `power` refuses a power
-//! of a sum beyond degree 64 in the states at once, as to expand it takes too long. Sizes are
-//! limited, so that no input hangs the compiler. Beside p/q stands what was written, as far as that
-//! loses nothing: a sum in which a name or the highest degree cancels, and a quotient that has no
-//! pole where its divisor vanishes, stand as they are expanded and reduced; all other sums and
-//! divisors are [kept](crate::kept).
+//! Only the result is checked, except that `power` refuses a power of a sum beyond degree 64 at
+//! once, since its expansion would take too long. Sizes are limited, so no input hangs the
+//! compiler. The written form is [kept](crate::kept) beside p/q, with two exceptions that stand
+//! expanded: a sum in which a name or the highest degree cancels, and a quotient without a pole
+//! where its divisor vanishes.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -23,27 +22,23 @@ use crate::symbols::Symbols;
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 
-/// The largest number of terms of an expansion.
 const MOST_TERMS: usize = 100_000;
-/// The largest number of products of terms in one expansion.
 const MOST_WORK: u64 = 300_000;
-/// The most products of terms in all expansions of a block.
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// A sum of more terms has them in no order.
+/// The most terms of a sum whose order is kept.
 const MOST_IN_ORDER: usize = 64;
-/// The largest degree in the states that a power of a sum may have, whatever cancels it later.
+/// The largest degree in the states of a power of a sum, even if it cancels later.
 const HIGHEST_DEGREE: u64 = 64;
 
-/// p/q
+/// A fraction p/q, with its written form.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
     pub(super) numerator: Polynomial,
-    /// Not zero; 1, or not constant.
+    /// Not zero; 1 or not constant.
     pub(super) denominator: Polynomial,
-    /// The same over the values that are kept; `None` where it is the numerator, and nothing is
-    /// divided by.
+    /// The numerator over kept values; `None` if it equals `numerator` without a division.
     kept: Option<Polynomial>,
-    /// The terms of a sum of three or more, as they are added one after the other.
+    /// The terms of a sum of three or more, in order of addition.
     order: Vec<Polynomial>,
 }
 
@@ -52,67 +47,61 @@ impl Expansion {
         Expansion { numerator, denominator: Polynomial::one(), kept: None, order: Vec::new() }
     }
 
-    /// Its value, if it is a number.
     pub(super) fn as_constant(&self) -> Option<Rational> {
         if self.denominator.is_one() { self.numerator.as_constant() } else { None }
     }
 
-    /// What stands for what is broken.
+    /// Returns 0, which replaces broken expressions.
     pub(super) fn zero() -> Self {
         Expansion::polynomial(Polynomial::zero())
     }
 
-    /// Returns the function, whose numerator and denominator are in lowest terms.
+    /// Returns the function; the fraction must be in lowest terms.
     pub(super) fn function(self) -> RationalFunction {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }
 
-    /// The same over the values that are kept.
     pub(super) fn kept(&self) -> &Polynomial {
         self.kept.as_ref().unwrap_or(&self.numerator)
     }
 }
 
-/// Expands `expr`, whose names all mean something; what is kept of it becomes `values`.
+/// Expands `expr` with known names; kept parts are added to `values`.
 pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces) = (false, true);
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// The same, of which nothing is kept.
+/// Expands `expr` and discards kept values.
 pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     expand(expr, scope, &mut Values::of(&scope.symbols))
 }
 
-/// The sides of a relation behind `when`: exponents may be negative, nothing is kept, and what is
-/// divided by stays, as the relation must exist where it holds.
+/// Expands a side of a relation: exponents may be negative; divisors stay, as they must be nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, false, &mut Values::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// A claim in lowest terms: exponents may be negative, and nothing is kept.
+/// Expands a claim in lowest terms; exponents may be negative.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, true, &mut Values::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// The budget of one expansion, which is part of what the block has left.
+/// Returns the budget of one expansion, part of the rest of the block's budget.
 fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }
 
-/// Whether the expansions of the block have taken all that they may. The expression at which they
-/// did was reported, and no other is looked at.
+/// Returns whether the block's budget is spent; later expressions are not examined then.
 pub(super) fn is_spent(scope: &Scope) -> bool {
     scope.products.get() >= MOST_WORK_OF_BLOCK
 }
 
 struct Fractions<'a> {
     scope: &'a Scope,
-    /// Whether exponents may be negative.
     inverts: bool,
-    /// Whether fractions are brought into lowest terms.
     reduces: bool,
     values: &'a mut Values,
     budget: Budget,
@@ -139,7 +128,7 @@ impl Target for Fractions<'_> {
         Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
-    /// Terms over the same denominator are added in one go, so that long sums cost a sort.
+    /// Adds terms with equal denominators together, so that long sums cost a sort.
     fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
@@ -188,7 +177,7 @@ impl Target for Fractions<'_> {
         self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 
-    /// A divisor is free of states, also after expansion.
+    /// Divides by b, which must be free of states after expansion.
     fn divide(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         let Expansion { numerator, denominator, .. } = &b;
         let variables = numerator.variables();
@@ -204,7 +193,7 @@ impl Target for Fractions<'_> {
                 Expansion { denominator: numerator.clone(), ..Expansion::polynomial(denominator.clone()) }
             }
         };
-        // 1/(1/p) is p, with its divisor gone.
+        // 1/(1/p) is p, without a divisor.
         let is_single = inverse.denominator.is_one() || !denominator.is_one();
         let kept = if is_single {
             None
@@ -270,7 +259,7 @@ impl Target for Fractions<'_> {
 }
 
 impl Fractions<'_> {
-    /// Expands an expression, and charges it to the block.
+    /// Expands an expression and charges it to the block.
     fn expanded(mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
         let before = self.budget.work_left();
         let expansion = lower(expr, &mut self);
@@ -293,7 +282,6 @@ impl Fractions<'_> {
         Polynomial::sum_within(terms, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// The mistake of a power of states that is too high.
     fn power_too_high(&self, base: &Expansion, span: Span, degree: u64) -> Diagnostic {
         let symbols = &self.scope.symbols;
         let state = base.numerator.variables().into_iter().find(|&variable| symbols.is_state(variable));
@@ -311,8 +299,8 @@ impl Fractions<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// The sum as it was written, where that is not the sum of the numerators, and the order of its
-    /// terms. A sum among them, which stands in parentheses, is a value.
+    /// Returns the sum as written, if it differs from the sum of numerators, and the order of its
+    /// terms. A sum in parentheses becomes a value.
     fn kept_sum(
         &mut self,
         terms: &[(bool, Expansion)],
@@ -335,15 +323,13 @@ impl Fractions<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// What is kept of something as a factor of a product. The terms of a sum are added in the
-    /// order in which they were written, each partial sum being a value.
+    /// Returns the kept form as a factor of a product; partial sums in written order become values.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 
-    /// The product as it was written, its factors being values where they are sums; `None` where
-    /// that is nothing but the numerator.
+    /// Returns the product as written, with sums as values; `None` if it equals the numerator.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
         let is_sign = |value: Rational| (&value * &value).is_one();
         let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
@@ -359,13 +345,12 @@ impl Fractions<'_> {
         Some(&self.factor(a) * &self.factor(b))
     }
 
-    /// The variables on which something depends, and its degree in the states.
     fn extent(&self, of: &Expansion) -> (Vec<Variable>, u32) {
         let variables = [of.numerator.variables(), of.denominator.variables()].concat();
         (variables, self.scope.symbols.degree(&of.numerator))
     }
 
-    /// In lowest terms. Where that changes it, it does not stand as it was written.
+    /// Reduces to lowest terms; drops the written form if one of its divisors cancels.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         if expansion.denominator.is_one() || !self.reduces {
             return Ok(expansion);
@@ -382,8 +367,7 @@ impl Fractions<'_> {
         }
     }
 
-    /// The same fraction, of which nothing is kept but its divisor: it does not stand as it was
-    /// written.
+    /// Drops the written form except for the divisor.
     fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
             return Expansion { kept: None, order: Vec::new(), ..expansion };
@@ -394,7 +378,7 @@ impl Fractions<'_> {
     }
 }
 
-/// The mistake of a term of degree `degree` > 2 that `product`, of two states, divides.
+/// Returns the diagnostic of a term of degree `degree` > 2 that `product`, of two states, divides.
 pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, degree: u64) -> Diagnostic {
     let new = scope.new_variable();
     let message =
@@ -403,16 +387,14 @@ pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, deg
     Diagnostic::new(Kind::Degree, span, message, help)
 }
 
-/// The way out: a new variable for what is not quadratic. A family is not lifted.
+/// Suggests a new variable for a nonquadratic function. Families are not lifted.
 fn instead_of(new: &str, function: &str) -> String {
     let by = if new.contains('[') { "introduce a new variable" } else { LIFTS };
     let such_as = if new.contains('[') { "" } else { ", for example with" };
     format!("{by}{such_as} `{new}` for {function}: {NOT_QUADRATIC} shows how")
 }
 
-/// The mistake of dividing by `divisor`, which depends on this state.
 fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span) -> Diagnostic {
-    /// Divisors of more terms are not repeated.
     const MOST: usize = 4;
 
     let name = scope.symbols.name(state);
@@ -430,7 +412,6 @@ fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span
     Diagnostic::new(Kind::StateDivisor, span, message, help)
 }
 
-/// The mistake of an expansion beyond the limits of terms or of work.
 fn too_large(span: Span) -> Diagnostic {
     let message = format!(
         "the expansion has more than {MOST_TERMS} terms, or takes more than {MOST_WORK} products of terms"
@@ -439,21 +420,20 @@ fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
-/// The parameter, or ε, with the highest power in an expansion.
+/// Returns the parameter, or ε, with the highest power in an expansion.
 fn highest_power(expansion: &Expansion, symbols: &Symbols) -> Option<(Variable, u32)> {
     let terms = expansion.numerator.terms().chain(expansion.denominator.terms());
     let powers = terms.flat_map(|(monomial, _)| monomial.powers().iter().copied());
     powers.filter(|(variable, _)| !symbols.is_state(*variable)).max_by_key(|(_, exponent)| *exponent)
 }
 
-/// The mistake of a power of a parameter that is too high; `place` says where it stands.
+/// Returns the diagnostic of an excessive power of a parameter; `place` quotes the power.
 fn exponent_too_high(span: Span, place: &str) -> Diagnostic {
     let message = format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}");
     let help = "declare the power as a parameter of its own";
     Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
-/// The mistake of the expression at which the expansions of its block have taken all that they may.
 fn block_too_large(span: Span) -> Diagnostic {
     let message = format!(
         "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"

@@ -1,4 +1,4 @@
-//! A family: arrays, parameters of the chain and of its sites, equations, sums.
+//! Checks a family: arrays, parameters of the chain and of sites, equations, sums.
 
 use rustc_hash::FxHashSet;
 
@@ -20,8 +20,7 @@ use super::names::{Scope, references};
 use super::stand_in::StandIn;
 use super::{report_names, report_size};
 
-/// Checks the family of a block. There is always a stand-in, and a family where the block has no
-/// mistake.
+/// Checks the family of a block; returns a stand-in, and a family without mistakes.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,
@@ -79,7 +78,7 @@ pub(crate) fn check_family(
     (stand_in, diagnostics.is_empty().then_some(family))
 }
 
-/// What stands beside a family and cannot.
+/// Reports items that cannot stand beside a family.
 fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
     for (index, equation) in block.equations.iter().enumerate() {
         if !(head.equations_before..head.equations_until).contains(&index) {
@@ -109,7 +108,6 @@ fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnost
     }
 }
 
-/// The names that a family declares and uses.
 struct Names {
     arrays: Vec<String>,
     parameters: Vec<String>,
@@ -118,7 +116,7 @@ struct Names {
 }
 
 impl Names {
-    /// Parameters that the block writes with an index are those of sites.
+    /// Collects names; parameters written with an index are those of sites.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {
@@ -133,7 +131,6 @@ impl Names {
         Names { arrays: states, parameters, site_parameters, reach }
     }
 
-    /// How many values a site sees.
     fn seen(&self) -> usize {
         (2 * self.reach + 1) * (self.arrays.len() + self.site_parameters.len()) + self.parameters.len()
     }
@@ -151,7 +148,6 @@ impl Names {
         }
     }
 
-    /// Reports arrays without an index, once each.
     fn report_plain_arrays(&self, block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) {
         let at_sites: FxHashSet<&str> =
             self.arrays.iter().chain(&self.site_parameters).map(String::as_str).collect();
@@ -166,7 +162,7 @@ impl Names {
     }
 }
 
-/// A claimed sum; `None` where a mistake in it was reported.
+/// Checks a claimed sum; `None` if a mistake was reported.
 fn sum(
     claim: &Claim,
     arrays: &[String],
@@ -201,8 +197,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the density of a claim, whose sum over all sites the claim is: sums are linear, so `sum`
-/// is taken off each term.
+/// Returns the summand of a claim: sums are linear, so `sum` is removed from each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -258,15 +253,13 @@ fn find_sum(expr: &Expr) -> Option<&Expr> {
     }
 }
 
-/// Whether a value at a site occurs.
 fn is_at_sites(expr: &Expr) -> bool {
     let mut found = false;
     expr.visit_names(&mut |name, _| found |= matches!(name, Reference::Site { .. }));
     found
 }
 
-/// Reports parameters of neighbours that are needed where there is no neighbour: they may only
-/// multiply a state that lies as far outside, which is 0.
+/// Reports site parameters beyond the ends, unless they multiply a state as far outside (0).
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =
@@ -282,7 +275,7 @@ fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diag
     }
 }
 
-/// A parameter that a quotient needs beyond an end.
+/// Returns a parameter that a quotient needs beyond an end.
 fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
     let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();
@@ -292,7 +285,7 @@ fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     })
 }
 
-/// The smallest and the largest offset of the states of a monomial, and 0.
+/// Returns the smallest and the largest offset among 0 and the states of a monomial.
 fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
     let offsets = monomial.powers().iter().filter_map(|&(variable, _)| match family.role(variable) {
         Role::State { offset, .. } => Some(offset),
@@ -301,7 +294,7 @@ fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
     offsets.fold((0, 0), |(least, most), offset| (least.min(offset), most.max(offset)))
 }
 
-/// A parameter of a site outside of these offsets.
+/// Returns a site parameter outside of these offsets.
 fn beyond(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
     monomial.powers().iter().find_map(|&(variable, _)| match family.role(variable) {
         Role::SiteParameter { offset, index } if offset < least || offset > most => {

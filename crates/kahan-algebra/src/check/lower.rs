@@ -1,9 +1,8 @@
-//! An expression to what it is lowered to: the one walk over [`Expr`] that gives operations a
-//! meaning.
+//! Lowers expressions: the only walk over [`Expr`] that gives operations a meaning.
 //!
-//! Equations, constants and relations are lowered to fractions ([`expand`](super::expand)), claims
-//! to plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, negative exponents where
-//! there may be none, and `sum(…)` out of place; each target refuses what is too large for it.
+//! Equations, constants and relations become fractions ([`expand`](super::expand)), claims become
+//! plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, invalid negative exponents,
+//! and misplaced `sum(…)`; each target limits its own sizes.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -12,38 +11,31 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent of a parameter in an equation, and of anything but a short number in a
-/// claim.
+/// The largest exponent of a parameter in an equation; in a claim, of all but short numbers.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
-/// The largest size of a number, in bits.
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
-/// What expressions are lowered to.
+/// The result of lowering, with its operations.
 pub(super) trait Target {
-    /// What an expression becomes.
     type Value;
 
-    /// A literal.
     fn number(&mut self, value: &Rational) -> Self::Value;
-    /// What a name stands for.
+    /// Returns the meaning of a name.
     fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// −a
     fn negate(&mut self, a: Self::Value) -> Self::Value;
-    /// The sum of all, each with whether it is subtracted.
+    /// Returns the sum of all terms; the flag marks those to subtract.
     fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// a·b
     fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// a/b; b is not identically zero.
+    /// Returns a/b; b is not identically zero.
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// aⁿ
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// Whether this is 0 for all values of its names, as far as that is known.
+    /// Returns whether a is known to be identically 0.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Whether exponents may be negative.
+    /// Returns whether exponents may be negative.
     fn inverts(&self) -> bool;
 }
 
-/// Lowers an expression whose names all mean something.
+/// Lowers an expression with known names.
 pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
     match &expr.kind {
         ExprKind::Number(value) => Ok(target.number(value)),
@@ -109,7 +101,6 @@ fn divide<T: Target>(
     target.divide(dividend, divisor, span)
 }
 
-/// The mistake of a sum over sites where there are none to sum over.
 fn sum_out_of_place(span: Span) -> Diagnostic {
     let message = "`sum(…)` runs over all sites, and stands in the claims of a family";
     let help = "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`";

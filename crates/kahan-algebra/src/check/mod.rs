@@ -1,9 +1,8 @@
-//! Syntax to a checked system or family; each rule has a function.
+//! Checks syntax and returns a system or a family; each rule has a function.
 //!
-//! Names first, then constants, equations and claims. What is broken is reported once; whoever
-//! looks at it later takes something harmless for it (a zero right-hand side), so that one mistake
-//! makes one error. A block with a mistake is [`Broken`]: nothing is said of its field, and its
-//! type has a [`StandIn`].
+//! Names come first, then constants, equations and claims. A mistake is reported once; later stages
+//! see a harmless replacement such as a zero right-hand side. A block with a mistake is [`Broken`]:
+//! it has no field, only a [`StandIn`] for its type.
 
 mod claims;
 mod conditions;
@@ -31,15 +30,13 @@ pub(crate) use family::check_family;
 pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
-/// The most equations of a block.
 const MOST_EQUATIONS: usize = 10_000;
-/// The most names of a block: states, parameters, constants and claims; of a family those that a
-/// site sees, an array once for each neighbour. 16 bits number them, and a second copy of them.
+/// The most names of a block: states, parameters, constants and claims. A family counts the names
+/// that a site sees, with an array once for each neighbour.
 const MOST_NAMES: usize = 10_000;
-/// The most claims of a block.
 const MOST_CLAIMS: usize = 500;
 
-/// The mistake of a family where a plain system is wanted.
+/// Returns the diagnostic of a family in place of a plain system.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -47,7 +44,7 @@ pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::Empty, span, message, help)
 }
 
-/// What a block says.
+/// A checked block.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "there is one, and it is handed on once")]
 pub enum Checked {
@@ -60,7 +57,7 @@ pub enum Checked {
 }
 
 impl Checked {
-    /// The header, where the block has one.
+    /// Returns the header, if the block has one.
     #[must_use]
     pub fn header(&self) -> Option<&Header> {
         match self {
@@ -70,7 +67,7 @@ impl Checked {
         }
     }
 
-    /// The mistakes, in the order of their places.
+    /// Returns the mistakes in order of their places.
     #[must_use]
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
@@ -79,10 +76,10 @@ impl Checked {
         }
     }
 
-    /// The system.
+    /// Returns the system.
     ///
     /// # Errors
-    /// The mistakes; of a family, that the number of its sites is wanted.
+    /// Returns the mistakes; for a family, that the number of sites is required.
     pub fn system(self) -> Result<System, Vec<Diagnostic>> {
         match self {
             Checked::System(system) => Ok(system),
@@ -91,10 +88,10 @@ impl Checked {
         }
     }
 
-    /// The family; `None` where the block has plain equations.
+    /// Returns the family; `None` if the block has plain equations.
     ///
     /// # Errors
-    /// The mistakes.
+    /// Returns the mistakes.
     pub fn family(self) -> Result<Option<Family>, Vec<Diagnostic>> {
         match self {
             Checked::System(_) => Ok(None),
@@ -104,7 +101,7 @@ impl Checked {
     }
 }
 
-/// Reports a block that declares too much; `true` if it does.
+/// Reports a block that declares too much; returns whether it does.
 fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         let message = format!("the block has more than {MOST_EQUATIONS} equations");
@@ -122,7 +119,6 @@ fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     report_names(block.equations.len() + parameters + block.constants.len(), block, diagnostics)
 }
 
-/// Reports a count of names above the limit; returns whether it is above.
 fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if count <= MOST_NAMES {
         return false;
@@ -138,11 +134,11 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
     true
 }
 
-/// Reads claims about the field of a system, without a proof; later ones may name earlier ones. The
-/// claims that the system brings along are unknown to them.
+/// Compiles further claims about the field of a system without a proof. Later claims may use
+/// earlier ones, but not those of the system.
 ///
 /// # Errors
-/// The mistakes.
+/// Returns the mistakes.
 pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
@@ -154,8 +150,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks a block of plain equations. There is always a stand-in, and a system where the equations
-/// have no mistake; claims with a mistake are left out of it.
+/// Checks plain equations; returns a stand-in, and a system if they have no mistake.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);
@@ -178,11 +173,11 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // Odd powers of ε in kept factors cancel in the expanded form, and the step needs powers of ε².
+    // Odd powers of ε in kept factors cancel in the expanded form, but the step needs powers of ε².
     let kept = if kept.has_odd_powers_of_eps() { Kept::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();
-    // Without a field there is nothing to claim of it.
+    // Without a field there is nothing to claim.
     let claims = if block.equations.is_empty() {
         Vec::new()
     } else {

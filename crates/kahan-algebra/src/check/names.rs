@@ -1,4 +1,4 @@
-//! Names: who is a state, a parameter, a constant or a claim, and that no name is two of them.
+//! Resolves names to states, parameters, constants or claims; no name has two meanings.
 
 mod declared;
 
@@ -18,35 +18,30 @@ use kahan_syntax::token::Span;
 use crate::poly::Variable;
 use crate::symbols::{Symbol, Symbols};
 
-/// What a name means in an equation.
 #[derive(Clone, Debug)]
 pub(super) enum Meaning {
     Variable(Variable),
     Constant(Rational),
 }
 
-/// All names of a block.
 #[derive(Default)]
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
-    /// The states and parameters by name.
     places: FxHashMap<String, Symbol>,
-    /// Values of constants; `None` for one whose value was not understood.
+    /// Values of constants; `None` if the value is broken.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
-    /// Claims so far.
+    /// The claims so far.
     pub(super) claims: Vec<String>,
-    /// Names that are mistakes already, or whose owner is: not to be reported again.
+    /// Names with a reported mistake, not to be reported again.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
-    /// Claims of the whole block.
     all_claims: FxHashSet<String>,
     /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
-    /// The products of terms that its expansions took so far.
+    /// The products of terms spent on expansions so far.
     pub(super) products: Cell<u64>,
 }
 
-/// Whether `name` is the half time step.
 pub(super) fn is_epsilon(name: &str) -> bool {
     matches!(name, "eps" | "ε")
 }
@@ -60,7 +55,6 @@ impl Scope {
         matches!(self.places.get(name), Some(Symbol::Parameter(_)))
     }
 
-    /// Whether nothing of this name may be reported any more.
     pub(super) fn is_poisoned(&self, name: &str) -> bool {
         self.poisoned.contains(name)
     }
@@ -69,7 +63,7 @@ impl Scope {
         self.poisoned.insert(name.to_owned());
     }
 
-    /// The variable of a state, a parameter or ε.
+    /// Returns the variable of a state, a parameter or ε.
     pub(super) fn variable(&self, name: &str) -> Option<Variable> {
         if is_epsilon(name) {
             return Some(self.symbols.epsilon());
@@ -77,12 +71,10 @@ impl Scope {
         self.places.get(name).map(|symbol| self.symbols.variable(*symbol))
     }
 
-    /// Notes that something uses this name.
     pub(super) fn mark_used(&mut self, name: &str) {
         self.used.insert(name.to_owned());
     }
 
-    /// What a name of an equation means.
     pub(super) fn meaning(&self, name: &str) -> Option<Meaning> {
         if let Some(value) = self.constants.get(name) {
             return value.clone().map(Meaning::Constant);
@@ -90,8 +82,7 @@ impl Scope {
         self.variable(name).map(Meaning::Variable)
     }
 
-    /// Reports every name of `expr` that means nothing here; `true` if all mean something and none
-    /// is poisoned.
+    /// Reports every unknown name of `expr`; returns whether all names are known and valid.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
         let mut references = Vec::new();
         expr.visit_names(&mut |reference, span| references.push((reference, span)));
@@ -108,7 +99,7 @@ impl Scope {
                 && !(in_claim && self.claims.iter().any(|claim| claim == name))
             {
                 sound = false;
-                // A constant without a value has been reported at its declaration.
+                // A constant without a value was reported at its declaration.
                 if !self.constants.contains_key(name) && !diagnostics.is_full() {
                     self.report_unknown(reference, span, in_claim, diagnostics);
                 }
@@ -125,7 +116,7 @@ impl Scope {
         diagnostics: &mut Diagnostics,
     ) {
         let name = &*reference.to_string();
-        // Who writes `dxdt = …` means `x`: its equation is the mistake.
+        // In `dxdt = …` the left-hand side is the mistake, not `x`.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
         }
@@ -150,7 +141,7 @@ impl Scope {
         } else if let Some(help) = number(name) {
             help
         } else if let Some(nearest) = self.nearest(name, in_claim) {
-            // Nothing else may use the name that was meant; that is not a second mistake.
+            // Mark the intended name as used, so that it is not reported as unused.
             self.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
         } else if is_keyword(name) {
@@ -167,18 +158,16 @@ impl Scope {
         self.poison(name);
     }
 
-    /// Whether states are those of sites.
     fn is_family(&self) -> bool {
         self.symbols.states.iter().any(|state| state.ends_with(']'))
     }
 
-    /// Whether each site has a state of this name, in a family.
+    /// Returns whether `name` is an array of a family.
     fn is_array(&self, name: &str) -> bool {
         self.is_state_name(&Reference::Site { array: name, offset: 0 }.to_string())
     }
 
-    /// What is wrong where a name is none that a right-hand side may have undeclared, and what to
-    /// write instead.
+    /// Returns message and help for a name that cannot be an undeclared parameter.
     fn never_free(&self, name: &str) -> Option<(String, String)> {
         let is_state = |base: &str| self.is_state_name(base) || self.is_array(base);
         if !is_never_free(name, is_state) {
@@ -201,7 +190,6 @@ impl Scope {
         ))
     }
 
-    /// A name for a new variable, which nothing has.
     pub(super) fn new_variable(&self) -> String {
         let is_taken = |name: &str| {
             self.variable(name).is_some()
@@ -218,7 +206,7 @@ impl Scope {
         names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
 
-    /// The known name closest to `name`, if close enough to be a slip.
+    /// Returns the closest known name, if close enough for a typing error.
     pub(super) fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
         let mut candidates: Vec<String> = self.symbols.states.clone();
         candidates.extend(self.symbols.parameters.iter().cloned());
@@ -230,8 +218,7 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Reports the parameters of the header that neither equations nor claims use. Those of a lift
-    /// may stand in its first values alone.
+    /// Reports unused parameters of the header; initial values of a lift count as uses.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
         let unread = block.lift.is_some()
             || block.equations.iter().any(|equation| equation.value.is_none())
@@ -248,7 +235,7 @@ impl Scope {
         }
     }
 
-    /// Reports that `name` is taken, if it is; `true` if it was free.
+    /// Returns whether `name` is free; reports it otherwise.
     pub(super) fn is_free(&self, name: &Name, what: &str, diagnostics: &mut Diagnostics) -> bool {
         let text = &name.text;
         let taken = if self.is_state_name(text) {
@@ -269,7 +256,7 @@ impl Scope {
     }
 }
 
-/// Reports a name that the language keeps for itself; `true` if it was one.
+/// Reports a reserved name; returns whether it is reserved.
 fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     let (message, help) = if is_epsilon(&name.text) {
         (format!("`{}` is reserved: it is half the time step", name.text), "choose another name")
@@ -282,16 +269,14 @@ fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     true
 }
 
-/// The name of the time in a right-hand side.
 const TIME: &str = "t";
 
-/// The name whose derivative `name` is: `x` for `xdot` and `ẋ`.
+/// Returns `x` for `xdot` and `ẋ`.
 fn base_of_derivative(name: &str) -> Option<String> {
     name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
 }
 
-/// Whether a name of a right-hand side is no parameter unless the header declares it: the time, and
-/// the derivative of a state.
+/// Returns whether an undeclared name cannot be a parameter: the time, or a state's derivative.
 pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
     name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

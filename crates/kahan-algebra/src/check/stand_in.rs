@@ -1,5 +1,5 @@
-//! What stands in for a block with mistakes, so that the rest of a program is checked against its
-//! type: the names that were found, and nothing that could be computed.
+//! A stand-in for a block with mistakes, so that rustc can check the rest of a program against its
+//! type: names only, nothing that can be computed.
 
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
@@ -15,33 +15,33 @@ use crate::system::{Claim, Condition, System};
 /// A block with mistakes.
 #[derive(Clone, Debug)]
 pub struct Broken {
-    /// The mistakes, in the order of their places; there is at least one.
+    /// At least one mistake, in order of places.
     pub diagnostics: Vec<Diagnostic>,
-    /// What stands in for it.
+    /// The stand-in for the block.
     pub stand_in: StandIn,
 }
 
-/// What is known of a block with mistakes: its header and its names.
+/// Header and names of a block with mistakes.
 #[derive(Clone, Debug)]
 pub struct StandIn {
-    /// The header, where there is one.
+    /// The header, if the block has one.
     pub header: Option<Header>,
     /// States and parameters; of a family, the parameters of the chain.
     pub symbols: Symbols,
-    /// The parameters that each site of a family has.
+    /// The parameters of each site of a family.
     pub site_parameters: Vec<String>,
-    /// The claims, each with whether it is made for all parameters and ε.
+    /// The claims, each with whether it is unconditional.
     claims: Vec<(ClaimKind, Name, bool)>,
 }
 
 impl StandIn {
-    /// A type without equations.
+    /// Returns a type without equations.
     #[must_use]
     pub fn of_type(header: Option<Header>) -> Self {
         StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
     }
 
-    /// The names of a system.
+    /// Returns the names of a system.
     #[must_use]
     pub fn of_system(system: &System) -> Self {
         let claims =
@@ -50,12 +50,11 @@ impl StandIn {
         StandIn { symbols, claims: claims.collect(), ..StandIn::of_type(system.header.clone()) }
     }
 
-    /// Adds a claim.
     pub(super) fn push_claim(&mut self, kind: ClaimKind, name: &Name, is_unconditional: bool) {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// The system of these names in which nothing moves and all claims are 0. Nobody proves them.
+    /// Returns a system with these names in which nothing moves and all claims are 0.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
@@ -75,7 +74,7 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
-        // Whether there is a condition decides which methods a claim has; any serves.
+        // The existence of a condition decides the methods of a claim; any condition serves.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

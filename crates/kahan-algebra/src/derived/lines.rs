@@ -1,4 +1,4 @@
-//! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
+//! The plans of one site of a family: its field, its rows of A(x,ε), the summands of its claims.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
@@ -14,41 +14,39 @@ use crate::family::{Family, Role, SiteSum};
 
 use super::names::constant_names;
 
-/// Where an entry of A stands: the row of an array, and the column among the values that a site
-/// sees.
+/// The position of an entry of A in the rows of a site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The array whose row it is.
+    /// The array of the row.
     pub row: usize,
-    /// The column: site by site from −reach on, arrays interleaved.
+    /// The column among the values that a site sees: site by site, arrays interleaved.
     pub column: usize,
 }
 
-/// The lines of a family.
+/// The plans of a family.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// The names of what the prepared constants are made of: the parameters of the chain.
+    /// The names in `constants`: the parameters of the chain.
     pub given: Symbols,
-    /// The names of what the lines read: as states the values that a site sees, first those of the
-    /// arrays, then those of the parameters of sites, each from −reach on; as parameters the
-    /// prepared constants.
+    /// The names in `rows` and `sums`. States are the values that a site sees: arrays, then site
+    /// parameters, each from −reach on. Parameters are the prepared constants.
     pub symbols: Symbols,
-    /// From ε and the parameters of the chain to the prepared constants.
+    /// The prepared constants, from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The field, an array a result, then the entries of A at [`entries`](Self::entries).
+    /// The field, one output for each array, then the entries of A at [`entries`](Self::entries).
     pub rows: Plan,
-    /// What each claimed sum adds up, integrals first, then the Hamiltonian.
+    /// The summands of claims: integrals, then the Hamiltonian.
     pub sums: Plan,
-    /// The entries of A that are not zero for every state.
+    /// The entries of A that are not identically zero.
     pub entries: Vec<Place>,
-    /// The largest distance, in unknowns, of such an entry to the left of the diagonal.
+    /// The lower bandwidth of A in unknowns.
     pub lower: usize,
-    /// The same to the right.
+    /// The upper bandwidth of A in unknowns.
     pub upper: usize,
 }
 
 impl Family {
-    /// The lines of a site. Cost: about as many operations as the equations have.
+    /// Derives the plans of a site. Cost: about as many operations as the equations have.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();
@@ -121,12 +119,12 @@ impl Family {
         }
     }
 
-    /// The sums that are claimed: integrals, then the Hamiltonian.
+    /// Returns the claimed sums: integrals, then the Hamiltonian.
     pub fn sums(&self) -> impl Iterator<Item = &SiteSum> {
         self.integrals.iter().chain(&self.hamiltonian)
     }
 
-    /// The couplings of an array, its own value among them.
+    /// Returns the couplings of an array, including its own value.
     fn with_diagonal(&self, array: usize) -> Vec<usize> {
         let mut places = self.couplings(array);
         let own = self.place(0, array);
@@ -136,8 +134,7 @@ impl Family {
         places
     }
 
-    /// The values that a site sees, parameters of sites among them, as states whose names are
-    /// identifiers.
+    /// Returns all values that a site sees, with site parameters, as states named by identifiers.
     fn line_symbols(&self) -> Symbols {
         let reach = self.reach as i64;
         let identifier = |array: &String, offset: i64| match offset {
@@ -160,14 +157,13 @@ impl Family {
 
 struct LineWriter<'a> {
     family: &'a Family,
-    /// The field whose constants are parameters.
     with_constants: &'a WithConstants,
     symbols: &'a Symbols,
     builder: PlanBuilder,
 }
 
 impl LineWriter<'_> {
-    /// A variable of the family in the line.
+    /// Returns a variable of the family in the numbering of the lines.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;
         let symbol = self.with_constants.field.symbols.symbol(variable);
@@ -197,9 +193,9 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// A quotient, or ε times it, as a sum of prepared coefficients times polynomials of integers
-    /// in what a site sees: what the parameters make of a term is computed once and not at each
-    /// site. Where sites divide by numbers of their own, the whole sum is divided.
+    /// Writes a quotient, or ε times it, as a sum of prepared coefficients times integer
+    /// polynomials in the values of a site, so that parameter expressions are computed once. If
+    /// divisors vary by site, the whole sum is divided.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();
@@ -229,8 +225,7 @@ impl LineWriter<'_> {
         self.symbols.is_state(self.renamed(variable))
     }
 
-    /// A polynomial as coefficients of parameters, none a multiple of another, and what each is
-    /// multiplied by at a site.
+    /// Splits a polynomial into coefficients in parameters (not proportional) and their cofactors.
     fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
@@ -244,10 +239,10 @@ impl LineWriter<'_> {
         terms
     }
 
-    /// δ − ε ∂f/∂x
+    /// Writes δ − ε ∂f/∂x.
     fn entry(&mut self, slope: &Polynomial, below: &Polynomial, is_diagonal: bool) -> Node {
         let eps = self.builder.input(self.symbols.epsilon());
-        // −ε times a sum is ε times the sum of the other sign, which costs nothing.
+        // −ε times a sum is ε times the negated sum, which costs nothing.
         let scaled = self.multiple(Some(eps), &-slope, below);
         if !is_diagonal {
             return scaled;

@@ -1,4 +1,4 @@
-//! The plan of a step as text, one line a step: what is printed is what is computed, in that order.
+//! The plan of a step as text, one line for each operation in order of computation.
 
 use crate::plan::{Node, Operation, Plan, StepPlan};
 use crate::symbols::Symbols;
@@ -8,24 +8,23 @@ use super::names::{constant_names, listed_constants, listed_kernel};
 /// A step's plan in lines `name = left + right`; a line with a product and a sum is one
 /// multiply-add.
 ///
-/// ε stands as `eps`, half the time step; a power of two by a denominator of the map is called
-/// `reciprocal_1`, ….
+/// `eps` is half the time step ε; a power of two over a denominator is named `reciprocal_1`, ….
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
-    /// What ε and the parameters fix, computed once; a name alone is kept as it is.
+    /// The prepared constants; a name without a formula is ε or a parameter.
     pub constants: Vec<String>,
-    /// From a state to the numerators and reciprocals.
+    /// The operations from a state to numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// For each component the name of its reciprocal; `None` where it does not divide.
+    /// For each component the name of its reciprocal; `None` without a division.
     pub reciprocals: Vec<Option<String>>,
-    /// x̃ from x, a line a component.
+    /// x̃ from x, one line for each component.
     pub next: Vec<String>,
     /// [`StepPlan::holds_to`].
     pub holds_to: u32,
 }
 
 impl StepListing {
-    /// The listing of a step; `symbols` are those of its field.
+    /// Returns the listing of a step; `symbols` are those of its field.
     #[must_use]
     pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
         let plan = &step.kernel.plan;
@@ -41,7 +40,7 @@ impl StepListing {
             let reciprocal = reciprocal.map(|node| name(*node).to_owned());
             let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
-                    // A change of sign that becomes a subtraction is no step.
+                    // A negation that becomes a subtraction is not listed.
                     hidden[numerator.0] = uses[numerator.0] == 1;
                     ('-', inner)
                 }
@@ -57,7 +56,7 @@ impl StepListing {
             });
             reciprocals.push(reciprocal);
         }
-        // A prepared constant that is ε or a parameter itself is not computed, but kept.
+        // Prepared constants that are ε or a parameter are listed by name only.
         let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();
@@ -66,8 +65,7 @@ impl StepListing {
     }
 }
 
-/// A line for each step that is computed and not `hidden`: inputs and literals stand where they are
-/// used.
+/// Returns a line for each operation that is not `hidden`; inputs and literals are inlined.
 fn lines(plan: &Plan, names: &[String], hidden: impl Fn(usize) -> bool) -> Vec<String> {
     let is_literal = |node: Node| matches!(plan.operations[node.0], Operation::Constant(_));
     let lines = plan.operations.iter().zip(names).enumerate().filter_map(|(index, (operation, result))| {

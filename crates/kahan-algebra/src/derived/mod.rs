@@ -1,10 +1,8 @@
 //! The field, the map and the claims of a system as straight-line plans.
 //!
-//! In: a checked system. Out: a [`Derived`], in which each plan has a name; of a family its
-//! [`Lines`], for a proof the `scheme`. Whoever writes code, runs a map or prints reads the plans
-//! from there, so that all of them compute the same operations in the same order. Plans of other
-//! things are assembled where these are known: those of claims while the text is checked, those of
-//! exact heights in `kahan-runtime`.
+//! A [`Derived`] names each plan of a checked system; a family has [`Lines`]. Code generators,
+//! run-time maps and printers all read plans from here, so they compute equal operations in equal
+//! order. Plans of claims are made by the check, those of exact heights in `kahan-runtime`.
 
 mod lines;
 mod listing;
@@ -29,41 +27,38 @@ use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
 
-/// The plans of a system. Their inputs are states, parameters and ε, which is half the time step.
+/// The plans of a system. Inputs are states, parameters and ε, half the time step.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// The system itself.
+    /// The system.
     pub system: System,
-    /// What each component of the field divides by, free of states: where one is zero there is no
-    /// field.
+    /// The divisors of the field, free of states; the field is undefined where one is zero.
     pub divisors: Plan,
     /// The map as polynomials; `None` beyond the budget of terms.
     pub map: Option<RationalMap>,
     /// det A(x,ε), expanded; `None` beyond the budget.
     pub det_matrix: Option<Plan>,
-    /// (N, D), the numerators before the denominator, unreduced; `None` beyond the budget.
+    /// (N, D): numerators, then the denominator, unreduced; `None` beyond the budget.
     pub rational_map: Option<Plan>,
-    /// The numerators of the reduced map before its denominator; `None` where nothing that depends
-    /// on a state was divided out, so that they are (N, D) up to a factor without poles.
+    /// Numerators and denominator of the reduced map; `None` if no state-dependent factor was
+    /// divided out, so that they are (N, D) up to a factor without poles.
     pub reduced_map: Option<Plan>,
-    /// The integrals that are claimed without `when`, together.
+    /// The unconditional integrals in one plan.
     pub integrals: Plan,
-    /// Their names, in order.
+    /// The names of the integrals, in order.
     pub integral_names: Vec<String>,
-    /// The density that is claimed without `when`.
+    /// The unconditional density.
     pub density: Option<Plan>,
-    /// The brackets that are claimed without `when`: name, and the entries above the diagonal row
-    /// by row.
+    /// The unconditional brackets: name, and the entries above the diagonal row by row.
     pub brackets: Vec<(String, Plan)>,
-    /// The drifts that are claimed without `when`: name, and F(x) with F(x̃).
+    /// The unconditional drifts: name, and F(x) with F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The claims that are made `when` something holds, in their order: each where it does, with
-    /// the values of the names that are solved for.
+    /// The conditional claims in order, with the values that their conditions are solved for.
     pub conditional: Vec<Plan>,
     made: Made,
 }
 
-/// The plans that are made when they are first asked for.
+/// Plans made on first use.
 #[derive(Clone, Debug, Default)]
 struct Made {
     planned: OnceLock<Planned>,
@@ -81,10 +76,9 @@ struct Made {
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
-/// Derives the plans of a system.
+/// Derives the plans of a system. Plans behind methods are made on first use.
 ///
-/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog. Plans that are
-/// methods are made when they are first asked for.
+/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
@@ -110,7 +104,7 @@ pub fn derive(system: &System) -> Derived {
     }
 }
 
-/// What a step and the map are planned from.
+/// The field and the map from which a step is planned.
 #[derive(Clone, Debug)]
 struct Planned {
     with_constants: WithConstants,
@@ -118,8 +112,7 @@ struct Planned {
 }
 
 impl Planned {
-    /// The field with constants, unless the map of that keeps a factor that `map` divides out: then
-    /// the field itself.
+    /// Returns the field with constants, or the plain field if constants hide a factor of `map`.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
@@ -141,7 +134,7 @@ impl Planned {
         self.map.as_ref().map(|map| self.with_constants.put_into(&plan(map)))
     }
 
-    /// The reduced map, where a factor that depends on states was divided out.
+    /// Returns the reduced map if a state-dependent factor was divided out.
     fn reduced_map(&self) -> Option<Plan> {
         let symbols = &self.with_constants.field.symbols;
         let reduced = &self.map.as_ref()?.reduced;
@@ -151,8 +144,7 @@ impl Planned {
 }
 
 impl Derived {
-    /// The plans of the field at ε = 0, which the map approximates. They are `self` if coefficients
-    /// are free of ε.
+    /// Returns the plans of the field at ε = 0, which the map approximates.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
             true => self.made.at_eps_zero.get_or_init(|| {
@@ -163,7 +155,7 @@ impl Derived {
         }
     }
 
-    /// f(x), one result for each component. Coefficients may depend on ε, which is an input then.
+    /// Returns the plan of f(x), one output for each component. Coefficients may depend on ε.
     pub fn field(&self) -> &Plan {
         self.made.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -171,24 +163,23 @@ impl Derived {
         })
     }
 
-    /// The coefficients of a field in which very many products of variables occur, from its
-    /// parameters; `None` for other fields. For each component there are the constant, those of the
-    /// variables, and those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
+    /// Returns the plan of the coefficients of a dense field from its parameters; `None` for other
+    /// fields. For each component: the constant, the coefficients of the variables, and those of
+    /// products xⱼxₖ with j ≤ k, row by row of the triangle.
     ///
-    /// With them fᵢ is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j, and ∂fᵢ/∂xⱼ is bᵢⱼ + Σₖ qᵢⱼₖxₖ, in
-    /// which k = j counts twice. The plans compute the sums in this order, without the terms whose
-    /// coefficient is 0.
+    /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j, and ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j
+    /// counts twice. Plans add in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
         self.made.coefficients.get_or_init(coefficients).as_ref()
     }
 
-    /// Whether the field has [coefficients](Self::coefficients).
+    /// Returns whether the field has [coefficients](Self::coefficients).
     pub fn is_dense(&self) -> bool {
         self.dense().is_some()
     }
 
-    /// The [coefficients](Self::coefficients), if all of them are numbers.
+    /// Returns the [coefficients](Self::coefficients) if all are numbers.
     pub fn numbers(&self) -> Option<Vec<&Rational>> {
         self.dense()?.numbers()
     }
@@ -198,7 +189,7 @@ impl Derived {
         self.made.dense.get_or_init(|| DenseField::of(kept, &field.symbols)).as_ref()
     }
 
-    /// f′(x), row by row.
+    /// Returns the plan of f′(x), row by row.
     pub fn field_jacobian(&self) -> &Plan {
         self.made.field_jacobian.get_or_init(|| match self.dense() {
             Some(dense) => dense.slopes(dense.entries()),
@@ -209,7 +200,7 @@ impl Derived {
         })
     }
 
-    /// A(x,ε), row by row.
+    /// Returns the plan of A(x,ε), row by row.
     pub fn matrix(&self) -> &Plan {
         self.made.matrix.get_or_init(|| {
             let (values, slopes) = self.slopes();
@@ -219,22 +210,21 @@ impl Derived {
         })
     }
 
-    /// Q(x,y), one result for each component; y are the second states.
+    /// Returns the plan of Q(x,y), one output for each component; y are the second states.
     pub fn bilinear(&self) -> &Plan {
         self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
 
-    /// Q(x,y) + ½B(x+y) + c, one result for each component.
+    /// Returns the plan of Q(x,y) + ½B(x+y) + c, one output for each component.
     pub fn polarized(&self) -> &Plan {
         self.made.polarized.get_or_init(|| self.over_divisors(polarization))
     }
 
-    /// b(x,ε), one result for each component.
+    /// Returns the plan of b(x,ε), one output for each component.
     pub fn rhs(&self) -> &Plan {
         self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
 
-    /// f′(x) over the values of the field.
     fn slopes(&self) -> (Values, SparseRows) {
         let System { field, kept, .. } = &self.system;
         kept.jacobian(&field.symbols)
@@ -244,16 +234,16 @@ impl Derived {
         self.made.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
     }
 
-    /// Polynomials that belong to the components of a field, each over its component's divisor.
+    /// Returns the plan of polynomials of the components, each over its component's divisor.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
         let polynomials = polynomials(&with.field);
         with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
-    /// The step in straight lines; `None` where every step eliminates.
+    /// Returns the straight-line step; `None` if every step eliminates.
     ///
-    /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
+    /// Cost: the first call plans it, some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
             let Planned { with_constants: with, map } = self.planned();
@@ -264,10 +254,9 @@ impl Derived {
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
     }
 
-    /// How A(x,ε) is eliminated where the step is not written in straight lines.
+    /// Returns the elimination of A(x,ε) for a step without straight-line plan.
     ///
-    /// Cost: the first call plans the [`step`](Self::step), and then looks for an order of
-    /// elimination.
+    /// Cost: the first call plans the [`step`](Self::step), then searches an order of elimination.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
             let (values, slopes) = match self.dense() {
@@ -279,14 +268,13 @@ impl Derived {
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
-    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, one result for each component; `None` where the
-    /// reduced map has a value at zeros of det A, and where there is no such form that is short and
-    /// keeps its digits.
+    /// Returns the plan of v ↦ (∂x̃/∂x)·v from x, v and x̃, one output for each component. `None`
+    /// if the reduced map is defined at zeros of det A, or if no short form keeps its digits.
     ///
     /// The symbols are those of the [variational](System::variational) field: x and v are its
-    /// states, and x̃ is the first half of its second states.
+    /// states, x̃ is the first half of its second states.
     ///
-    /// Cost: the first call plans it, as that of a step.
+    /// Cost: the first call plans it like a step.
     pub fn carry(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
@@ -299,8 +287,7 @@ impl Derived {
         self.made.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
-    /// Whether all divisors of the field differ from 0 at this ε and these parameters, in their
-    /// order.
+    /// Returns whether all divisors of the field are nonzero at this ε and these parameters.
     pub fn is_defined_at<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -316,8 +303,8 @@ impl Derived {
         divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))
     }
 
-    /// The plan of each function that generated code has, with the words for it: `det A`, `bracket
-    /// P`. `None` stands for elimination in a loop.
+    /// Returns the plan of each function in generated code with its description, such as `det A` or
+    /// `bracket P`. `None` marks elimination in a loop.
     #[must_use]
     pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
         let symbols = &self.system.field.symbols;
@@ -355,7 +342,6 @@ impl Derived {
     }
 }
 
-/// These polynomials, each over its own divisor.
 fn quotients<'a>(quotients: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>) -> Plan {
     let mut builder = PlanBuilder::default();
     let quotients = quotients.into_iter().map(|(above, below)| builder.quotient(above, below));
@@ -363,7 +349,6 @@ fn quotients<'a>(quotients: impl IntoIterator<Item = (&'a Polynomial, &'a Polyno
     builder.finish(&outputs)
 }
 
-/// These polynomials over ∏q.
 fn over_product<'a>(map: &'a RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     quotients(polynomials.into_iter().map(|polynomial| (polynomial, &map.divisor)))
 }

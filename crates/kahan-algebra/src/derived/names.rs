@@ -1,6 +1,5 @@
-//! Names for the values of a plan, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`.
-//!
-//! Generated code and listings call a value the same; what has no short description is numbered.
+//! Names for the values of a plan by their formulas: `two_eps`, `eps_a1`, `one_plus_eps_x`.
+//! Generated code and listings share them. Values without a short description are numbered.
 
 use rustc_hash::FxHashSet;
 
@@ -9,28 +8,27 @@ use kahan_syntax::table::Table;
 use crate::plan::{Input, Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 
-/// What a value is called.
+/// The name of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ValueName {
-    /// By what it computes.
+    /// A description of the formula.
     Described(String),
-    /// By its kind, `sum` or `product`, and a number.
+    /// A kind, such as `sum` or `product`, with a number.
     Numbered(&'static str, usize),
 }
 
-/// The names given so far in one plan, no two alike.
+/// The distinct names given so far in one plan.
 #[derive(Clone, Debug)]
 pub struct ValueNames {
-    /// What each value could be called.
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
     taken: FxHashSet<String>,
-    /// How many values of each kind have been numbered.
+    /// The number of numbered values of each kind.
     numbered: Table<&'static str, usize>,
 }
 
 impl ValueNames {
-    /// For a plan; `prepared` are the names of its prepared constants.
+    /// Prepares names for a plan; `prepared` names its prepared constants.
     #[must_use]
     pub fn of(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Self {
         ValueNames {
@@ -41,18 +39,18 @@ impl ValueNames {
         }
     }
 
-    /// The same without the names in `taken`.
+    /// Excludes the names in `taken`.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }
     }
 
-    /// Names a value. Two values may have one description: then the second is numbered.
+    /// Names a value; a repeated description becomes a number.
     pub fn name(&mut self, value: Node) -> ValueName {
         self.name_as(value, self.kinds[value.0])
     }
 
-    /// The same; where it is numbered, it is one of `what`.
+    /// Names a value; numbered names begin with `what`.
     fn name_as(&mut self, value: Node, what: &'static str) -> ValueName {
         if let Some(text) = self.descriptions[value.0].clone().filter(|text| self.taken.insert(text.clone()))
         {
@@ -78,7 +76,7 @@ impl std::fmt::Display for ValueName {
     }
 }
 
-/// A name for each prepared constant, no two alike: ε and a parameter keep their own.
+/// Returns distinct names of the prepared constants; ε and parameters keep their own.
 #[must_use]
 pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     let mut names = ValueNames::of(constants, symbols, &[]).without(symbol_names(symbols));
@@ -89,7 +87,7 @@ pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     constants.outputs.iter().map(name).collect()
 }
 
-/// A name for each value of the plan of prepared constants, whose results are called `prepared`.
+/// Names each value of the plan of prepared constants; its outputs are named `prepared`.
 pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
     let taken = symbol_names(symbols).chain(prepared.iter().cloned());
     let values = ValueNames::of(plan, symbols, &[]).without(taken);
@@ -97,7 +95,7 @@ pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[Strin
     listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// A name for each value of a kernel: none of the names in `constants`, which `prepared` are among.
+/// Names each value of a kernel, without the names in `constants`, which include `prepared`.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,
@@ -112,7 +110,7 @@ pub(super) fn listed_kernel(
     })
 }
 
-/// The names of all values in their order; literals are their values.
+/// Names all values in order; literals are named by their values.
 fn listed(
     plan: &Plan,
     symbols: &Symbols,
@@ -135,7 +133,6 @@ fn listed(
     names
 }
 
-/// The names of all variables of a field.
 fn symbol_names(symbols: &Symbols) -> impl Iterator<Item = String> {
     symbols.states.iter().chain(&symbols.parameters).cloned().chain(["eps".to_owned()])
 }

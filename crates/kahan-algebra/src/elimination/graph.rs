@@ -1,46 +1,41 @@
-//! Which variables of a block act on each other, and what elimination in some order fills in.
+//! The graph of couplings in a block, and the fill-in of an elimination order.
 
-/// The entries of f′ in a block beside the diagonal, by rows. Variables are numbered by their
-/// places in the block.
+/// The off-diagonal entries of f′ in a block by rows, with variables numbered in the block.
 pub(super) struct Graph {
     rows: Vec<Vec<usize>>,
 }
 
-/// What elimination in an order takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Price {
     /// Products of two entries.
     products: usize,
-    /// The pivots that wait for each other.
+    /// The longest chain of dependent pivots.
     critical_path: usize,
 }
 
-/// The entries of a block in some order of elimination, with those that elimination fills in.
 pub(super) struct Filled {
     pub(super) rows: Vec<FilledRow>,
     pub(super) price: Price,
 }
 
-/// The entries of a row.
 pub(super) struct FilledRow {
-    /// The columns in order, the diagonal included.
+    /// The columns in order, with the diagonal.
     pub(super) columns: Vec<usize>,
-    /// The index of the diagonal among them.
+    /// The index of the diagonal in `columns`.
     pub(super) diagonal: usize,
-    /// The end of the columns that a later row has to look at. The next rows take over those behind
-    /// from the row of the last column before, which has them all.
+    /// The end of the columns that later rows examine. Later rows find the columns behind in the
+    /// row of the last column before, which contains them all.
     looked_at: Option<usize>,
 }
 
 impl FilledRow {
-    /// The number of columns right of the diagonal.
     fn right(&self) -> usize {
         self.columns.len() - self.diagonal - 1
     }
 }
 
 impl Graph {
-    /// The graph of each block; `depends` lists for each variable those that fᵢ depends on.
+    /// Returns the graph of each block; `depends` lists the variables that each fᵢ depends on.
     pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
         let mut places = vec![(0, 0); depends.len()];
         for (number, block) in blocks.iter().enumerate() {
@@ -56,12 +51,11 @@ impl Graph {
         blocks.iter().enumerate().map(graph).collect()
     }
 
-    /// The number of variables.
     pub(super) fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// For each variable, which others act on it or are acted on.
+    /// Returns for each variable the variables coupled to it in either direction.
     pub(super) fn neighbours(&self) -> Vec<Vec<usize>> {
         let mut neighbours = vec![Vec::new(); self.len()];
         for (a, row) in self.rows.iter().enumerate() {
@@ -77,14 +71,14 @@ impl Graph {
         neighbours
     }
 
-    /// The entries of the block in this order, filled ones included; `None` where elimination takes
-    /// more products than `bound` says.
+    /// Returns the entries in this order with fill-in; `None` if elimination takes more products
+    /// than `bound`.
     ///
-    /// A row takes over all columns right of the diagonal from the rows of its pivots. Row p may
-    /// have an entry in column q and row q one in column p. Then row q has taken over what row p
-    /// has right of q, and rows below q look at row p up to column q only (S. C. Eisenstat and
-    /// J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). Where all couplings are mutual,
-    /// the cost is the number of entries.
+    /// A row inherits all columns right of the diagonal from the rows of its pivots. If row p has
+    /// an entry in column q and row q one in column p, then row q inherits the columns of row p
+    /// right of q, and rows below q examine row p only up to column q (S. C. Eisenstat and J. W. H.
+    /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If all couplings are mutual, the cost is
+    /// the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = turns(order);
@@ -132,7 +126,7 @@ impl Graph {
     }
 }
 
-/// The turn of each variable in an order.
+/// Returns the position of each variable in an order.
 pub(super) fn turns(order: &[usize]) -> Vec<usize> {
     let mut turns = vec![0; order.len()];
     order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);
@@ -145,7 +139,6 @@ mod tests {
     use crate::elimination::tests::{permutation, random_rows};
     use crate::prime_field::SplitMix64;
 
-    /// The rows filled in as elimination does it, one pivot after the other.
     fn by_definition(graph: &Graph, order: &[usize]) -> Vec<Vec<usize>> {
         let (n, turns) = (order.len(), turns(order));
         let mut is_there = vec![vec![false; n]; n];

@@ -1,16 +1,9 @@
-//! Elimination along the couplings: which entries of A(x,ε) are solved in which order, found once
-//! for every state.
+//! Sparse elimination along the couplings: order and fill-in of A(x,ε), found once for all states.
 //!
-//! In: a field whose step is too large for straight lines without pivots. Out: an order of
-//! elimination, and for each row of A in that order where its entries lie, those that elimination
-//! fills in among them. A step then costs what the couplings cost, and not the cube of the number
-//! of variables. A variable's pivot is its entry on the diagonal, 1 − ε ∂fᵢ/∂xᵢ: rows are never
-//! exchanged, so whoever computes with floats must look at what the pivots are.
-//!
-//! - `graph` knows which variables act on each other, and what an order fills in.
-//! - `orders` proposes orders of a block: as written, in bands, by least degree.
-//!
-//! The blocks of a triangular field are solved one after the other: nothing fills in between them.
+//! A field whose step is too large for straight-line code comes in; an order of elimination and the
+//! positions of entries with fill-in go out. The pivot of a variable is its diagonal entry 1 − ε
+//! ∂fᵢ/∂xᵢ; rows are never exchanged, so callers must check pivots. Blocks of a triangular field
+//! have no fill-in between them. `graph` computes fill-in, `orders` proposes orders.
 
 mod graph;
 mod orders;
@@ -27,54 +20,51 @@ use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
 use graph::{Graph, turns};
 use orders::cheapest;
 
-/// The most variables of a field whose map is written out where that is possible. Beyond, every
-/// step eliminates along the couplings.
+/// The largest dimension of a field whose map is written out; larger ones always eliminate.
 pub const MOST_EXPANDED: usize = 8;
 
-/// The most variables of a block that is compiled.
+/// The most variables of a compiled block.
 pub const MOST_VARIABLES: usize = 200;
-/// The most parameters of a block that is compiled.
+/// The most parameters of a compiled block.
 const MOST_PARAMETERS: usize = 2000;
-/// The most entries of f′ that are not identically zero in a block of many variables that is
-/// compiled.
+/// The most entries of f′ that are not identically zero in a compiled block of many variables.
 const MOST_SLOPES: usize = 1500;
 
-/// The most products in an elimination that is written as a straight line.
+/// The most products in an elimination written as straight-line code.
 const MOST_STRAIGHT: usize = 1500;
 
-/// The entries of A(x,ε), as elimination finds them. Rows and columns are counted in the order of
-/// elimination, entries row after row.
+/// The entries of A(x,ε) by rows; rows and columns are numbered in order of elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Couplings {
-    /// Which variable is eliminated at each turn.
+    /// The variable eliminated at each position.
     pub order: Vec<usize>,
     /// The rows.
     pub rows: Vec<Row>,
     /// The column of each entry.
     pub columns: Vec<usize>,
-    /// Where each block ends: the number of its last row and 1.
+    /// The end of each block: the index of its last row plus 1.
     pub blocks: Vec<usize>,
-    /// Where the results of [`Self::slopes`] lie among the entries.
+    /// The positions among the entries of the outputs of [`Self::slopes`].
     pub places: Vec<usize>,
-    /// The entries of f′(x) that are not identically zero.
+    /// The plan of the entries of f′(x) that are not identically zero.
     pub slopes: Plan,
 }
 
-/// The places of a row's entries.
+/// The positions of a row's entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The first, in the column of an earlier block if there is one.
+    /// The first entry, in the column of an earlier block if there is one.
     pub start: usize,
-    /// The first in the row's own block.
+    /// The first entry in the row's own block.
     pub own: usize,
-    /// The one on the diagonal; those before it are eliminated.
+    /// The diagonal entry; earlier entries are eliminated.
     pub diagonal: usize,
-    /// Behind the last.
+    /// One past the last entry.
     pub end: usize,
 }
 
-/// The error of a block that has too many parameters to be compiled; `None` for fewer. Derived
-/// comparisons nest one expression a parameter, and rustc overflows its stack on deep ones.
+/// Returns the diagnostic of a block with too many parameters to compile. Derived comparisons nest
+/// one expression for each parameter, and rustc overflows its stack on deep ones.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
@@ -85,7 +75,7 @@ pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> 
     })
 }
 
-/// What is wrong with a field that is to be compiled and has too many couplings for that.
+/// Returns the diagnostic of a field with too many couplings to compile.
 #[must_use]
 pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     let variables = field.dimension();
@@ -106,7 +96,7 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// The couplings of a field, from f′ over its values.
+    /// Returns the couplings of a field, from f′ over its values.
     #[must_use]
     pub(crate) fn of(values: &Values, slopes: &SparseRows) -> Self {
         let depends: Vec<Vec<usize>> =
@@ -144,7 +134,7 @@ impl Couplings {
         Couplings { order, rows, columns, blocks: ends, places, slopes }
     }
 
-    /// The couplings of a dense field: every entry of A in the order of the variables.
+    /// Returns the couplings of a dense field: every entry of A in order of variables.
     #[must_use]
     pub(crate) fn of_all(dense: &DenseField) -> Self {
         let n = dense.dimension();
@@ -160,13 +150,13 @@ impl Couplings {
         }
     }
 
-    /// Whether elimination is written as a straight line.
+    /// Returns whether elimination is written as straight-line code.
     #[must_use]
     pub fn is_straight(&self) -> bool {
         self.products() <= MOST_STRAIGHT
     }
 
-    /// What a step costs, a product and the subtraction that follows counted twice.
+    /// Returns the cost of a step; a product with its subtraction counts twice.
     #[must_use]
     pub fn cost(&self, field: &Plan) -> StepCost {
         let (of_slopes, of_field, n) = (self.slopes.cost(), field.cost(), self.order.len());
@@ -181,7 +171,7 @@ impl Couplings {
         StepCost { operations: count(operations), divisions: count(n), critical_path: count(critical_path) }
     }
 
-    /// The products of elimination and of what is solved after it.
+    /// Returns the products of elimination and substitution.
     fn products(&self) -> usize {
         let above = |place: usize| {
             let Row { diagonal, end, .. } = self.rows[self.columns[place]];
@@ -191,8 +181,7 @@ impl Couplings {
         self.rows.iter().map(row).sum()
     }
 
-    /// Cycles from the entries to the last of the solution: a division and three multiply-adds for
-    /// each pivot that waits for others.
+    /// Returns the cycles of the longest pivot chain: a division and three multiply-adds for each.
     fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
@@ -206,25 +195,23 @@ impl Couplings {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    //! Random couplings for the tests of blocks, orders and what they fill in.
+    //! Random couplings for tests of blocks, orders and fill-in.
 
     use kahan_syntax::table::distinct;
 
     use crate::prime_field::SplitMix64;
 
-    /// A number below `end`.
     pub(crate) fn below(random: &mut SplitMix64, end: usize) -> usize {
         usize::try_from(random.below(end as u64)).expect("below a usize")
     }
 
-    /// The numbers below n in some order.
     pub(crate) fn permutation(random: &mut SplitMix64, n: usize) -> Vec<usize> {
         let mut order: Vec<usize> = (0..n).collect();
         (1..n).for_each(|k| order.swap(k, below(random, k + 1)));
         order
     }
 
-    /// For each of n variables, in order, those that it depends on: up to three of them on average.
+    /// Returns for each of n variables in order those that it depends on, up to three on average.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

@@ -1,4 +1,4 @@
-//! Orders in which a block may be eliminated, and the choice among them by what they fill in.
+//! Proposes elimination orders of a block, and chooses the one with the cheapest fill-in.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -7,14 +7,13 @@ use kahan_syntax::table::sorted_by_key;
 
 use super::graph::{Filled, Graph};
 
-/// The cheapest of the orders below, and what it fills in; of equals, that whose pivots wait least
-/// for each other.
+/// Returns the cheapest order and its fill-in; ties go to the shortest chain of pivots.
 pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
     let neighbours = graph.neighbours();
     let proposals =
         [as_written(graph.len()), folded(graph.len()), in_bands(&neighbours), by_degree(&neighbours)];
     let [.., of_degree] = &proposals;
-    // The order by degree is cheap almost always, so that the others are soon found to be dearer.
+    // Minimum degree is nearly always cheap, so its price bounds the others early.
     let bound = graph.filled(of_degree, None).map(|filled| filled.price);
     let filled = |order: Vec<usize>| Some((graph.filled(&order, bound)?, order));
     let cheapest = proposals.into_iter().filter_map(filled).min_by_key(|(filled, _)| filled.price);
@@ -22,19 +21,18 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
     (order, filled)
 }
 
-/// Best where a variable acts on the next few only.
+/// Returns the written order, best if each variable couples to the next few only.
 fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
 }
 
-/// 0, n−1, 1, n−2, …: a cyclic band becomes an open one of twice the reach.
+/// Returns 0, n−1, 1, n−2, …: a cyclic band becomes an open one of twice the bandwidth.
 fn folded(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
 
-/// Variables that act on each other close together: layer after layer from one with few
-/// neighbours, backwards (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A.
-/// George, Stanford report STAN-CS-71-208).
+/// Returns the reverse Cuthill–McKee order: layers from a variable of low degree (E. Cuthill and J.
+/// McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George, Stanford report STAN-CS-71-208).
 fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];
@@ -58,8 +56,8 @@ fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Always one with the fewest neighbours, which become neighbours of each other; of several, one
-/// that waits for the fewest pivots before it (H. M. Markowitz, Management Sci. 3 (1957) 255–269).
+/// Returns the minimum degree order: a variable with fewest neighbours comes next, ties by the
+/// shortest chain of pivots (H. M. Markowitz, Management Sci. 3 (1957) 255–269).
 fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut waits = vec![0_usize; around.len()];
@@ -68,7 +66,7 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
     let mut queue: BinaryHeap<_> = all.collect();
     while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
-        // A variable that has been tied anew stands further on in the queue, too.
+        // The queue also contains outdated entries of variables.
         if !is_left[chosen] || (degree, turn) != (around[chosen].len(), waits[chosen]) {
             continue;
         }
@@ -90,8 +88,7 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Appends variables that are all neighbours of each other, always one that waits for the fewest
-/// pivots.
+/// Appends mutually coupled variables, the one with the shortest chain of pivots next.
 fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<usize>) {
     while let Some(chosen) = left.iter().copied().min_by_key(|&place| waits[place]) {
         left.retain(|&place| place != chosen);
@@ -100,7 +97,7 @@ fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<us
     }
 }
 
-/// The numbers in either of two ordered lists that are kept, in order.
+/// Merges two sorted lists without duplicates, keeping numbers that satisfy `is_kept`.
 fn united(left: &[usize], right: &[usize], is_kept: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut united = Vec::with_capacity(left.len() + right.len());
     let (mut a, mut b) = (0, 0);
@@ -127,7 +124,6 @@ mod tests {
     use crate::elimination::tests::random_rows;
     use crate::prime_field::SplitMix64;
 
-    /// The order by degree as its description says it.
     fn by_definition(neighbours: &[Vec<usize>]) -> Vec<usize> {
         let mut around = neighbours.to_vec();
         let mut waits = vec![0_usize; around.len()];

@@ -1,6 +1,4 @@
-//! What the map of a family keeps, whatever the number of sites.
-//!
-//! Each claim is one about finitely many terms, see [`everywhere`](super::everywhere).
+//! Proves claims of a family for every number of sites ([`everywhere`](super::everywhere)).
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -16,7 +14,7 @@ use super::expand::Chain;
 use super::hamiltonian::check_hamiltonian;
 use super::{Family, SiteSum};
 
-/// Reports every claim of the family that is false.
+/// Reports every false claim of the family.
 pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     for integral in &family.integrals {
         if let Err(mistake) = linear_integral(family, integral) {
@@ -30,8 +28,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Σ xᵢ and the like: kept by Kahan's map where it is kept by the field, as 2ε times the defining
-/// equation is summed.
+/// Checks a linear integral such as Σ xᵢ, which Kahan's map preserves if the field does.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
@@ -70,18 +67,16 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     Ok(())
 }
 
-/// The mistake of a claim that is beyond the budget.
 pub(super) fn too_long(name: &Name) -> Diagnostic {
     let message = format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text);
     let help = "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps";
     Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
-/// Whether the sum over every chain depends on no state: its terms cancel, as those of
-/// `sum(x[i+1] - x[i])` do in a ring.
+/// Returns whether the sum depends on no state, like `sum(x[i+1] - x[i])` in a ring.
 fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
-    // The slope of the whole sum by the state of an array in the middle.
+    // Derivatives of the whole sum by the state of each array in the middle.
     let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
         let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
@@ -102,11 +97,11 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Withi
     Ok(slopes.values().all(RationalFunction::is_zero))
 }
 
-/// Whether the terms of the sum's derivative along the field cancel in every chain, those over one
-/// divisor among themselves. Where these do not, others may.
+/// Returns whether the terms of the sum's derivative along the field cancel in every chain,
+/// separately for each divisor. A negative answer proves nothing.
 pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
     let density = middle.at(&sum.density, 0);
-    // By divisor, monomial and length, wherever they begin.
+    // By divisor, monomial and length, independent of position.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
     for state in
         density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))
@@ -147,10 +142,10 @@ pub(super) fn plural(sites: usize) -> &'static str {
     if sites == 1 { "site" } else { "sites" }
 }
 
-/// The numerator of the sum's derivative along the field; `None` where it vanishes.
+/// Returns the numerator of the sum's derivative along the field; `None` if it vanishes.
 fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<Option<Polynomial>> {
     let Chain { family, symbols, sites } = chain;
-    // Terms over one divisor cancel among themselves, most often all of them.
+    // Terms over one divisor often cancel completely.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
     for site in 0..*sites {
         let Some(density) = chain.moved(&sum.density, site) else { continue };

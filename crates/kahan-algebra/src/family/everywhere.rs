@@ -1,12 +1,9 @@
-//! Sums over all sites, of which each term says in which chains it occurs.
+//! Sums over all sites, reduced to finitely many terms.
 //!
-//! A statement about every number of sites is one about finitely many terms. Each term is seen from
-//! one site, in the middle of a chain so long that nothing in it meets itself, and has an
-//! extent: the sites between which a chain must reach to hold it. In a chain that ends at two
-//! given sites stand the terms whose extents lie between them. So a sum vanishes in all chains where
-//! the terms of each extent cancel by themselves: take from a chain those that are one site shorter
-//! at either end, and add the one that is shorter at both; what is left are the terms that need both
-//! ends.
+//! Each term is seen from a site in the middle of a long chain. Its extent is the interval of sites
+//! that a chain must contain for the term to occur. A sum vanishes in all chains if the terms of
+//! each extent cancel separately: S(chain) minus the sums of the two chains shorter by one end
+//! site, plus that of the chain shorter at both ends, has exactly the terms that need both ends.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -17,17 +14,15 @@ use crate::symbols::Symbol;
 use super::Family;
 use super::expand::Chain;
 
-/// The most terms of a polynomial that is multiplied with others.
 const MOST_TERMS: usize = 100_000;
-/// The most products of terms that the proof of one claim of a family takes.
+/// The most products of terms in the proof of one claim of a family.
 pub const MOST_WORK: u64 = 300_000;
 
-/// Returns a fresh budget for one proof about one claim.
 pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The first and the last site that a term needs. In a ring there are no ends: all are the middle.
+/// The first and last site that a term needs. A ring has no ends: every site is the middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Extent {
     pub first: usize,
@@ -35,7 +30,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// How many sites the shortest chain has that holds it.
+    /// Returns the number of sites of the shortest chain that contains the extent.
     pub(super) fn sites(self) -> usize {
         self.last - self.first + 1
     }
@@ -45,7 +40,7 @@ impl Extent {
     }
 }
 
-/// One site of a long chain, and what is around it.
+/// The middle site of a long chain, and its surroundings.
 pub(super) struct Middle<'a> {
     pub chain: Chain<'a>,
     /// The site.
@@ -53,25 +48,25 @@ pub(super) struct Middle<'a> {
 }
 
 impl<'a> Middle<'a> {
-    /// Equations and sums reach `reach` sites far each, and what they name as far again.
+    /// Chooses a chain long enough for equations and sums of `reach`, and for the names in them.
     pub(super) fn of(family: &'a Family) -> Self {
         let sites = 8 * family.reach + 2;
         Middle { chain: family.chain(sites), site: sites / 2 }
     }
 
-    /// A quotient written for site i, at the site that is `offset` from the middle.
+    /// Moves a function of site i to the site `offset` from the middle.
     pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
         let site = (self.site as i64 + offset) as usize;
         self.chain.moved(component, site).expect("no two sites are one in a long chain")
     }
 
-    /// How far the site of a state is from the middle, and its array.
+    /// Returns the offset of a state's site from the middle, and its array.
     pub(super) fn state(&self, state: Variable) -> (i64, usize) {
         let (place, block) = (usize::from(state.0), self.chain.family.block());
         ((place / block) as i64 - self.site as i64, place % block)
     }
 
-    /// The site of a variable; none of a parameter of the chain.
+    /// Returns the site of a variable; `None` for a parameter of the chain.
     fn site_of(&self, variable: Variable) -> Option<usize> {
         match self.chain.symbols.symbol(variable) {
             Symbol::State(k) => Some(k / self.chain.family.block()),
@@ -82,19 +77,17 @@ impl<'a> Middle<'a> {
         }
     }
 
-    /// Whether a variable has a value at each site.
     pub(super) fn is_at_sites(&self, variable: Variable) -> bool {
         self.site_of(variable).is_some()
     }
 
-    /// The extent of a site.
     pub(super) fn extent_of_site(&self, offset: i64) -> Extent {
         let offset = if self.chain.family.boundary == Boundary::Open { offset } else { 0 };
         let site = (self.site as i64 + offset) as usize;
         Extent { first: site, last: site }
     }
 
-    /// The extent of a term that stands at a place of this extent.
+    /// Returns the extent of a term that stands at a place of extent `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: Extent) -> Extent {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;
@@ -110,7 +103,7 @@ impl<'a> Middle<'a> {
         Extent { first, last }
     }
 
-    /// The first site that occurs in these monomials; the middle if none does.
+    /// Returns the first site that occurs in these monomials, or the middle.
     pub(super) fn first_site<'b>(&self, monomials: impl Iterator<Item = &'b Monomial>) -> usize {
         let variables = monomials.flat_map(Monomial::powers);
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)
@@ -129,13 +122,12 @@ impl<'a> Middle<'a> {
         monomial.powers().iter().map(|&(variable, exponent)| (shift(variable), exponent)).collect()
     }
 
-    /// Moves every site of a polynomial by `by` sites.
     pub(super) fn shifted_polynomial(&self, polynomial: &Polynomial, by: i64) -> Polynomial {
         polynomial.map_monomials(|monomial| Some(self.shifted(monomial, by)))
     }
 }
 
-/// Everything that is multiplied out, charged to a budget.
+/// Multiplies, charging every expanded term to the budget.
 pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a.is_one() {
         budget.charge(b.len() as u64)?;

@@ -1,4 +1,4 @@
-//! A family at a given number of sites, as the plain system that a block of equations gives.
+//! Expands a family at a given number of sites to a plain system.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
@@ -15,13 +15,12 @@ use crate::system::{Claim, System};
 use super::{Family, Role, SiteSum};
 
 impl Family {
-    /// The names of a chain of `sites` sites: `x0`, `x1`, …, arrays interleaved; the parameters of
-    /// the chain, then `c0`, `c1`, ….
+    /// Returns the names of a chain: `x0`, `x1`, …, interleaved; parameters, then `c0`, `c1`, ….
     #[must_use]
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // `x` and `x1` side by side would make one name twice.
+        // `x` and `x1` together would make ambiguous names.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
@@ -37,9 +36,9 @@ impl Family {
         }
     }
 
-    /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is
-    /// shorter than the stencil, a site is its own neighbour; `None` where it then divides by zero,
-    /// as `x[i]/(c[i] - c[i+1])` does at one site.
+    /// Returns the system of a chain of `sites` sites with its linear integrals. In a periodic
+    /// chain shorter than the stencil a site is its own neighbour. `None` if the system then
+    /// divides by zero, as `x[i]/(c[i] - c[i+1])` does at one site.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);
@@ -66,17 +65,14 @@ impl Family {
     }
 }
 
-/// A chain of the family.
 pub(super) struct Chain<'a> {
     pub family: &'a Family,
-    /// The names of the chain.
     pub symbols: Symbols,
-    /// The number of sites.
     pub sites: usize,
 }
 
 impl Chain<'_> {
-    /// A linear integral of the chain, which was proved for every number of sites.
+    /// Returns a linear integral of the chain, proved for every number of sites.
     fn claim(&self, sum: &SiteSum) -> Option<Claim> {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
@@ -96,7 +92,7 @@ impl Chain<'_> {
         })
     }
 
-    /// A quotient written for site i, at one site of a chain, where it divides by something.
+    /// Moves a function of site i to a site of the chain; `None` if its denominator vanishes.
     pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
         // A value beyond the end of an open chain makes a term zero.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
@@ -106,7 +102,7 @@ impl Chain<'_> {
         function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
-    /// `None` beyond the end of an open chain.
+    /// Moves a variable; `None` beyond the end of an open chain.
     fn moved_variable(&self, variable: Variable, site: usize) -> Option<Variable> {
         let Chain { family, symbols, sites } = self;
         let neighbour = |offset: i64| {
@@ -127,7 +123,7 @@ impl Chain<'_> {
     }
 }
 
-/// A sum of quotients as one writes it; its place is that of the claim.
+/// Formats a sum of quotients as an expression at the place of the claim.
 fn written(terms: &[RationalFunction], symbols: &Symbols, span: Span) -> Expr {
     let expr = |kind| Expr { kind, span };
     let factor = |divides, expr| Factor { divides, expr };

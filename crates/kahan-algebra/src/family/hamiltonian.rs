@@ -1,8 +1,7 @@
-//! The constant antisymmetric stencil K with ẋ = K∇H, boundary rows included.
+//! Finds the constant antisymmetric stencil K with ẋ = K∇H, including boundary rows.
 //!
-//! Where there is one, and H is of degree three at most, Kahan's map keeps H + (2ε/3) ∇Hᵀ A⁻¹ f, as
-//! x̃ − x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46
-//! (2013) 025201).
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, as x̃ − x = 2ε A⁻¹ f (E.
+//! Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -18,7 +17,7 @@ use super::conserved::{plural, too_long};
 use super::everywhere::{Extent, Middle, budget, product};
 use super::{Family, Role, SiteSum};
 
-/// Proves that there is a K with ẋ = K∇H for every number of sites.
+/// Proves that some K satisfies ẋ = K∇H for every number of sites.
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: &str, help: &str| {
@@ -56,7 +55,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
 }
 
-/// The entries of K that fix all others: above the diagonal.
+/// Returns the independent entries of K, above the diagonal.
 fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     let arrays = 0..family.block();
     let pairs = arrays.clone().flat_map(|row| arrays.clone().map(move |column| (row, column)));
@@ -67,7 +66,7 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     pairs.flat_map(offsets).collect()
 }
 
-/// A term that no K gives, at a site of a chain.
+/// A term that no K produces, at a site of a chain.
 pub(super) struct Missing {
     array: usize,
     term: String,
@@ -75,7 +74,7 @@ pub(super) struct Missing {
     sites: usize,
 }
 
-/// A term at the middle of a long chain.
+/// A term in the middle of a long chain.
 struct Term {
     monomial: Monomial,
     coefficient: Rational,
@@ -84,16 +83,16 @@ struct Term {
 
 /// A term of ẋ = K∇H for an array in the middle.
 struct RowTerm {
-    /// In states and in parameters of sites.
+    /// In states and site parameters.
     monomial: Monomial,
     extent: Extent,
-    /// The unknown that it multiplies; their number for a term of ẋ.
+    /// The index of the unknown that it multiplies; the number of unknowns for a term of ẋ.
     unknown: usize,
     /// In parameters of the chain.
     coefficient: Polynomial,
 }
 
-/// The first term that no K gives.
+/// Returns the first term that no K produces.
 pub(super) fn missing(
     middle: &Middle<'_>,
     hamiltonian: &SiteSum,
@@ -114,7 +113,7 @@ pub(super) fn missing(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // Far from the ends all terms of a monomial stand together; those of ẋ first, to be named.
+    // Far from the ends all terms of a monomial combine. Begin with terms of ẋ, which reports name.
     let long = Extent { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -127,7 +126,7 @@ pub(super) fn missing(
             }
         }
     }
-    // Terms of one extent cancel by themselves; shorter chains first.
+    // Terms of each extent cancel separately; shorter chains come first.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -141,7 +140,7 @@ pub(super) fn missing(
     Ok(None)
 }
 
-/// The derivatives of H, but for its divisor, by the state of each array in the middle.
+/// Returns the derivatives of H times its divisor by the state of each array in the middle.
 fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
     let mut gradient: Vec<Vec<Term>> = (0..middle.chain.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
@@ -164,8 +163,7 @@ fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> 
     Ok(gradient)
 }
 
-/// The terms of ẋ = K∇H for one array, multiplied by the divisors of both, in the order of their
-/// monomials.
+/// Returns the terms of ẋ = K∇H for one array, multiplied by both divisors, in order of monomials.
 fn row(
     middle: &Middle<'_>,
     unknowns: &[(usize, usize, usize)],
@@ -207,7 +205,7 @@ fn row(
     Ok(terms)
 }
 
-/// A monomial as one of the family, seen from the middle.
+/// Formats a monomial with sites relative to the middle.
 fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
     let family = middle.chain.family;
     let name = |variable| match middle.chain.symbols.symbol(variable) {
@@ -228,11 +226,10 @@ fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }
 
-/// Equations Σ aₖuₖ = r, each reduced by those before it. The right side has the number behind all
-/// unknowns.
+/// Linear equations Σ aₖuₖ = r in row echelon form; column `unknowns` holds the right-hand side.
 struct Equations {
     unknowns: usize,
-    /// By the first unknown that occurs, whose coefficient is 1.
+    /// By first unknown, with coefficient 1.
     rows: Table<usize, Row>,
 }
 
@@ -241,8 +238,8 @@ impl Equations {
         Equations { unknowns, rows: Table::new() }
     }
 
-    /// Adds an equation, whose terms of one unknown are added up; `false` if it contradicts those
-    /// before it.
+    /// Adds an equation (terms of one unknown are summed); returns `false` if it contradicts
+    /// others.
     fn add<'a>(
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,

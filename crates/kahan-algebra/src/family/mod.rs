@@ -1,8 +1,7 @@
-//! A family: the same equations at every site of a chain, for any number of sites.
+//! A family: equal equations at every site of a chain, for any number of sites.
 //!
-//! In: a checked family. Out: its straight lines for one site ([`Lines`](crate::derived::Lines)),
-//! the plain system of a chain of n sites ([`Family::at_sites`]), and what its map keeps whatever n
-//! is ([`conserved`]).
+//! A checked family provides plans for one site ([`Lines`](crate::derived::Lines)), the plain
+//! system of n sites ([`Family::at_sites`]), and invariants for every n ([`conserved`]).
 
 pub mod conserved;
 pub mod everywhere;
@@ -21,55 +20,55 @@ use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 use crate::symbols::{Symbol, Symbols};
 
-/// A family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ), checked.
+/// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ).
 #[derive(Clone, Debug)]
 pub struct Family {
-    /// The header, where the block has one.
+    /// The header, if the block has one.
     pub header: Option<Header>,
-    /// Constants in the order of their declaration, evaluated.
+    /// Constants with their values, in order of declaration.
     pub constants: Vec<(String, Rational)>,
-    /// What lies beyond the ends of the chain.
+    /// The values beyond the ends of the chain.
     pub boundary: Boundary,
-    /// The arrays, in their order within a site.
+    /// The arrays, in order within a site.
     pub arrays: Vec<String>,
-    /// The parameters that a chain has.
+    /// The parameters of the chain.
     pub parameters: Vec<String>,
-    /// The parameters that each site has.
+    /// The parameters of each site.
     pub site_parameters: Vec<String>,
     /// The largest offset of a neighbour, at least 1.
     pub reach: usize,
-    /// The values that a site sees: as states those of the arrays, site by site from −reach on;
-    /// as parameters those of the chain, then for each parameter of a site its 2·reach + 1 values.
+    /// The values that a site sees. States: arrays, site by site from −reach on. Parameters: those
+    /// of the chain, then 2·reach + 1 values for each site parameter.
     pub symbols: Symbols,
-    /// The field at site i, a component an array.
+    /// The field at site i, one component for each array.
     pub components: Vec<RationalFunction>,
-    /// The same with the sums and divisors that were written.
+    /// The field with the sums and divisors as written.
     pub kept: Kept,
     /// Linear integrals, as sums over all sites.
     pub integrals: Vec<SiteSum>,
     /// The Hamiltonian, as a sum over all sites.
     pub hamiltonian: Option<SiteSum>,
-    /// Where `for i in …` stands.
+    /// The place of `for i in …`.
     pub span: Span,
 }
 
 /// A sum over all sites.
 #[derive(Clone, Debug)]
 pub struct SiteSum {
-    /// What it is called.
+    /// The name of the sum.
     pub name: Name,
-    /// What was written.
+    /// The expression as written.
     pub written: Expr,
-    /// What is summed, at site i.
+    /// The summand at site i.
     pub density: RationalFunction,
 }
 
-/// What a variable of a family stands for.
+/// The meaning of a variable of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// An array at the site `offset` from site i.
     State {
-        /// How far from site i.
+        /// The offset from site i.
         offset: i64,
         /// The index of the array.
         array: usize,
@@ -78,35 +77,35 @@ pub enum Role {
     Parameter(usize),
     /// A parameter of the site `offset` from site i.
     SiteParameter {
-        /// How far from site i.
+        /// The offset from site i.
         offset: i64,
-        /// The index among the parameters of a site.
+        /// The index among the site parameters.
         index: usize,
     },
-    /// Half the time step.
+    /// ε, half the time step.
     Epsilon,
 }
 
 impl Family {
-    /// The type's name; `field` where it has none.
+    /// Returns the type's name, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())
     }
 
-    /// Arrays a site.
+    /// Returns the number of arrays.
     #[must_use]
     pub fn block(&self) -> usize {
         self.arrays.len()
     }
 
-    /// The sites that a site sees: 2·reach + 1.
+    /// Returns the number of sites that a site sees: 2·reach + 1.
     #[must_use]
     pub fn stencil(&self) -> usize {
         2 * self.reach + 1
     }
 
-    /// What `variable` stands for.
+    /// Returns the meaning of `variable`.
     #[must_use]
     pub fn role(&self, variable: Variable) -> Role {
         let offset = |place: usize| place as i64 - self.reach as i64;
@@ -121,13 +120,13 @@ impl Family {
         }
     }
 
-    /// The place of an array's value among the states: site by site, arrays interleaved.
+    /// Returns the index of an array's value among the states: site by site, arrays interleaved.
     #[must_use]
     pub fn place(&self, offset: i64, array: usize) -> usize {
         (offset + self.reach as i64) as usize * self.block() + array
     }
 
-    /// The equations, expanded: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
+    /// Returns the expanded equations: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
         self.arrays
             .iter()
@@ -135,7 +134,7 @@ impl Family {
             .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
-    /// The places, among the states, of the values that the field of an array depends on.
+    /// Returns the indices of the states that the field of an array depends on.
     #[must_use]
     pub fn couplings(&self, array: usize) -> Vec<usize> {
         let numerator = self.components[array].numerator();

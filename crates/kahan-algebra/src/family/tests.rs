@@ -1,4 +1,4 @@
-//! Families against chains that are written out by hand, and claims that hold or do not.
+//! Families against chains written out by hand, and true and false claims.
 
 use std::fmt::Write as _;
 
@@ -13,10 +13,10 @@ use super::conserved::cancels;
 use super::everywhere::{Middle, budget};
 use super::hamiltonian::missing;
 
-/// A term: its coefficient, and names with the offsets of their sites.
+/// A coefficient, and names with the offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
 
-/// The equations of a family, an array each.
+/// The equations of a random family, one for each array.
 struct Random {
     is_open: bool,
     arrays: Vec<(&'static str, Vec<Term>)>,
@@ -67,7 +67,6 @@ impl Random {
         format!("for i in {boundary} {{ {equations} }}")
     }
 
-    /// The chain written out.
     fn chain(&self, sites: i64) -> String {
         let mut text = String::new();
         for site in 0..sites {
@@ -123,7 +122,7 @@ fn random_families_are_the_chains_that_one_writes_out() {
         for sites in 1..=8 {
             let system = checked.at_sites(sites as usize).expect("no site divides by zero");
             let plain = reading(&family.chain(sites)).system().expect("a system");
-            // Parameters come in the order of their use in a block without a header.
+            // A block without header orders parameters by use.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
                 let component = |component: &crate::rational_function::RationalFunction| {
@@ -150,7 +149,6 @@ fn random_families_are_the_chains_that_one_writes_out() {
     }
 }
 
-/// Whether the claims of a family are proved.
 fn holds(text: &str) -> bool {
     let reading = reading(text);
     let false_claims = reading.diagnostics().len();
@@ -167,7 +165,7 @@ fn holds(text: &str) -> bool {
 
 #[test]
 fn sums_that_telescope_are_kept_and_others_are_not() {
-    // What flows from site to site, ending where the chain ends or not.
+    // Fluxes from site to site, which do or do not vanish at the ends.
     for (flux, before, ends) in [
         ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
         ("x[i]^2", "x[i-1]^2", false),
@@ -190,7 +188,7 @@ fn sums_that_telescope_are_kept_and_others_are_not() {
     assert!(!holds(
         "for i in open { a[i]dot = b[i+1] - a[i]*b[i]; b[i]dot = a[i]*b[i] - b[i]; } integral S = sum(a[i] + b[i]);"
     ));
-    // A divisor of its own at each site.
+    // With a separate divisor at each site.
     assert!(holds("for i in periodic { x[i]dot = x[i+1]/c[i+1] - x[i]/c[i]; } integral S = sum(x[i]);"));
 }
 
@@ -213,12 +211,12 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(holds(&periodic(gradient, "x[i]^2*x[i+1]", "")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1]", " + x[i]")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1] + x[i]", " + x[i]*x[i+1]")));
-    // Ends count: x[i+1]² has no partner beyond them.
+    // x[i+1]² has no partner beyond the ends.
     assert!(holds("for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2; } hamiltonian H = sum(x[i]^3);"));
     assert!(!holds(
         "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
     ));
-    // Positions and momenta: coupled oscillators with cubic springs.
+    // Coupled oscillators with cubic springs.
     let oscillators = |boundary: &str, force: &str| {
         format!(
             "for i in {boundary} {{ q[i]dot = p[i]/m; p[i]dot = {force}; }} \
@@ -232,7 +230,7 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }
 
-/// The products of terms that the proof of the one claim of a family takes.
+/// Returns the products of terms in the proof of a family's only claim.
 fn work(text: &str) -> u64 {
     let tokens = lex(text).tokens;
     let family = crate::read_unproved(&tokens).family().unwrap_or_else(|why| panic!("{text}: {why:?}"));
@@ -292,7 +290,7 @@ fn what_holds_far_from_the_ends_may_fail_near_them_at_any_reach() {
         };
         let middle = format!("x[i+{reach}] - 2*x[i] + x[i-{reach}]");
         assert!(!holds(&family("y[i]", &middle)));
-        // A chain that ends has the first of two summands only while it reaches so far.
+        // Near an end only one of two summands exists.
         assert!(!holds(&family("y[i]", &format!("{middle} + x[i]"))));
     }
     for reach in [1, 3, 16] {

@@ -30,7 +30,7 @@ impl<A: OverRationals> At<'_, A> {
         });
         let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
         let (results, divisors) = values.split_at(plan.outputs.len());
-        // A float has a value where it divides by zero, and still that is a pole.
+        // A division by zero is a pole, although a float has a value there.
         if divisors.iter().any(|divisor| self.arithmetic.is_zero(divisor)) {
             return None;
         }
@@ -41,7 +41,7 @@ impl<A: OverRationals> At<'_, A> {
         Some(state.iter().zip(step.kernel.factors(results)).map(next).collect())
     }
 
-    /// A (x̃ − x)/(2ε) = f
+    /// Solves A (x̃ − x)/(2ε) = f.
     fn next_by_elimination(&self) -> Option<Vec<A::Value>> {
         let (arithmetic, eps) = (self.arithmetic, &self.point.eps);
         let right: Vec<_> = self.run(self.derived.field())?.into_iter().map(|value| vec![value]).collect();

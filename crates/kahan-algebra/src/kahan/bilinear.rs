@@ -1,5 +1,4 @@
-//! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) +
-//! ½B(x+y) + c.
+//! The bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)], and the polarised field.
 
 use kahan_syntax::rational::Rational;
 
@@ -7,19 +6,19 @@ use crate::field::Field;
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::Symbol;
 
-/// The numerators of Q(x, y), over qᵢ; y are the second states.
+/// Returns the numerators of Q(x, y) over qᵢ; y are the second states.
 #[must_use]
 pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
 }
 
-/// The numerators of Q(x,y) + ½B(x+y) + c, over qᵢ: the right-hand side of Kahan's scheme.
+/// Returns the numerators of Q(x,y) + ½B(x+y) + c over qᵢ, the right-hand side of Kahan's scheme.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()
 }
 
-/// xⱼxₖ ↦ ½(xⱼyₖ + xₖyⱼ), xⱼ ↦ ½(xⱼ + yⱼ), 1 ↦ 1.
+/// Maps xⱼxₖ ↦ ½(xⱼyₖ + xₖyⱼ), xⱼ ↦ ½(xⱼ + yⱼ), 1 ↦ 1.
 fn polarize(field: &Field, polynomial: &Polynomial) -> Polynomial {
     let symbols = &field.symbols;
     let first = |i: usize| Monomial::variable(symbols.state(i));

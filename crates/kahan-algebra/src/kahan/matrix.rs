@@ -6,7 +6,7 @@ use crate::field::Field;
 use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 
-/// The numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
+/// Returns the numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
 #[must_use]
 pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     let row = |component: &RationalFunction| {
@@ -19,10 +19,9 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     field.components.iter().map(row).collect()
 }
 
-/// A matrix whose rows list the entries that are not identically zero, each behind its column.
+/// A sparse matrix: rows of (column, entry), entries not identically zero.
 pub(crate) type SparseRows = Vec<Vec<(usize, Polynomial)>>;
 
-/// All entries of a matrix, zeros included.
 pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
     let columns = rows.len();
     let row = |entries: Vec<(usize, Polynomial)>| {
@@ -35,12 +34,12 @@ pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
     rows.into_iter().map(row).collect()
 }
 
-/// Where the entries of a matrix are not identically zero.
+/// Returns whether each entry is not identically zero.
 pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
     rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }
 
-/// The matrix with these entries on its diagonal, minus ε times the `slopes`.
+/// Returns the matrix diag(`diagonal`) − ε · `slopes`.
 #[must_use]
 pub(crate) fn matrix_of(
     mut slopes: Vec<Vec<Polynomial>>,
@@ -59,13 +58,13 @@ pub(crate) fn matrix_of(
     slopes
 }
 
-/// Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
+/// Returns Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
 #[must_use]
 pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
     matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator().clone())
 }
 
-/// b̂ = diag(q) b: entry i is qᵢxᵢ + ε(linear part of pᵢ) + 2ε(constant part of pᵢ).
+/// Returns b̂ = diag(q) b: entry i is qᵢxᵢ + ε(linear part of pᵢ) + 2ε(constant part of pᵢ).
 #[must_use]
 pub fn scaled_rhs(field: &Field) -> Vec<Polynomial> {
     let eps = Polynomial::variable(field.symbols.epsilon());

@@ -1,17 +1,16 @@
-//! All maximal minors of a polynomial matrix at once, within a budget.
+//! All maximal minors of a polynomial matrix, within a budget.
 //!
-//! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each
-//! from those of k−1. Zero minors are left out, so sparse matrices stay cheap.
+//! Laplace expansion row by row: minors of k rows follow from those of k−1 rows. Zero minors are
+//! dropped, so sparse matrices stay cheap.
 
 use kahan_syntax::table::Table;
 
 use crate::poly::{Budget, OverBudget, Polynomial, Within};
 
-/// The largest number of nonzero minors kept at a time.
 const MOST_MINORS: usize = 4096;
 
-/// The minors of n rows of at least n entries that are not zero, each by its columns: bit j stands
-/// for column j.
+/// Returns the nonzero minors of n rows of at least n entries by set of columns; bit j stands for
+/// column j.
 ///
 /// # Errors
 /// Beyond the budget, 63 columns, or 4096 minors at a time.

@@ -1,9 +1,8 @@
-//! Kahan's objects, derived from a checked field as exact polynomials; one object of the theory a
-//! file.
+//! Kahan's objects, derived from a checked field as exact polynomials, one object of the theory in
+//! each file.
 //!
-//! Every row of A x̃ = b is multiplied by its component's denominator qᵢ, which depends on
-//! parameters only. So all objects here are polynomials: Â = diag(q)·A, b̂ = diag(q)·b, D̂ = det Â
-//! = ∏q · det A.
+//! Each row of A x̃ = b is multiplied by its denominator qᵢ, so all objects are polynomials: Â =
+//! diag(q)·A, b̂ = diag(q)·b, D̂ = det Â = ∏q · det A.
 
 mod bilinear;
 mod matrix;

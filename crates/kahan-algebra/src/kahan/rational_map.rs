@@ -1,10 +1,10 @@
 //! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε
 //! nᵢ/d.
 //!
-//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂ with n̂ⱼ the determinant of Â with column j
-//! replaced by p, so x̃ has the numerators N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are
-//! those of N̂ and D̂ too, because D̂ is not divisible by ε (at ε = 0 it is ∏q). The greatest of
-//! them is divided out: where it alone vanishes the map has a removable pole.
+//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, n̂ⱼ being det Â with column j replaced by p, and
+//! N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂, because ε does not
+//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; a pole where only it vanishes is
+//! removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -15,12 +15,10 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The largest number of terms of N and D together, and of every intermediate minor. Beyond it the
-/// map is computed by elimination on the numeric matrix.
+/// The most terms of N and D together, and of every minor; larger maps are eliminated numerically.
 pub const TERM_BUDGET: usize = 500;
 
-/// The work that deriving and reducing one map may take, in products of terms: some tens of
-/// milliseconds unoptimised.
+/// The most products of terms to derive and reduce one map: some tens of milliseconds unoptimised.
 const WORK_BUDGET: u64 = 40_000;
 
 /// The map of a field whose N and D stay within the budget.
@@ -32,7 +30,7 @@ pub struct RationalMap {
     pub denominator: Polynomial,
     /// ∏q: N = N̂/∏q and D = D̂/∏q.
     pub divisor: Polynomial,
-    /// The same map in lowest terms.
+    /// The map in lowest terms.
     pub reduced: Reduced,
 }
 
@@ -43,7 +41,7 @@ pub struct Reduced {
     pub increments: Vec<Polynomial>,
     /// d
     pub denominator: Polynomial,
-    /// What was divided out of n̂ and D̂.
+    /// The factor divided out of n̂ and D̂.
     pub common_factor: Polynomial,
 }
 
@@ -65,7 +63,7 @@ impl RationalMap {
         let all = (1u64 << (n + 1)) - 1;
         let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
         let denominator = without(n);
-        // Column j replaced by p: p stands last in the minor and moves left past n−1−j columns.
+        // In the minor, p replaces column j from the last place, past n−1−j columns.
         let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
         let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
@@ -83,15 +81,14 @@ impl RationalMap {
 }
 
 impl Reduced {
-    /// The terms of all numerators and the denominator.
+    /// Returns the number of terms of all numerators and the denominator.
     #[must_use]
     pub fn terms(&self) -> usize {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Whether all degrees of this form in the states are those of the `other` form of the map, so
-    /// that as many factors were divided out. With `counts_eps` ε counts as a state. Each form has
-    /// symbols of its own.
+    /// Returns whether all degrees in the states equal those of `other`, so that equally many
+    /// factors were divided out. With `counts_eps` ε counts as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,
@@ -108,7 +105,7 @@ impl Reduced {
         degrees(self, symbols) == degrees(other, others)
     }
 
-    /// x·d + 2εn: the numerators of x̃ over d.
+    /// Returns x·d + 2εn, the numerators of x̃ over d.
     #[must_use]
     pub fn numerators(&self, symbols: &Symbols) -> Vec<Polynomial> {
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));

@@ -1,17 +1,16 @@
-//! Linear relations between polynomials in the states, over the field of rational functions of the
-//! parameters: sparse elimination to reduced row echelon form.
+//! Linear relations of polynomials in the states, by sparse elimination to reduced echelon form.
 
 use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
-/// The coefficients cₖ of a relation Σ cₖ vₖ = 0 that are not zero, by ascending k: polynomials in
-/// the parameters with coprime integer coefficients.
+/// The nonzero coefficients cₖ of a relation Σ cₖ vₖ = 0 by ascending k: polynomials in the
+/// parameters with coprime integer coefficients.
 pub(super) type Relation = Vec<(usize, Polynomial)>;
 
-/// A basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ, with cₖ free of states.
+/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ, with cₖ free of states.
 ///
-/// The basis is in reduced echelon form read from the end: the last index of a relation occurs in
-/// no other one, and the last indices of a subspace are among those of the whole space.
+/// The basis is in reduced echelon form from the end: the last index of a relation occurs in no
+/// other one, and the last indices of a subspace are among those of the whole space.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,
@@ -59,8 +58,8 @@ pub(super) fn linear_relations(
     with_last.collect()
 }
 
-/// An equation for each monomial in the states, and which coefficients are zero because an equation
-/// has no other one; these stand in no equation.
+/// Returns an equation for each monomial in the states, and the coefficients that are zero because
+/// some equation has no other term; these are removed.
 fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {
@@ -85,7 +84,7 @@ fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Ve
     (rows.into_iter().map(|row| row.into_iter().map(function).collect()).collect(), is_zero)
 }
 
-/// The relation times the least common denominator of its coefficients, over their content.
+/// Multiplies by the least common denominator of the coefficients and divides by their content.
 fn cleared(relation: &Row, budget: &mut Budget) -> Within<Relation> {
     let entries = relation.iter().map(|(_, entry)| entry);
     let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;

@@ -1,16 +1,11 @@
-//! What a step keeps of its digits when the time step is long, beside elimination with pivoting.
+//! Measures how many digits a step loses in long time steps, relative to elimination with pivoting.
 //!
-//! Minors are made of values whose leading terms cancel, which the polynomial that they are does
-//! not have; and where a pivot of 1 stands beside entries of the size ‖εf′‖, errors grow by that
-//! factor. Neither shows while ‖εf′‖ ≤ 1, either can take every digit far beyond, and no rule about
-//! degrees tells good forms from bad ones. So it is measured: a form is run, as it would be, at
-//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000, in floats of 30 bits, and so is elimination
-//! with partial pivoting of A d = f, x̃ = x + 2εd. Elimination in 53 bits is the truth for both, as
-//! it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a computation are
-//! proportional to u, so an error of k u in 30 bits is one of about k u in 53.
-//!
-//! A form whose errors are beyond the limits is refused if another form stays well within them.
-//! Every form says up to which size its errors are certain to be within the limits.
+//! Minors cancel leading terms, and a pivot of 1 beside entries of size ‖εf′‖ magnifies errors by
+//! that factor. Each form, and elimination with partial pivoting of A d = f, x̃ = x + 2εd, run at
+//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000 in floats of 30 bits. Elimination in 53 bits
+//! is the reference: its error is 2⁻²³ times that in 30 bits. To first order errors are
+//! proportional to u, so k u in 30 bits predicts k u in 53. A form beyond the limits is refused if
+//! another stays well within them.
 
 mod float_plan;
 mod trial;
@@ -26,53 +21,51 @@ use super::{LARGEST_SIZE, Plan, StepPlan};
 use float_plan::{FloatPlan, short};
 use trial::{Elimination, Trial};
 
-/// All sizes ‖εf′‖∞ that are looked at.
+/// The sizes ‖εf′‖∞ of the points.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
-/// The points of each size at first.
+/// Number of points of each size in the first round.
 const FEW: usize = 25;
-/// The points of each size where the first leave a doubt.
+/// Number of points of each size if the first round leaves a doubt.
 const MANY: usize = 100;
-/// By what factor a step's median error may be larger than that of elimination.
+/// Maximal ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// A median error of elimination below this many units u counts as this many.
+/// Lower bound on the median error of elimination, in units u, before the comparison.
 const SMALL: f64 = 10.0;
-/// By what factor the tail of a step's errors may be larger than that of elimination.
+/// Maximal ratio of the tail of a step's errors to that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
-/// A tail below this many units u is never too large.
+/// A tail below this many units u is always accepted.
 const SMALL_TAIL: f64 = 1000.0;
-/// A step that exceeds the limits by this factor is refused where another one is kept.
+/// A step beyond the limits by this factor is refused if another one can replace it.
 const REFUSED: f64 = 1.5;
-/// A step whose errors are at most this part of the limits may stand in for one that is refused.
+/// A step within this fraction of the limits can replace a refused one.
 const KEPT: f64 = 1.0 / 6.0;
-/// Below this part of the limits a few points leave no doubt.
+/// Below this fraction of the limits a few points suffice.
 const CLEAR: f64 = 0.2;
-/// Above this part of the limits a few points leave no doubt either.
+/// Above this multiple of the limits a few points suffice, too.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
-/// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
+/// The median of n errors lies within the quantiles ½ ± BAND/√n with probability 0.9.
 const BAND: f64 = 0.8;
-/// A step is said to hold where it stays within this part of the limits: other points differ from
-/// those that were looked at.
+/// A step is claimed to hold within this fraction of the limits, a margin for other points.
 const CLAIMED: f64 = 0.6;
-/// The quantile that stands for the tail.
+/// The quantile that measures the tail.
 const TAIL: f64 = 0.9;
 
-/// Points of every size, and what elimination makes of them.
+/// Points of every size, with the errors of elimination there.
 pub(super) struct Accuracy<'a> {
     field: &'a Field,
     few: Vec<Vec<Trial>>,
     many: OnceCell<Vec<Vec<Trial>>>,
 }
 
-/// What a step loses that elimination keeps, size by size.
+/// The loss of accuracy of a step against elimination, for each size.
 #[derive(Debug)]
 pub(super) struct Loss(Vec<Ratio>);
 
-/// Errors over what they may be, 1 at the limit.
+/// A ratio of errors to their limit, 1 at the limit.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
-    /// As measured.
     measured: f64,
-    /// The largest that the points leave room for.
+    /// The upper end of the confidence band.
     largest: f64,
 }
 
@@ -81,7 +74,7 @@ impl<'a> Accuracy<'a> {
         Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
     }
 
-    /// What a step loses; where the points leave a doubt, there are more.
+    /// Measures a step, with more points if the first leave a doubt.
     pub(super) fn loss(&self, step: &StepPlan) -> Loss {
         let runner = Runner::of(step);
         let loss = |points: &[Vec<Trial>]| Loss(points.iter().map(|trials| runner.loss(trials)).collect());
@@ -89,15 +82,14 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Whether a step stays well within the limits at every size; the largest one, which decides
-    /// nearly always, comes first.
+    /// Returns whether a step stays well within the limits at every size, the largest first.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 
-    /// Whether a form that carries tangent vectors from x to x̃ stays within the limits that a step
-    /// is refused beyond; this is the variational field.
+    /// Returns whether a plan that carries tangent vectors from x to x̃ stays below the limit for
+    /// refusal. `self` is the accuracy of the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -109,8 +101,7 @@ impl<'a> Accuracy<'a> {
     }
 }
 
-/// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly
-/// so has nothing to lose.
+/// Draws `count` points of each size, or fewer where f′ mostly vanishes.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);
@@ -123,12 +114,11 @@ fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
 }
 
 impl Loss {
-    /// Whether a step is refused where there is a better one.
+    /// Returns whether a step is refused if there is a better one.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }
 
-    /// Whether more points may say something else.
     fn is_doubtful(&self) -> bool {
         let largest = self.0.iter().map(|ratio| ratio.largest).fold(0.0, f64::max);
         largest > CLEAR && self.worst() < DOUBTFUL
@@ -138,14 +128,13 @@ impl Loss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// The largest size up to which the step holds for certain; 0 if there is none.
+    /// Returns the largest size up to which the step holds with certainty, or 0.
     pub(super) fn holds_to(&self) -> u32 {
         let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)
     }
 }
 
-/// A step made ready to be run in short floats.
 struct Runner<'a> {
     step: &'a StepPlan,
     constants: FloatPlan<'a>,
@@ -157,12 +146,10 @@ impl<'a> Runner<'a> {
         Runner { step, constants: FloatPlan::of(&step.constants), kernel: FloatPlan::of(&step.kernel.plan) }
     }
 
-    /// The ratios of its errors to what they may be.
     fn loss(&self, trials: &[Trial]) -> Ratio {
         ratio(trials, |trial| self.error(trial))
     }
 
-    /// The error of one step.
     fn error(&self, trial: &Trial) -> f64 {
         let constants = self.constants.run(short, &trial.inputs, &[]);
         let results = self.kernel.run(short, &trial.inputs, &constants);
@@ -174,7 +161,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// The ratios of medians and of tails to what they may be.
+/// Returns the ratios of medians and of tails to their limits, whichever is larger.
 fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
@@ -182,7 +169,7 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = BAND / (trials.len() as f64).sqrt();
-    // The step read off at `shift` from a quantile, elimination as far on the other side.
+    // Reads the step's errors at `shift` above a quantile, those of elimination at `shift` below.
     let ratio = |shift: f64| {
         let of_medians =
             quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
@@ -193,7 +180,6 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     Ratio { measured: ratio(0.0), largest: ratio(band) }
 }
 
-/// The value that this share of sorted values is below.
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     let last = (sorted.len() - 1) as f64;
     sorted[(last * share).round() as usize]

@@ -1,4 +1,4 @@
-//! Writing plans.
+//! Builds plans.
 
 use std::ops::{Deref, DerefMut};
 
@@ -9,11 +9,11 @@ use crate::poly::{Polynomial, Variable};
 
 use super::{Input, Operation, Plan};
 
-/// A plan under construction: a [`Builder`] that knows polynomials.
+/// A [`Builder`] of plans that also accepts polynomials.
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// How many terms of polynomials were looked at to nest them.
+    /// The number of terms examined so far to nest polynomials.
     pub(super) looked_at: usize,
 }
 
@@ -31,7 +31,7 @@ impl DerefMut for PlanBuilder {
     }
 }
 
-/// Returns the plan that computes these polynomials, one result each.
+/// Returns the plan of these polynomials, one output each.
 #[must_use]
 pub fn plan_of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     let mut builder = PlanBuilder::default();
@@ -40,18 +40,16 @@ pub fn plan_of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Pla
 }
 
 impl PlanBuilder {
-    /// Returns a variable.
+    /// Returns the node of a variable.
     pub fn input(&mut self, variable: Variable) -> Node {
         self.push(Operation::Input(Input::Variable(variable)))
     }
 
-    /// Returns a prepared constant.
     pub(super) fn prepared(&mut self, index: usize) -> Node {
         self.push(Operation::Input(Input::Prepared(index)))
     }
 
-    /// Adds the operations of another plan, `input` standing for its variables, and returns its
-    /// results here.
+    /// Adds another plan with variables replaced by `input`; returns its outputs in this builder.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -64,8 +62,7 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Returns a node for every operation of another plan, by its index there. `make` makes a node
-    /// from the index and the nodes before it.
+    /// Makes a node for every operation of another plan from its index and earlier nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,
@@ -79,7 +76,7 @@ impl PlanBuilder {
         renamed
     }
 
-    /// Returns a literal of another plan: a constant, or the negation of one.
+    /// Adds a literal of another plan: a constant or the negation of one.
     pub(super) fn include_literal(&mut self, plan: &Plan, node: Node) -> Node {
         let operation = &plan.operations[node.0];
         let operand = operation.operands().next().map(|operand| self.include_literal(plan, operand));

@@ -1,5 +1,4 @@
-//! Which form of a step is taken: the cheapest, the one that an orbit waits least for, or a steady
-//! one where the cheapest loses digits.
+//! Chooses forms of a step: the cheapest, one with a short recurrence, or an accurate one.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -11,15 +10,13 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::candidates;
 
 impl StepPlan {
-    /// The plan of a field's step; `None` where the field is too large for straight lines, and is
-    /// stepped by elimination.
+    /// Returns the plan of a field's step; `None` if the field is too large for straight-line code.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// The plan of a field's step, from the products of sums that are kept of the field, and from
-    /// its map, which is `None` beyond the budget.
+    /// Returns the plan of a field's step from kept sums and the map (`None` beyond the budget).
     #[must_use]
     pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
@@ -27,14 +24,14 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves lanes, and one orbit unless another form lets it wait less.
+        // The cheapest form serves lanes, and one orbit if no other form has a shorter recurrence.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
         let one_orbit = one_orbit.iter().map(plan);
         let shortest = one_orbit.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
-        // Where the cheapest form loses digits in long steps, a steadier one takes its place.
+        // A more accurate form replaces the cheapest one if that loses digits in long steps.
         let mut loss = accuracy.loss(&cheapest);
         let mut general = cheapest;
         if loss.is_refused() {
@@ -64,8 +61,8 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// The forms of one orbit below the cheapest form's recurrence, of those that are made up to
-    /// `recurrence`, and how many those are.
+    /// Returns the forms for one orbit that beat the cheapest form's recurrence among those made up
+    /// to `recurrence`, and the number of forms made.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

@@ -1,5 +1,5 @@
-//! The plans of a field in which many products of two variables occur: sums in one order, so that
-//! loops over packed coefficients have the plans' bits.
+//! Plans of fields with many products of two variables: sums in one order, so that loops over
+//! packed coefficients reproduce the bits of the plans.
 
 use kahan_syntax::rational::Rational;
 
@@ -9,18 +9,16 @@ use crate::symbols::Symbols;
 
 use super::{Node, Plan, PlanBuilder};
 
-/// The fewest variables of a field that is dense.
+/// The minimal dimension of a dense field.
 const FEWEST_VARIABLES: usize = 10;
-/// The fewest products of two variables in such a field: straight lines are faster for fewer.
+/// The minimal number of products of two variables; straight-line code is faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field at least one product in this many has a coefficient other than 0.
+/// In a dense field at least one product in `SPARSEST` has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
-/// A coefficient of a dense field.
 #[derive(Clone, Debug)]
 enum Coefficient {
     Number(Rational),
-    /// A sum in the parameters.
     Sum(Polynomial),
 }
 
@@ -40,17 +38,16 @@ impl Coefficient {
     }
 }
 
-/// The coefficients of a dense field.
 #[derive(Clone, Debug)]
 pub(crate) struct DenseField {
     states: Vec<Variable>,
-    /// For each component its coefficients: the constant, those of the variables, and those of
-    /// their products xⱼxₖ with j ≤ k, row after row of that triangle.
+    /// For each component: the constant, the coefficients of the variables, and those of the
+    /// products xⱼxₖ with j ≤ k, row by row of the triangle.
     components: Vec<Vec<Coefficient>>,
 }
 
 impl DenseField {
-    /// The field, if it is dense and its text has no sums as factors and no divisors.
+    /// Returns the field if it is dense and its text has neither sums as factors nor divisors.
     pub(crate) fn of(kept: &Kept, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
@@ -89,31 +86,28 @@ impl DenseField {
         (found >= fewest).then_some(field)
     }
 
-    /// How many variables it has.
     pub(crate) fn dimension(&self) -> usize {
         self.states.len()
     }
 
-    /// The places of the entries of f′, row by row.
     pub(crate) fn entries(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let n = self.dimension();
         (0..n * n).map(move |place| (place / n, place % n))
     }
 
-    /// Whether ∂fᵢ/∂xⱼ is not identically zero.
+    /// Returns whether ∂fᵢ/∂xⱼ is not identically zero.
     pub(crate) fn depends(&self, (i, j): (usize, usize)) -> bool {
         let coefficients = &self.components[i];
         let product = |k: usize| &coefficients[self.place(j.min(k), j.max(k))];
         !coefficients[1 + j].is_zero() || (0..self.dimension()).any(|k| !product(k).is_zero())
     }
 
-    /// The place of the coefficient of xⱼxₖ, j ≤ k.
+    /// Returns the index of the coefficient of xⱼxₖ, j ≤ k.
     fn place(&self, j: usize, k: usize) -> usize {
         let n = self.states.len();
         1 + n + j * n - j * (j + 1) / 2 + k
     }
 
-    /// All coefficients, one component after the other.
     pub(crate) fn coefficients(&self) -> Plan {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> =
@@ -121,7 +115,6 @@ impl DenseField {
         builder.finish(&outputs)
     }
 
-    /// The coefficients, if all of them are numbers.
     pub(crate) fn numbers(&self) -> Option<Vec<&Rational>> {
         let coefficients = self.components.iter().flatten().map(|coefficient| match coefficient {
             Coefficient::Number(number) => Some(number),
@@ -130,7 +123,7 @@ impl DenseField {
         coefficients.collect()
     }
 
-    /// f(x): cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ), k ≥ j, in this order.
+    /// Returns the plan of f(x): cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ), k ≥ j, in this order.
     pub(crate) fn field(&self) -> Plan {
         let mut builder = PlanBuilder::default();
         let component = |coefficients: &Vec<Coefficient>| {
@@ -150,7 +143,7 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Entries ∂fᵢ/∂xⱼ of f′(x): bᵢⱼ + Σₖ qᵢⱼₖxₖ, in this order; k = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ: bᵢⱼ + Σₖ qᵢⱼₖxₖ, in this order; k = j counts twice.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {
@@ -166,7 +159,7 @@ impl DenseField {
         builder.finish(&entries)
     }
 
-    /// The coefficient of a product, times the variable with index `k`.
+    /// Returns the coefficient of xᵢxⱼ times the variable with index `k`.
     fn term(&self, builder: &mut PlanBuilder, of: &[Coefficient], [i, j]: [usize; 2], k: usize) -> Node {
         let coefficient = &of[self.place(i, j)];
         if coefficient.is_zero() {

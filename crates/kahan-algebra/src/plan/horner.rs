@@ -1,8 +1,8 @@
-//! Polynomials in nested (Horner) form, whatever it costs: for all plans but steps.
+//! Nested (Horner) forms of polynomials for all plans except steps.
 //!
-//! Which variable is taken out next depends on what is left, so a polynomial is looked at as often
-//! as it has variables. A budget bounds the terms that are looked at in one plan: beyond it, all
-//! variables of a polynomial are taken out at once.
+//! The variable to factor out depends on the rest, so a polynomial is examined once for each
+//! variable. A budget limits the examined terms of one plan; beyond it, all variables of a
+//! polynomial are factored out at once.
 
 use std::cmp::Reverse;
 
@@ -13,12 +13,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::{Node, PlanBuilder};
 
-/// The most terms that are looked at to choose one variable at a time.
+/// The most terms to examine one variable at a time.
 pub(super) const MOST_LOOKED_AT: usize = 1_000_000;
 
 impl PlanBuilder {
-    /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable
-    /// v of most terms; where that takes too long, Σ vᵢ·qᵢ + r in all variables.
+    /// Returns a polynomial in nested form: content and common monomial first, then v·q + r in the
+    /// most frequent variable v. Beyond the budget, Σ vᵢ·qᵢ + r in all variables.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         self.nested(polynomial.clone())
     }
@@ -58,14 +58,14 @@ impl PlanBuilder {
         self.add(rest, product)
     }
 
-    /// A quotient of two polynomials, each in nested form.
+    /// Returns the quotient of two polynomials, each in nested form.
     pub fn quotient(&mut self, above: &Polynomial, below: &Polynomial) -> Node {
         let above = self.polynomial(above);
         let below = self.polynomial(below);
         self.divide(above, below)
     }
 
-    /// A single term; it counts as two that are looked at, one for its coefficient.
+    /// Writes a single term; it counts as two examined terms, one for its coefficient.
     fn term(&mut self, monomial: &Monomial, coefficient: &Rational) -> Node {
         self.looked_at += if monomial.is_one() { 1 } else { 2 };
         let coefficient = self.constant(coefficient);
@@ -104,15 +104,14 @@ impl PlanBuilder {
     }
 }
 
-/// The variable that most terms contain, the later one of equals; none where no variable is in two
-/// terms.
+/// Returns the variable in most terms, the later one of equals; `None` if none is in two terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)
 }
 
-/// Returns Σ v·q and r: each term in the product with that of its variables that most terms of the
-/// polynomial have, of those that may be taken out; the most frequent variable first.
+/// Returns products v·q and a rest r with Σ v·q + r = polynomial. Each term goes to the most
+/// frequent variable that it contains and that `may_be_out`; frequent variables come first.
 pub(super) fn by_frequency(
     polynomial: &Polynomial,
     may_be_out: impl Fn(Variable) -> bool,
@@ -131,14 +130,13 @@ mod tests {
     use super::*;
     use crate::arithmetic::Exact;
 
-    /// 20 000 products of two of 3000 variables, each with a coefficient of its own.
     fn long() -> Polynomial {
         let product =
             |k: u16| Monomial::variable(Variable(k % 3000)).mul(&Monomial::variable(Variable(k / 7)));
         Polynomial::from_terms((0..20_000).map(|k| (product(k), Rational::from(i64::from(k) + 1))))
     }
 
-    /// One variable at a time, 3000 polynomials of 10 000 terms would be looked at.
+    /// One variable at a time would examine 3000 polynomials of 10 000 terms.
     #[test]
     fn a_long_polynomial_is_nested_within_the_budget_and_has_its_values() {
         let polynomial = long();

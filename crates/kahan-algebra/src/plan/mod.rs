@@ -1,34 +1,26 @@
-//! Straight lines: which operations are computed in which order, every common subexpression once.
+//! Straight-line plans: operations in order, every common subexpression once.
 //!
-//! A plan is data, a [`Program`] with exact constants. The emitter turns it into Rust, and
-//! [`Program::evaluate`] runs its operations in their order in any [`Arithmetic`]:
-//! rationals, a prime field, dual numbers, degree bounds, rational functions, floats.
+//! A plan is a [`Program`](kahan_program::Program) with exact constants. The emitter turns it into
+//! Rust; [`evaluate`](kahan_program::Program::evaluate) runs it in any
+//! [`Arithmetic`](kahan_program::Arithmetic). For most plans `horner` nests polynomials. A step is
+//! computed billions of times, so five modules optimise its plan, each using only earlier ones:
 //!
-//! [`Program`]: kahan_program::Program
-//! [`Program::evaluate`]: kahan_program::Program::evaluate
-//! [`Arithmetic`]: kahan_program::Arithmetic
+//! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
+//! 2. `writing` turns a polynomial into operations: nesting, distribution of ε, reuse.
+//! 3. `accuracy` measures the loss of digits in long steps, and refuses forms that lose too much.
+//! 4. `forms` writes different ways to solve A·x̃ = b.
+//! 5. `choice` chooses the form for one orbit and the form for lanes.
 //!
-//! For most plans `horner` nests polynomials, and that is all. A step is computed billions of
-//! times, so five modules take more care of its plan, each of which needs those before it only:
+//! `values` substitutes sums and divisors kept as written, `dense` writes fields with very many
+//! products, `words` names operations.
 //!
-//! 1. `step` decides what is prepared and what is computed for each state, and rewrites that.
-//! 2. `writing` decides how a polynomial becomes operations: how it is nested, where ε goes, what
-//!    is reused.
-//! 3. `accuracy` measures what a long step loses, and refuses forms that lose too much.
-//! 4. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
-//! 5. `choice` chooses the form for one orbit, and that for lanes.
+//! # Benefit of each optimisation
 //!
-//! `values` puts in what a field keeps as it was written, `dense` writes the sums of fields with
-//! very many products, `words` says what operations are called.
-//!
-//! # What each optimisation buys
-//!
-//! Each was left out alone for 85 fields: the catalog, random fields of two to six variables, and
-//! four of up to eight. The table says how many steps change, and the time without over the time
-//! with it: the geometric mean over the steps that change, and the largest. *Machine code* is what
-//! the runtime compiles, for one orbit and for columns; *compiled* is what the macro writes for the
-//! catalog and 20 of the random fields, one orbit, for any x86-64 processor and for one with
-//! AVX-512.
+//! Each was disabled separately for 85 fields: the catalog, random fields of two to six variables,
+//! and four of up to eight. The table gives the number of steps that change, and the time without
+//! it over the time with it: geometric mean over these steps; maximum. *One orbit* and *columns*
+//! are machine code of the runtime. *Compiled* is one orbit by the macro, for the catalog and 20
+//! random fields, on any x86-64 processor and with AVX-512.
 //!
 //! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|
@@ -41,12 +33,11 @@
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
 //!
-//! Two more were measured with them. (2ε)x as εx + εx went (27 steps: 1.00, 0.99, 1.00 and 1.00 in
-//! the mean). A division a component in place of a shared reciprocal is left to fields of one
-//! variable (`PlanBuilder::increment`); it changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and
-//! 0.84; 0.93). For Lotka and Volterra's step, compiled for any x86-64 processor, it saved a fifth
-//! of the instructions and 6 % of the time. Ensembles that report how they ended took twice the
-//! time with it: they take the form of single orbits, and two divisions bound the lanes.
+//! Two more were measured and dropped. (2ε)x as εx + εx changed 27 steps (means 1.00, 0.99, 1.00
+//! and 1.00). A division for each component in place of a shared reciprocal changed 6 steps (1.00;
+//! 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84; 0.93). It is left to fields of one variable
+//! (`PlanBuilder::increment`): ensembles that report how they ended took twice the time with it,
+//! since two divisions bound the lanes.
 
 mod operation;
 

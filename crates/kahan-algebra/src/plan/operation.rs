@@ -1,4 +1,4 @@
-//! Plans as programs: what their inputs and constants are.
+//! Plans as programs: types of inputs and constants.
 
 use kahan_program::Program;
 pub use kahan_program::{Cost, Node};
@@ -7,7 +7,7 @@ use kahan_syntax::table::distinct;
 
 use crate::poly::Variable;
 
-/// A number that a plan reads.
+/// An input of a plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// A state, a parameter or ε.
@@ -26,7 +26,7 @@ impl Input {
         }
     }
 
-    /// Returns the value of this input: that of a prepared constant, or what `variable` gives.
+    /// Returns the value of the input, from `prepared` or by `variable`.
     pub fn value<V: Clone>(
         &self,
         prepared: &[Option<V>],
@@ -39,7 +39,7 @@ impl Input {
     }
 }
 
-/// One operation of a plan.
+/// An operation of a plan.
 pub type Operation = kahan_program::Operation<Input, Rational>;
 
 /// A straight-line program with exact constants.

@@ -1,7 +1,5 @@
-//! Plans in which values stand for what they are.
-//!
-//! A field [kept](crate::kept) as it was written is made of values; plans run on states and
-//! parameters alone. Here each value becomes the operations that compute it, once a plan.
+//! Substitutes kept values into plans: a field [kept](crate::kept) as written refers to values,
+//! while plans run on states and parameters. Each value is computed once in a plan.
 
 use kahan_syntax::rational::Rational;
 
@@ -12,10 +10,8 @@ use crate::symbols::Symbol;
 
 use super::{Node, Operation, Plan, PlanBuilder};
 
-/// Values in a plan under construction, each written once.
 struct Nodes<'a> {
     values: &'a Values,
-    /// What the other variables are called in the plan.
     rename: &'a dyn Fn(Variable) -> Variable,
     known: Vec<Option<Node>>,
 }
@@ -42,7 +38,7 @@ impl Nodes<'_> {
 }
 
 impl Values {
-    /// The same plan with each input that is a value replaced by what it is.
+    /// Replaces each input that is a value by its operations.
     pub(crate) fn put_into(&self, plan: Plan) -> Plan {
         let is_value = |operation: &Operation| match operation {
             Operation::Input(Input::Variable(variable)) => self.place(*variable).is_some(),
@@ -54,9 +50,8 @@ impl Values {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Replaces variables of a plan by values. `value` returns the place of the value that replaces a
-    /// variable, or the variable's name in the new plan. `rename` returns the name there of a
-    /// variable that occurs in a value.
+    /// Replaces variables of a plan by values. `value` returns the index of the value for a
+    /// variable, or the variable's new name. `rename` renames variables inside values.
     fn put_in(
         &self,
         plan: &Plan,
@@ -72,20 +67,18 @@ impl Values {
         builder.finish(&outputs)
     }
 
-    /// The plan of polynomials over the values, one result each.
+    /// Returns the plan of polynomials over the values, one output each.
     pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
         self.put_into(plan_of(polynomials))
     }
 }
 
 impl Kept {
-    /// The plan of f(x), a component a result.
     pub(crate) fn plan(&self) -> Plan {
         self.values.plan(&self.components)
     }
 
-    /// The plan of everything that is divided by, one result each: where one is zero there is no
-    /// field.
+    /// Returns the plan of all divisors, one output each. The field is undefined where one is zero.
     pub(crate) fn divisors(&self) -> Plan {
         self.values.plan(self.values.values.iter().filter_map(|value| match value {
             Value::Reciprocal(divisor) => Some(divisor),
@@ -95,9 +88,8 @@ impl Kept {
 }
 
 impl WithConstants {
-    /// A plan in the variables of a family's line as one without values: `constant` is the index of
-    /// the value that a variable of the plan stands for, `rename` what a variable of the field is
-    /// called in the new plan.
+    /// Substitutes values into a plan over variables of a family's line. `constant` returns the
+    /// index of the value that a variable stands for; `rename` renames variables of the field.
     pub(crate) fn put_into_line(
         &self,
         plan: &Plan,
@@ -107,7 +99,7 @@ impl WithConstants {
         self.values.put_in(plan, |variable| constant(variable).map(|index| self.places[index]), rename)
     }
 
-    /// A plan of this field as one of the field itself: what the values are is put in.
+    /// Substitutes values into a plan of this field.
     pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
         if self.is_plain() {
             return plan.clone();

@@ -1,5 +1,4 @@
-//! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names
-//! values, in generated code or in a listing, begins with these.
+//! Describes operations in words, `two_eps`, `one_plus_eps_x`, for names in code and listings.
 
 use kahan_syntax::rational::Rational;
 
@@ -9,10 +8,10 @@ use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};
 
-/// Longer descriptions name nothing.
+/// The longest description that serves as a name.
 const LONGEST: usize = 24;
 
-/// What a description is to be joined as.
+/// The structure of a description, which decides how it joins others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -20,16 +19,15 @@ enum Kind {
     Sum,
 }
 
-/// An operation in words.
 #[derive(Clone)]
 struct Description {
     text: String,
     kind: Kind,
 }
 
-/// What each operation of a plan computes, in words that make a name; `None` where that would be
-/// long, where it would begin with a digit, and for every quotient but that of a constant by ε.
-/// `prepared` are the names of the prepared constants.
+/// Returns for each operation a description that can serve as a name. `None` if long or beginning
+/// with a digit, and for quotients except a constant over ε. `prepared` names the prepared
+/// constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -49,8 +47,7 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// What kind of operation this is, for those whose description would be long: a number makes it a
-/// name.
+/// Returns the kind of an operation, which with a number names operations without description.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
@@ -63,7 +60,7 @@ pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     }
 }
 
-/// An operation in words, from the words for its operands.
+/// Describes an operation from the descriptions of its operands.
 fn describe<'a>(
     operation: &Operation,
     symbols: &Symbols,
@@ -91,7 +88,7 @@ fn describe<'a>(
     }
 }
 
-/// `two_eps` for 2·ε and ε·2, `y_times_100`, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
+/// Returns `two_eps` for 2·ε and ε·2, `y_times_100`, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
 fn product(a: &Description, b: &Description) -> Description {
     let (first, second) = if b.kind == Kind::Number { (b, a) } else { (a, b) };
     let text = if first.kind == Kind::Number && first.text.contains(|c: char| c.is_ascii_digit()) {
@@ -106,7 +103,7 @@ fn product(a: &Description, b: &Description) -> Description {
     Description { text, kind: Kind::Product }
 }
 
-/// `half`, `minus_two`, `100`, `981_over_100`.
+/// Returns `half`, `minus_two`, `100`, `981_over_100`.
 fn number(value: &Rational) -> Option<String> {
     const WORDS: [&str; 11] =
         ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];

@@ -1,9 +1,8 @@
-//! Sums and products of polynomials.
+//! Sums and products of polynomials, by merging sorted runs of terms.
 //!
-//! Everything is a merge of sorted runs of terms. A product forms one run for each term of the
-//! shorter factor, sorted by itself since the order is admissible, and merges runs of like length
-//! as a binary counter carries: n·m term products and n·m·log₂ min(n, m) comparisons, without a
-//! hash or a tree.
+//! A product forms one run for each term of the shorter factor; the order is admissible, so the
+//! runs are sorted. Runs of similar length are merged, as a binary counter carries: n·m term
+//! products and n·m·log₂ min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;
@@ -14,13 +13,13 @@ use kahan_syntax::rational::Rational;
 use super::{Monomial, Polynomial, Term};
 
 impl Polynomial {
-    /// The sum of all, each with whether it is subtracted. Costs a sort.
+    /// Returns the sum of all summands; the flag marks those to subtract. Costs a sort.
     pub fn sum_of<'a>(summands: impl IntoIterator<Item = (bool, &'a Self)>) -> Self {
         let Ok(sum) = Self::sum_with(summands, |a, b| Ok::<_, Infallible>(a + b));
         sum
     }
 
-    /// The sum of all, where coefficients are added by `add`.
+    /// Returns the sum of all summands, adding coefficients by `add`.
     pub(super) fn sum_with<'a, E>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,
@@ -32,7 +31,7 @@ impl Polynomial {
         Self::collected(terms.collect(), add)
     }
 
-    /// The product with a rational.
+    /// Returns the product with a rational.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
             return Self::zero();
@@ -43,12 +42,12 @@ impl Polynomial {
         self.mul_term(&Monomial::one(), factor)
     }
 
-    /// The product with a monomial.
+    /// Returns the product with a monomial.
     pub fn mul_monomial(&self, monomial: &Monomial) -> Self {
         self.mul_term(monomial, &Rational::ONE)
     }
 
-    /// The product with one term; the coefficient must not be zero.
+    /// Returns the product with one term; the coefficient must not be zero.
     pub(super) fn mul_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
         let mut terms = Vec::with_capacity(self.terms.len());
         for (own_monomial, own_coefficient) in &self.terms {
@@ -58,7 +57,6 @@ impl Polynomial {
     }
 }
 
-/// The sum of two sorted runs.
 pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     if left.is_empty() {
         return right;
@@ -103,8 +101,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// The sum of many sorted runs. Runs wait until one comes that is at least half as long, so each
-/// term takes part in logarithmically many merges.
+/// A sum of many sorted runs. A run is merged once it is less than twice as long as the next, so
+/// each term takes part in logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }
@@ -167,8 +165,7 @@ impl Neg for &Polynomial {
     }
 }
 
-/// By value, where a chain of operations drops its intermediate results; nothing is cloned for a
-/// sum.
+/// Consuming variants, which clone no terms of a sum.
 impl Add for Polynomial {
     type Output = Self;
 

@@ -1,50 +1,48 @@
-//! Products and powers that stop before they grow out of hand.
+//! Products and powers that stop before they become too large.
 //!
-//! A [`Budget`] limits the terms of any one result and the work of everything charged to it. Work
-//! is counted in term products, a product of longer coefficients counting as often as it has pairs
-//! of machine words; sizes that can be predicted are refused before any work is done. What holds:
-//! whatever returns `Ok` is exact.
+//! A [`Budget`] limits the terms of each result and the total work. Work is counted in products of
+//! terms, weighted by the pairs of machine words of their coefficients. Predictable sizes are
+//! refused before any work. Every `Ok` result is exact.
 
 use std::error::Error;
 use std::fmt;
 
 use super::Polynomial;
 
-/// Total degrees beyond this are over any budget, so that exponents never overflow.
+/// Maximal total degree within any budget, so that exponents never overflow.
 const MAX_DEGREE: u64 = 1 << 24;
 
-/// What may still be spent on a computation with polynomials.
+/// A limit on the size and the work of computations with polynomials.
 #[derive(Clone, Debug)]
 pub struct Budget {
     max_terms: usize,
-    /// The term products that may still be formed.
     work: u64,
 }
 
-/// The computation would exceed its budget of terms or of work.
+/// The error of a computation that exceeds its budget of terms or of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;
 
-/// The result of a computation that keeps to a budget.
+/// The result of a computation within a budget.
 pub type Within<T> = Result<T, OverBudget>;
 
 impl Budget {
-    /// At most `max_terms` terms in any result, and `work` term products in all.
+    /// Returns a budget of `max_terms` terms in any result and `work` term products in total.
     pub fn new(max_terms: usize, work: u64) -> Self {
         Self { max_terms, work }
     }
 
-    /// No limit but that on degrees.
+    /// Returns a budget that limits only degrees.
     pub fn unlimited() -> Self {
         Self::new(usize::MAX, u64::MAX)
     }
 
-    /// The term products that may still be formed.
+    /// Returns the number of term products left.
     pub fn work_left(&self) -> u64 {
         self.work
     }
 
-    /// Takes `work` off the budget.
+    /// Subtracts `work` from the budget.
     pub fn charge(&mut self, work: u64) -> Within<()> {
         match self.work.checked_sub(work) {
             Some(rest) => {
@@ -58,7 +56,7 @@ impl Budget {
         }
     }
 
-    /// Whether a result may have that many terms.
+    /// Returns an error if a result may not have this number of terms.
     pub fn admit(&self, terms: usize) -> Within<()> {
         if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
     }
@@ -73,7 +71,7 @@ impl fmt::Display for OverBudget {
 impl Error for OverBudget {}
 
 impl Polynomial {
-    /// The sum, if it has no more terms than the budget admits.
+    /// Returns the sum within the budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         budget.charge((self.len() + other.len()) as u64)?;
         let sum = self + other;
@@ -81,9 +79,8 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// The sum of all, each with whether it is subtracted, if the budget allows for it. Costs a
-    /// sort; coefficients that are added are charged with the square of their length in words
-    /// beyond the first.
+    /// Returns the sum of all summands within the budget; the flag marks those to subtract. Costs a
+    /// sort. An addition of coefficients is charged the square of their words beyond the first.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
@@ -97,7 +94,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// The product, if the budget allows for it.
+    /// Returns the product within the budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
         if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {
             return Err(OverBudget);
@@ -109,11 +106,10 @@ impl Polynomial {
         Ok(product)
     }
 
-    /// The power, if the budget allows for it; the zeroth power is 1.
+    /// Returns the power within the budget; the zeroth power is 1.
     ///
-    /// The size is bounded beforehand: by the number C(e+t−1, t−1) of products of e out of t terms,
-    /// and by the number of monomials whose degree in each variable is at most e times that of the
-    /// base.
+    /// Terms are bounded in advance by C(e+t−1, t−1) for exponent e and t terms, and by the number
+    /// of monomials of at most e times the base's degree in each variable.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Within<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);
@@ -132,7 +128,7 @@ impl Polynomial {
             return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
         }
         budget.admit(self.power_size(exponent))?;
-        // One factor at a time: for sparse bases this takes fewer term products than squaring.
+        // Repeated multiplication takes fewer term products than squaring if the base is sparse.
         let mut power = self.clone();
         for _ in 1..exponent {
             power = power.mul_within(self, budget)?;
@@ -140,9 +136,9 @@ impl Polynomial {
         Ok(power)
     }
 
-    /// An upper bound for the number of terms of a power.
+    /// Returns an upper bound on the number of terms of a power.
     fn power_size(&self, exponent: u32) -> usize {
-        // C(e+t-1, t-1) as the product of (e+k)/k, each partial product being an integer itself.
+        // C(e+t−1, t−1) is the product of the (e+k)/k; each partial product is an integer.
         let mut choices: u128 = 1;
         for k in 1..self.len() as u128 {
             choices = choices * (u128::from(exponent) + k) / k;
@@ -158,7 +154,7 @@ impl Polynomial {
         usize::try_from(choices.min(grid)).unwrap_or(usize::MAX)
     }
 
-    /// The machine words of the longest coefficient.
+    /// Returns the machine words of the longest coefficient.
     pub fn coefficient_words(&self) -> u64 {
         let mut bits = 0;
         for (_, coefficient) in &self.terms {

@@ -1,4 +1,4 @@
-//! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
+//! Derivatives, substitution, renaming, and polynomials viewed as polynomials in some variables.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -6,11 +6,11 @@ use kahan_syntax::table::{Table, sorted_by_key};
 use super::{Budget, Monomial, Polynomial, Term, Variable, Within};
 
 impl Polynomial {
-    /// The partial derivative.
+    /// Returns the partial derivative.
     pub fn derivative(&self, variable: Variable) -> Self {
         let mut terms = Vec::new();
         for (monomial, coefficient) in &self.terms {
-            // Dividing by the variable keeps the order of the terms that have it.
+            // Division by the variable keeps the order of terms.
             if let Some(lowered) = monomial.lowered(variable) {
                 let exponent = Rational::from(i64::from(monomial.exponent(variable)));
                 terms.push((lowered, coefficient * &exponent));
@@ -19,15 +19,14 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
-    /// The partial derivatives by these variables that are not zero, in the order of the variables.
-    /// Looks at each term once.
+    /// Returns the nonzero partial derivatives by wanted variables, in order, in one pass.
     pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
         let mut slopes: Table<Variable, Vec<Term>> = Table::new();
         for (monomial, coefficient) in &self.terms {
             for &(variable, exponent) in monomial.powers() {
                 if let Some(lowered) = monomial.lowered(variable).filter(|_| is_wanted(variable)) {
                     let slope = coefficient * &Rational::from(i64::from(exponent));
-                    // Dividing by the variable keeps the order of the terms that have it.
+                    // Division by the variable keeps the order of terms.
                     slopes.or_insert_with(variable, |_| Vec::new()).push((lowered, slope));
                 }
             }
@@ -35,7 +34,7 @@ impl Polynomial {
         slopes.into_iter().map(|(variable, terms)| (variable, Self::from_sorted(terms))).collect()
     }
 
-    /// The polynomial with `variable` replaced by a number. Forms only the powers that occur.
+    /// Replaces `variable` by a number. Computes only the powers that occur.
     pub fn substitute(&self, variable: Variable, value: &Rational) -> Self {
         let mut powers: Table<u32, Rational> = Table::new();
         Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
@@ -45,7 +44,7 @@ impl Polynomial {
         }))
     }
 
-    /// The polynomial with `variable` replaced by another polynomial.
+    /// Replaces `variable` by another polynomial.
     ///
     /// # Panics
     /// Beyond a total degree of 2²⁴.
@@ -55,11 +54,11 @@ impl Polynomial {
             .expect("total degrees stay below 2^24")
     }
 
-    /// Σ cₖ aᵏ bᵈ⁻ᵏ of self = Σ cₖ `variable`ᵏ: the polynomial at a/b, times bᵈ; d is at least the
-    /// degree in the variable.
+    /// Returns Σ cₖ aᵏ bᵈ⁻ᵏ for self = Σ cₖ `variable`ᵏ, that is, bᵈ times the polynomial at a/b. d
+    /// must be at least the degree in the variable.
     ///
     /// # Errors
-    /// Beyond the budget.
+    /// If the budget runs out.
     pub fn homogenised_at(
         &self,
         variable: Variable,
@@ -77,7 +76,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// The polynomial with each variable renamed. Variables that get the same name are identified.
+    /// Renames each variable. Variables with equal new names are identified.
     pub fn map_variables(&self, mut rename: impl FnMut(Variable) -> Variable) -> Self {
         self.map_monomials(|monomial| {
             let powers = monomial.powers().iter().map(|&(variable, exponent)| (rename(variable), exponent));
@@ -85,17 +84,17 @@ impl Polynomial {
         })
     }
 
-    /// Replaces each monomial by another one, or leaves its term out.
+    /// Replaces each monomial, or drops its term.
     pub fn map_monomials(&self, mut change: impl FnMut(&Monomial) -> Option<Monomial>) -> Self {
         let terms = self.terms.iter();
         Self::from_terms(terms.filter_map(|(monomial, value)| Some((change(monomial)?, value.clone()))))
     }
 
-    /// q and r of self = v·q + r with r free of v.
+    /// Returns q and r of self = v·q + r with r free of v.
     pub fn split_at(self, variable: Variable) -> (Self, Self) {
         let (mut quotient, mut rest) = (Vec::new(), Vec::new());
         for (monomial, coefficient) in self.terms {
-            // Dividing by the variable keeps the order of the terms that have it.
+            // Division by the variable keeps the order of terms.
             match monomial.lowered(variable) {
                 Some(lowered) => quotient.push((lowered, coefficient)),
                 None => rest.push((monomial, coefficient)),
@@ -104,8 +103,8 @@ impl Polynomial {
         (Self::from_sorted(quotient), Self::from_sorted(rest))
     }
 
-    /// Returns q₁ … q_k and r of self = v₁·q₁ + … + v_k·q_k + r, each term with the first of these
-    /// variables that it has, and r free of all of them. Looks at each term once.
+    /// Returns q₁ … q_k and r of self = v₁·q₁ + … + v_k·q_k + r with r free of all vᵢ, in one pass.
+    /// Each term goes to the first vᵢ that it contains.
     pub fn split_among(&self, variables: &[Variable]) -> (Vec<Self>, Self) {
         let ranks =
             sorted_by_key(variables.iter().copied().zip(0..variables.len()), |(variable, _)| *variable);
@@ -116,7 +115,7 @@ impl Polynomial {
         let (mut quotients, mut rest) = (vec![Vec::new(); variables.len()], Vec::new());
         for (monomial, coefficient) in &self.terms {
             let first = monomial.powers().iter().filter_map(|(variable, _)| rank(variable)).min();
-            // Dividing by the variable keeps the order of the terms that have it.
+            // Division by the variable keeps the order of terms.
             match first.and_then(|first| Some((first, monomial.lowered(variables[first])?))) {
                 Some((first, lowered)) => quotients[first].push((lowered, coefficient.clone())),
                 None => rest.push((monomial.clone(), coefficient.clone())),
@@ -125,7 +124,7 @@ impl Polynomial {
         (quotients.into_iter().map(Self::from_sorted).collect(), Self::from_sorted(rest))
     }
 
-    /// How many terms have each variable, in the order of the variables.
+    /// Returns for each variable the number of terms that contain it, in order of variables.
     pub fn frequencies(&self) -> Vec<(Variable, usize)> {
         let mut counts: Vec<(Variable, usize)> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -139,14 +138,13 @@ impl Polynomial {
         counts
     }
 
-    /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the
-    /// variable.
+    /// Returns the nonzero coefficients cₖ of Σ cₖ `variable`^k by exponent.
     pub fn coefficients_in(&self, variable: Variable) -> Table<u32, Self> {
         let groups = self.group(|other| other == variable).into_iter();
         groups.map(|(power, coefficient)| (power.degree(), coefficient)).collect()
     }
 
-    /// The coefficient of the highest power of `variable`; 0 for 0.
+    /// Returns the coefficient of the highest power of `variable`; 0 for 0.
     pub fn leading_coefficient_in(&self, variable: Variable) -> Self {
         let degree = self.degree_in(variable);
         let power = Monomial::power(variable, degree);
@@ -155,8 +153,7 @@ impl Polynomial {
         Self::from_sorted(divided.collect())
     }
 
-    /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in
-    /// the others.
+    /// Views the polynomial as one in the variables that satisfy `belongs`.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
         self.grouped(&mut belongs)
     }
@@ -165,7 +162,7 @@ impl Polynomial {
         let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut *belongs));
         let split: Vec<(Monomial, Monomial)> = split.collect();
         let mut order: Vec<usize> = (0..split.len()).collect();
-        // Terms with the same key stay sorted when it is divided out.
+        // Terms with equal keys stay sorted after division by the key.
         order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));
         let mut groups: Vec<(Monomial, Self)> = Vec::new();
         for index in order {

@@ -1,9 +1,8 @@
-//! Exact division: the quotient where there is one, and nothing where there is a remainder; and
-//! what can be taken out of every term, a rational and a monomial.
+//! Exact division of polynomials, and contents.
 //!
-//! Leading terms are divided out one after another; the order is admissible, so the first leading
+//! Leading terms are divided out one after another. The order is admissible, so the first leading
 //! term that the divisor's does not divide proves that no polynomial quotient exists. Degrees and
-//! lowest terms are compared first: in most cases that do not divide, they tell.
+//! lowest terms are compared first, which refutes most divisions.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,12 +10,12 @@ use super::arithmetic::merge;
 use super::{Budget, Monomial, Polynomial, Within};
 
 impl Polynomial {
-    /// The quotient self/divisor if it is a polynomial; `None` if not, or if `divisor` is zero.
+    /// Returns self/divisor if it is a polynomial; `None` otherwise, or if `divisor` is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         self.div_within(divisor, &mut Budget::unlimited()).ok().flatten()
     }
 
-    /// [`checked_div`](Self::checked_div) with the work charged to a budget.
+    /// Divides like [`checked_div`](Self::checked_div), with the work charged to a budget.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
         let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
         let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
@@ -41,16 +40,15 @@ impl Polynomial {
         Ok(Some(Self::from_sorted(quotient)))
     }
 
-    /// Necessary conditions that cost one pass.
+    /// Checks necessary conditions in one pass.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
     }
 
-    /// The rational c such that self/c is primitive: integer coefficients without a common factor,
-    /// the leading one positive. Its sign is that of the leading coefficient; the content of 0 is
-    /// 1.
+    /// Returns the rational c such that self/c is primitive: coprime integer coefficients, the
+    /// leading one positive. c has the sign of the leading coefficient; the content of 0 is 1.
     pub fn content(&self) -> Rational {
         let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
         let mut content = leading.abs();
@@ -60,7 +58,7 @@ impl Polynomial {
         if leading.is_negative() { -content } else { content }
     }
 
-    /// self divided by its content: the primitive polynomial with the same zeros. 0 stays 0.
+    /// Returns self divided by its content; 0 stays 0.
     pub fn primitive_part(&self) -> Self {
         let content = self.content();
         match content.recip() {
@@ -69,7 +67,7 @@ impl Polynomial {
         }
     }
 
-    /// The greatest monomial that divides every term; 1 for the zero polynomial.
+    /// Returns the greatest monomial that divides every term; 1 for 0.
     pub fn monomial_content(&self) -> Monomial {
         let Some((leading, _)) = self.leading_term() else { return Monomial::one() };
         let mut common = leading.clone();
@@ -82,7 +80,7 @@ impl Polynomial {
         common
     }
 
-    /// The quotient by a monomial; `None` where it does not divide every term.
+    /// Returns the quotient by a monomial; `None` unless it divides every term.
     pub fn div_monomial(&self, divisor: &Monomial) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());

@@ -1,11 +1,10 @@
-//! Greatest common divisors of multivariate polynomials over ℚ.
+//! Greatest common divisors of multivariate polynomials over ℚ, primitive with positive leading
+//! coefficient.
 //!
-//! In go two polynomials, out comes their gcd with coprime integer coefficients, the leading one
-//! positive. Monomials are taken out first; images modulo a prime then bound the degree in each
-//! variable, which settles the common case (the gcd is 1) and removes every variable that the gcd
-//! does not contain. What is left goes through trial division and the subresultant remainder
-//! sequence in the variable of least degree, stopped as soon as the bound is met. All results are
-//! exact: the prime decides how fast, never what.
+//! Monomials are divided out first. Images modulo a prime then bound the degree in each variable:
+//! they prove the common case (the gcd is 1) and remove variables that the gcd does not contain.
+//! The rest is done by trial division and the subresultant remainder sequence. All results are
+//! exact; the prime affects only the speed.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -13,8 +12,8 @@ use kahan_syntax::table::{Table, sorted_by_key};
 use super::images::degree_bounds;
 use super::{Budget, Monomial, Polynomial, Variable, Within};
 
-/// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the
-/// primitive part of b.
+/// Returns the greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is
+/// the primitive part of b.
 ///
 /// # Panics
 /// If a total degree exceeds 2^24 on the way.
@@ -22,7 +21,7 @@ pub fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
     gcd_within(a, b, &mut Budget::unlimited()).expect("within no limit")
 }
 
-/// [`gcd`], or an error once the budget is spent.
+/// Returns [`gcd`], or an error once the budget is spent.
 pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a.is_zero() || b.is_zero() {
         return Ok((if a.is_zero() { b } else { a }).primitive_part());
@@ -37,7 +36,7 @@ pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within
     Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
 }
 
-/// The gcd of all; 0 for none. Starts with the shortest and stops at 1.
+/// Returns the gcd of all polynomials; 0 for none. Starts with the shortest and stops at 1.
 ///
 /// # Panics
 /// As [`gcd`].
@@ -45,7 +44,7 @@ pub fn gcd_all<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Pol
     gcd_all_within(polynomials, &mut Budget::unlimited()).expect("within no limit")
 }
 
-/// [`gcd_all`], or an error once the budget is spent.
+/// Returns [`gcd_all`], or an error once the budget is spent.
 pub fn gcd_all_within<'a>(
     polynomials: impl IntoIterator<Item = &'a Polynomial>,
     budget: &mut Budget,
@@ -61,12 +60,10 @@ pub fn gcd_all_within<'a>(
     Ok(common)
 }
 
-/// The primitive part without the monomial that divides every term.
 fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
     polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
 }
 
-/// For primitive polynomials that no monomial divides.
 fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     if a == b {
         return Ok(a.clone());
@@ -88,8 +85,7 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<P
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Only the variables in `bounds` occur in the gcd, so it is the gcd of all coefficients with
-/// respect to the others.
+/// Computes the gcd of all coefficients in the variables outside `bounds`, which the gcd lacks.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -101,7 +97,7 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// gcd(a, b) = gcd(contents)·gcd(primitive parts) with respect to the variable of least degree.
+/// Computes gcd(contents)·gcd(primitive parts) with respect to the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,
@@ -123,11 +119,11 @@ fn gcd_in_main_variable(
     Ok(contents.mul_within(&parts, budget)?.primitive_part())
 }
 
-/// The gcd of a and b, both primitive in `main`, whose degree in it is at most `bound`.
+/// Computes the gcd of a and b, both primitive in `main`, of degree at most `bound` in it.
 ///
-/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. The gcd divides every member of the
-/// sequence over the field of the coefficients, so a member whose primitive part divides a and b is
-/// the gcd; it is tried as soon as the degree has come down to `bound`.
+/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. Over the field of coefficients the
+/// gcd divides every member of the sequence. So a member whose primitive part divides a and b is
+/// the gcd; it is tried once its degree is at most `bound`.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,
@@ -158,7 +154,7 @@ fn subresultants(
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
         lead = upper.leading_coefficient_in(main);
-        // h ← g^δ h^(1-δ), up to a rational factor as everything here
+        // h ← g^δ h^(1−δ), up to a rational factor
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
             let denominator = scale.pow_within(gap - 1, budget)?;
@@ -167,8 +163,7 @@ fn subresultants(
     }
 }
 
-/// lc(divisor)^(δ+1)·dividend modulo divisor, as polynomials in `main`, δ the difference of the
-/// degrees.
+/// Returns lc(divisor)^(δ+1)·dividend mod divisor in `main`; δ is the difference of degrees.
 fn pseudo_remainder(
     dividend: &Polynomial,
     divisor: &Polynomial,
@@ -189,7 +184,7 @@ fn pseudo_remainder(
     rest.mul_within(&lead.pow_within(steps_left, budget)?, budget)
 }
 
-/// The part that is primitive as a polynomial in `main`, with coprime integer coefficients.
+/// Returns the part that is primitive in `main`, with coprime integer coefficients.
 fn primitive_in(polynomial: &Polynomial, main: Variable, budget: &mut Budget) -> Within<Polynomial> {
     let content = gcd_all_within(polynomial.coefficients_in(main).values(), budget)?;
     let primitive = polynomial.div_within(&content, budget)?.expect("a content divides");

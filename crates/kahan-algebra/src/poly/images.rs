@@ -1,42 +1,35 @@
-//! Bounds for the degrees of a greatest common divisor, from images modulo a prime.
+//! Bounds on the degrees of a greatest common divisor, from images modulo a prime.
 //!
-//! For each variable v, all other variables are replaced by fixed points of F_p; the gcd of the two
-//! univariate images bounds the degree of the true gcd in v. A bound of zero for every variable
-//! proves that two polynomials are coprime.
+//! The degree in v of the gcd is at most that of the gcd of images with all other variables fixed
+//! in F_p. Unlucky points loosen a bound and never falsify it.
 //!
-//! *Proof.* Let a, b have integer coefficients, a primitive, g their primitive gcd. By Gauss's
-//! lemma a = g·h with h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree
-//! in v, the image of lc_v(a) is not zero, hence neither is that of lc_v(g): the image of g has
-//! degree deg_v g, and it divides both images. So deg_v g ≤ deg gcd(images). The same holds with b
-//! in place of a; one of the two is enough. ∎
-//!
-//! The points are fixed, so results are reproducible; unlucky points loosen a bound and never
-//! falsify it.
+//! *Proof.* Let a, b be integral, a primitive, g their primitive gcd. By Gauss's lemma a = g·h with
+//! h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of
+//! lc_v(g) is not zero: the image of g has degree deg_v g and divides both images. ∎
 
 use kahan_syntax::table::Table;
 
 use super::{Budget, Polynomial, Variable, Within};
 use crate::prime_field::{PrimeField, SplitMix64};
 
-/// Where the images are taken.
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// About that many products of residues take as long as one product of terms: what work modulo a
-/// prime is charged to a [`Budget`] by.
+/// The number of products of residues that take about as long as one product of terms. Work modulo
+/// a prime is charged to a [`Budget`] at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
-/// Coefficients in F_p by exponent, without zeros at the end.
+/// Coefficients in F_p by exponent, without trailing zeros.
 type Univariate = Vec<u64>;
 
-/// For each variable that both contain, an upper bound of the degree of gcd(a, b) in it. Both must
-/// be primitive. Costs a few multiplications in F_p for each factor of each term, and one
-/// univariate gcd a variable.
+/// Returns for each common variable an upper bound on the degree of gcd(a, b) in it. Both must be
+/// primitive. Costs a few multiplications in F_p for each factor of each term, and a univariate gcd
+/// for each variable.
 ///
 /// # Errors
-/// Beyond the budget.
+/// If the budget runs out.
 ///
 /// # Panics
-/// If a coefficient of one that is not primitive has a denominator that 2^61 − 1 divides.
+/// If a polynomial is not primitive and 2^61 − 1 divides a denominator.
 pub fn degree_bounds(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Table<Variable, u32>> {
     let (degrees_a, degrees_b) = (degrees(a), degrees(b));
     budget.charge((a.len() + b.len()) as u64)?;
@@ -68,7 +61,7 @@ fn degrees(polynomial: &Polynomial) -> Table<Variable, u32> {
     degrees
 }
 
-/// The powers of the value of a variable.
+/// Returns the powers of the value of a variable.
 fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     let mut rng = SplitMix64::new(u64::from(variable.0));
     let value = 1 + rng.below(FIELD.prime() - 1);
@@ -79,15 +72,15 @@ fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     powers
 }
 
-/// For each variable the image in which only it is kept.
+/// Returns for each variable the image that keeps it.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
     let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
     let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();
     let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
     let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        // The value of the term but for one variable is what stands before it times what stands
-        // behind it.
+        // The coefficient in the image of a variable is the product of the values of all other
+        // powers, those before and those behind it.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
         for (index, variable) in variables.iter().enumerate() {
             before[index] = value;
@@ -118,8 +111,7 @@ fn trim(polynomial: &mut Univariate) {
     }
 }
 
-/// The degree of the gcd by Euclid's algorithm; `u32::MAX` where both are zero, as then nothing is
-/// known.
+/// Returns the degree of the gcd by Euclid's algorithm; `u32::MAX` (unknown) if both are zero.
 fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
     let (mut a, mut b) = (a.clone(), b.clone());
     while let Some(&lead) = b.last() {

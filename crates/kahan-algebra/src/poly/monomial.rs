@@ -1,10 +1,9 @@
-//! Variables and their power products.
+//! Variables and monomials.
 //!
 //! A monomial is a sparse list of (variable, exponent), variables increasing, exponents positive.
-//! The order is graded lexicographic: the higher total degree is greater; at equal degree, the
-//! first variable (by index) in which two monomials differ decides, the higher exponent being
-//! greater. It is admissible: 1 is least, and m < n implies mk < nk, so multiplying or dividing
-//! sorted terms by a monomial leaves them sorted.
+//! The order is graded lexicographic: first by total degree, then by the exponent of the first
+//! variable (by index) that differs. It is admissible: 1 is least, and m < n implies mk < nk, so
+//! multiplication or division by a monomial keeps terms sorted.
 
 mod products;
 
@@ -13,7 +12,7 @@ use std::hash::{Hash, Hasher};
 
 use super::powers::{Power, Powers};
 
-/// A variable, by its index; whoever made it knows its name.
+/// A variable, identified by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Variable(
     /// The index.
@@ -31,24 +30,24 @@ pub struct Monomial {
 }
 
 impl Monomial {
-    /// The empty product, 1.
+    /// Returns the empty product, 1.
     pub fn one() -> Self {
         Self { degree: 0, powers: Powers::NONE }
     }
 
-    /// The variable itself.
+    /// Returns the monomial of a variable.
     pub fn variable(variable: Variable) -> Self {
         Self::power(variable, 1)
     }
 
-    /// `variable`^`exponent`.
+    /// Returns `variable`^`exponent`.
     pub fn power(variable: Variable, exponent: u32) -> Self {
         let mut power = Self::one();
         power.push(variable, exponent);
         power
     }
 
-    /// Multiplies by a power of a variable that is later than all that occur.
+    /// Multiplies by a power of a variable that comes after all others.
     fn push(&mut self, variable: Variable, exponent: u32) {
         if exponent > 0 {
             self.powers.push((variable, exponent));
@@ -56,22 +55,22 @@ impl Monomial {
         }
     }
 
-    /// Whether this is 1.
+    /// Returns whether the monomial is 1.
     pub fn is_one(&self) -> bool {
         self.degree == 0
     }
 
-    /// The factors, variables increasing, exponents positive.
+    /// Returns the powers, variables increasing, exponents positive.
     pub fn powers(&self) -> &[(Variable, u32)] {
         self.powers.as_slice()
     }
 
-    /// The sum of all exponents.
+    /// Returns the sum of all exponents.
     pub fn degree(&self) -> u32 {
         self.degree
     }
 
-    /// The exponent of `variable`, 0 where it does not occur.
+    /// Returns the exponent of `variable`, 0 if absent.
     pub fn exponent(&self, variable: Variable) -> u32 {
         let powers = self.powers();
         let mut index = 0;
@@ -84,7 +83,7 @@ impl Monomial {
         0
     }
 
-    /// The sum of the exponents of the variables that `belongs` picks.
+    /// Returns the sum of the exponents of the variables that satisfy `belongs`.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
         for (variable, exponent) in self.powers() {
@@ -95,7 +94,7 @@ impl Monomial {
         degree
     }
 
-    /// The part in the variables that `belongs` picks, and the part in the others.
+    /// Splits into the part in the variables that satisfy `belongs` and the part in the others.
     pub fn split(&self, mut belongs: impl FnMut(Variable) -> bool) -> (Self, Self) {
         self.parted(&mut belongs)
     }
@@ -110,7 +109,6 @@ impl Monomial {
     }
 }
 
-/// The product of the given powers, in any order.
 impl FromIterator<(Variable, u32)> for Monomial {
     fn from_iter<I: IntoIterator<Item = (Variable, u32)>>(powers: I) -> Self {
         let mut product = Self::one();

@@ -1,20 +1,17 @@
-//! Short lists of powers, which most monomials have, without an allocation.
+//! Lists of powers; short ones, the most frequent, need no allocation.
 //!
-//! Polynomials are made of monomials, and a plan takes thousands of polynomials that live for a
-//! moment: allocating each list took a tenth of an expansion of the macro, which is not optimised.
+//! A plan takes thousands of short-lived polynomials. In an unoptimised expansion of the macro,
+//! allocating each list took a tenth of the time.
 
 use super::Variable;
 
-/// How many powers stand in the list itself.
 const FEW: usize = 4;
 
-/// A variable with its exponent.
 pub(super) type Power = (Variable, u32);
 
-/// A list of powers.
 #[derive(Clone, Debug)]
 pub(super) enum Powers {
-    /// The first so many of these.
+    /// The length, and the array whose first entries are the list.
     Few(usize, [Power; FEW]),
     Many(Vec<Power>),
 }
@@ -36,7 +33,6 @@ impl Powers {
         }
     }
 
-    /// Adds one at the end.
     pub(super) fn push(&mut self, power: Power) {
         match self {
             Powers::Few(count, powers) if *count < FEW => {
@@ -53,7 +49,6 @@ impl Powers {
         }
     }
 
-    /// Adds one at a place, those from there on standing behind it.
     pub(super) fn insert(&mut self, place: usize, power: Power) {
         self.push(power);
         let powers = self.as_mut_slice();
@@ -65,7 +60,6 @@ impl Powers {
         powers[place] = power;
     }
 
-    /// Takes one out.
     pub(super) fn remove(&mut self, place: usize) {
         let powers = self.as_mut_slice();
         let last = powers.len() - 1;

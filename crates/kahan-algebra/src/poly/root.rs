@@ -1,4 +1,4 @@
-//! Square roots of polynomials that are squares.
+//! Square roots of polynomials.
 
 use num_bigint::BigInt;
 
@@ -7,12 +7,12 @@ use kahan_syntax::rational::Rational;
 use super::{Monomial, Polynomial};
 
 impl Polynomial {
-    /// r with r² = self and a positive leading coefficient; `None` if there is none. Costs a
-    /// product of terms for every term of the root, plus one.
+    /// Returns r with r² = self and a positive leading coefficient; `None` if self is not a square.
+    /// Costs a product of terms for every term of the root, plus one.
     ///
-    /// The leading term of r is the root of self's; each further term is determined by the highest
-    /// term of self − r². A root with more terms than its square (the shortest known has 13) is not
-    /// found.
+    /// The leading term of r is the root of self's leading term; the highest term of self − r²
+    /// determines each further term. A root with more terms than its square (the shortest known has
+    /// 13) is not found.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);
@@ -21,7 +21,6 @@ impl Polynomial {
         let mut rest = self - &(&root * &root);
         while let Some((highest, value)) = rest.leading_term() {
             let next = Self::term(highest.div(&monomial)?, value.checked_div(&twice)?);
-            // The terms of a root decrease.
             if root.len() > self.len() || next.leading_term()?.0 >= root.terms().next_back()?.0 {
                 return None;
             }

@@ -11,8 +11,6 @@ fn c(value: i64) -> Polynomial {
     Polynomial::constant(Rational::from(value))
 }
 
-/// Up to `terms` terms in the first `variables` variables, exponents below 3, coefficients small
-/// rationals.
 fn random(rng: &mut SplitMix64, variables: u16, terms: usize) -> Polynomial {
     Polynomial::from_terms((0..terms).map(|_| {
         let powers = (0..variables).map(|index| (Variable(index), u32::try_from(rng.below(3)).unwrap()));
@@ -171,10 +169,10 @@ fn products_and_powers_keep_to_their_budget() {
     // Refused by prediction: the power has 10^12 terms.
     let many = (0..12).fold(c(1), |sum, index| &sum + &v(index));
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
-    // One variable: few terms, though the number of choices is large.
+    // One variable: few terms despite a large binomial coefficient.
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);
     assert_eq!(dense.pow_within(64, &mut Budget::new(129, 100_000)).unwrap().len(), 129);
-    // Nested powers of one term cannot overflow an exponent, nor a coefficient the memory.
+    // Nested powers of one term overflow neither an exponent nor memory.
     let mut nested = v(0).scale(&Rational::from(3));
     let mut budget = Budget::new(10, 1_000_000);
     let refused = (0..100).any(|_| match nested.pow_within(64, &mut budget) {
@@ -225,7 +223,7 @@ fn the_gcd_at_the_borders() {
     );
 }
 
-/// The shape of E3: D = (1+εz)(1+εz+2ε²(x²+y²)), one numerator shares the first factor.
+/// Returns denominator, numerator and common factor of the form of E3: D = (1+εz)(1+εz+2ε²(x²+y²)).
 fn e3() -> (Polynomial, Polynomial, Polynomial) {
     let (x, y, z, e) = (v(0), v(1), v(2), v(3));
     let pole = &c(1) + &(&e * &z);
@@ -247,7 +245,7 @@ fn a_gcd_over_budget_says_so() {
     let (denominator, numerator, _) = e3();
     assert_eq!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 3)), Err(OverBudget));
     assert!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 10_000)).is_ok());
-    // Few terms of high degree: neither Euclid modulo a prime nor a long quotient runs away.
+    // Few terms of high degree: gcds modulo a prime and long quotients stay within the budget.
     let tall = |degree| &Polynomial::term(Monomial::power(Variable(0), degree), Rational::ONE) - &c(1);
     assert_eq!(
         gcd_within(&tall(1 << 20), &tall((1 << 20) - 1), &mut Budget::new(1000, 1_000_000)),
@@ -269,6 +267,6 @@ fn the_root_of_a_square_is_found_and_nothing_else_has_one() {
         assert_eq!((-&(&square + &(&z * &z))).square_root(), None, "{root:?}");
     }
     assert_eq!(c(2).square_root(), None);
-    // The highest terms of both factors agree, the others do not.
+    // The highest terms of both factors agree, the others differ.
     assert_eq!((&(&x + &y) * &(&x + &z)).square_root(), None);
 }

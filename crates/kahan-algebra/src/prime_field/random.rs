@@ -1,16 +1,13 @@
-//! Where random numbers come from: a small quick generator for samples, and a cryptographic one for
-//! proofs.
-//!
-//! In go a number or a text, out go 64 bits at a time, the same on every machine.
+//! Reproducible random numbers: a fast generator for samples and a cryptographic one for proofs.
 
 use keccak::Keccak;
 
 /// A source of random bits.
 pub trait Random {
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     fn next_u64(&mut self) -> u64;
 
-    /// A uniformly drawn number below `bound`.
+    /// Draws a number below `bound` uniformly.
     ///
     /// # Panics
     /// If `bound` is zero.
@@ -25,27 +22,25 @@ pub trait Random {
     }
 }
 
-/// SHAKE256 (FIPS 202): a hash of a text whose digest has no end.
+/// SHAKE256 (FIPS 202): a hash function with a digest of unlimited length.
 ///
-/// A proof at random points is worth what its points are worth. A generator with a seed of 64 bits
-/// has 2⁶⁴ sequences of points at most, so no bound below 2⁻⁶⁴ holds for it, and whoever writes a
-/// block could look for a text whose points suit a false claim. Here the best that is known is to
-/// try texts.
+/// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so no error probability
+/// below 2⁻⁶⁴ holds for it, and an author could search for a text whose points satisfy a false
+/// claim. For SHAKE256 the best known attack is to try texts.
 ///
-/// Cost: 17 draws a permutation of 1600 bits, about a microsecond; unoptimised some tens.
+/// Cost: a permutation of 1600 bits for 17 draws, about a microsecond (unoptimised, some tens).
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
-    /// How many words of this state were drawn.
+    /// The number of words drawn from this state.
     drawn: usize,
 }
 
-/// The words of the state that take in text and give out digest: the others are the 512 bits that
-/// keep the state secret from its digest.
+/// The number of words that absorb text and emit digest; the other 512 bits stay secret.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {
-    /// The stream of a text.
+    /// Returns the stream of a text.
     #[must_use]
     pub fn new(text: &[u8]) -> Self {
         let mut padded = text.to_vec();
@@ -62,7 +57,7 @@ impl Shake256 {
         stream
     }
 
-    /// The next 256 bits.
+    /// Returns the next 256 bits.
     #[must_use]
     pub fn next_seed(&mut self) -> [u8; 32] {
         let mut seed = [0; 32];
@@ -88,20 +83,20 @@ impl Random for Shake256 {
     }
 }
 
-/// A small reproducible generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). For samples; a proof draws from [`Shake256`].
+/// SplitMix64, a small reproducible generator (Steele, Lea, Flood, "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014). For samples only; proofs draw from [`Shake256`].
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,
 }
 
 impl SplitMix64 {
-    /// The stream of a seed.
+    /// Returns the stream of a seed.
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// The stream of a text, seeded by its FNV-1a hash of 64 bits.
+    /// Returns the stream of a text, seeded by its 64-bit FNV-1a hash.
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for byte in bytes {
@@ -110,7 +105,7 @@ impl SplitMix64 {
         Self::new(hash)
     }
 
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     pub fn next_u64(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
@@ -119,7 +114,7 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
-    /// A uniformly drawn number below `bound`.
+    /// Draws a number below `bound` uniformly.
     ///
     /// # Panics
     /// If `bound` is zero.

@@ -1,11 +1,10 @@
-//! The prover: are the claims of a block true?
+//! The prover decides whether the claims of a block are true.
 //!
-//! A claim is an identity between rational functions of the states, the parameters and ε (a
-//! residual that vanishes). `residual` turns it into pairs of values that must agree, at the points
-//! that `sample` draws. `modular` evaluates it at random points modulo random primes, with an
-//! error below 2⁻¹⁰⁰ (derived in [`sizes`]), and at one exact point; that is quick enough for a
-//! compiler. `normal_form` expands it over ℚ, for `kahan verify`. `refute` finds a small exact
-//! counterexample to a false one.
+//! A claim is an identity between rational functions of states, parameters and ε. `residual` turns
+//! it into pairs of values that must agree at points from `sample`. `modular` evaluates them at
+//! random points modulo random primes, with error below 2⁻¹⁰⁰ (derived in [`sizes`]), and at one
+//! exact point. `normal_form` expands them over ℚ, for `kahan verify`. `refute` finds a small exact
+//! counterexample to a false claim.
 
 mod modular;
 mod normal_form;
@@ -30,21 +29,20 @@ use crate::system::{Claim, Condition, System};
 
 use sample::{Samples, Scheme};
 
-/// What is known of a claim.
+/// The result for a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It holds.
+    /// The claim holds.
     Proved(Proof),
-    /// It is false, and this point shows it.
+    /// The claim is false; the refutation is a counterexample.
     Refuted(Refutation),
-    /// The claim says nothing: an integral or a drift that depends on no state, a zero density, a
-    /// zero bracket.
+    /// The claim is empty: an integral or drift without a state, a zero density, a zero bracket.
     Vacuous,
-    /// It divides by zero identically.
+    /// The claim divides by zero identically.
     Undefined,
-    /// On its specialisation det A vanishes identically, so there is no map.
+    /// Under its conditions det A vanishes identically: the map does not exist.
     NoMap,
-    /// Its degree is so high that no reasonable number of points bounds the error.
+    /// The degree is too high for a reasonable number of points.
     TooLarge,
 }
 
@@ -56,7 +54,7 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     }
     let scheme = Scheme::of(&system.field);
     let mut random = Shake256::new(&seed);
-    // Claims on the same specialisation share their points.
+    // Claims under equal conditions share their points.
     let mut groups: Vec<Samples<'_>> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
@@ -70,7 +68,7 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     verdicts
 }
 
-/// Whether two specialisations are the same.
+/// Returns whether conditions have equal solutions.
 fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     let values = |conditions: &[Condition]| {
         conditions.iter().map(|condition| (condition.variable, condition.value.clone())).collect::<Vec<_>>()
@@ -78,11 +76,11 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     a.len() == b.len() && values(a) == values(b)
 }
 
-/// The most operations at a point that the claims of a block may take, see [`operations`].
+/// The most operations at a point for the claims of a block, see [`operations`].
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// What all claims take at a point, about: the operations of each, for each the terms of the field,
-/// and eliminations, whose operations modulo a prime are quick.
+/// Estimates the operations of all claims at a point: their plans, the terms of the field, and
+/// eliminations, whose operations modulo a prime are cheap.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();
@@ -90,7 +88,7 @@ fn operations(system: &System) -> usize {
     system.claims.iter().map(one).fold(0, usize::saturating_add)
 }
 
-/// Reports the claims that do not hold, or that they are too much to be proved.
+/// Reports false claims, or claims too large to prove.
 pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnostics) {
     if let Some(claim) = system.claims.last()
         && operations(system) > MOST_OPERATIONS

@@ -1,5 +1,4 @@
-//! The quick proof: random points modulo random primes, and one exact point. The error bound is
-//! derived in [`super::sizes`].
+//! The fast proof: random points modulo random primes, and one exact point (see [`super::sizes`]).
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -12,22 +11,19 @@ use super::residual::Test;
 use super::sample::{MOST_DRAWS, Samples, Scheme};
 use super::sizes::points_for;
 
-/// On what a proof rests.
+/// The evidence for a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proof {
-    /// The number of points, each modulo a prime of its own; the error is below 2⁻¹⁰⁰.
+    /// The number of points, each modulo its own prime; the error is below 2⁻¹⁰⁰.
     pub points: u32,
 }
 
-/// What one point says of a claim.
 struct Evidence {
     holds: bool,
-    /// Whether the claim says something at this point: an integral or a drift has a gradient, a
-    /// density or bracket is not zero.
+    /// Whether an integral or drift has a nonzero gradient, or a density or bracket is nonzero.
     says_something: bool,
 }
 
-/// Decides one claim.
 pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Verdict {
     let Some(needed) = points_for(scheme, claim) else { return Verdict::TooLarge };
     let (mut accepted, mut drawn, mut says_something) = (0, 0, false);
@@ -56,7 +52,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
     }
 }
 
-/// Whether the claim holds at an exact point of small rationals; `None` if it has a value at none.
+/// Returns whether the claim holds at a small exact point; `None` if no exact step is possible.
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;
@@ -64,7 +60,7 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
             return Some(evidence.holds);
         }
     }
-    // Small points can lie on a divisor all together; small heights are no part of the proof.
+    // All small points can lie on a divisor; the proof does not depend on small heights.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

@@ -1,5 +1,5 @@
-//! The thorough proof: both sides of every identity as rational functions over ℚ, compared by
-//! expanding their difference. Independent of the modular proof, and of any probability.
+//! The slow proof: expands the difference of both sides of every identity over ℚ. It depends
+//! neither on the modular proof nor on probability.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,13 +13,11 @@ use crate::system::{Claim, System};
 use super::residual::Test;
 use super::sample::{Sample, Scheme, impose, rows, run};
 
-/// Terms of any intermediate result, and products of terms in all: about a second at worst, with
-/// long coefficients.
+/// Limits on the terms of intermediate results, and on products of terms: about a second at worst.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 1_000_000;
 
-/// `Some(true)` if the claim holds, `Some(false)` if not, `None` if expanding it takes more than
-/// the budget.
+/// Returns whether the claim holds; `None` beyond the budget.
 #[must_use]
 pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let map = RationalMap::of(&system.field)?;
@@ -33,7 +31,7 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     Some(holds)
 }
 
-/// One step with symbols for everything that the claim leaves generic.
+/// Takes one step with symbols for everything that the claim leaves generic.
 fn sample(
     scheme: &Scheme,
     map: &RationalMap,

@@ -1,5 +1,4 @@
-//! A counterexample to a false claim: the first point of small rationals at which its two sides
-//! differ.
+//! Searches a counterexample: the first point of small rationals where both sides differ.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -12,18 +11,18 @@ use crate::system::{Claim, upper_index};
 use super::residual::{Place, Test};
 use super::sample::{Scheme, run, small_point, take_step};
 
-/// Heights searched, and points tried at each.
+/// The heights to search, and the points to try at each.
 const HIGHEST: u64 = 24;
 const POINTS_PER_HEIGHT: usize = 48;
 
-/// Why a claim is false.
+/// The reason why a claim is false.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refutation {
-    /// At this point the two sides differ.
+    /// Both sides differ at this point.
     At {
-        /// What was claimed.
+        /// The kind of claim.
         kind: ClaimKind,
-        /// Which identity fails.
+        /// The identity that fails.
         place: Place,
         /// States, parameters and ε.
         point: Vec<Rational>,
@@ -32,11 +31,10 @@ pub enum Refutation {
         /// The right side.
         right: Rational,
     },
-    /// The claim fails modulo a prime, and no small point shows it.
+    /// The claim fails modulo a prime, without a small counterexample.
     NoPoint,
 }
 
-/// Searches heights 1, 2, 3, … from a fixed seed.
 pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     let mut random = SplitMix64::from_bytes(claim.name.text.as_bytes());
     for height in 1..=HIGHEST {
@@ -51,7 +49,7 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     Refutation::NoPoint
 }
 
-/// The refutation that this point is, if it is one.
+/// Returns the refutation at this point, if both sides differ.
 fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
     let Test { claim, sample, .. } = *test;
     let failing = test.pairs()?.into_iter().find(|pair| pair.left != pair.right)?;
@@ -62,7 +60,7 @@ fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
-/// (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the two sides as a person would compare them.
+/// Returns (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the form readers expect.
 fn transported(test: &Test<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
     let Test { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;
@@ -74,7 +72,7 @@ fn transported(test: &Test<'_, Exact>, i: usize, j: usize) -> Option<(Rational, 
 }
 
 impl Refutation {
-    /// The counterexample in words.
+    /// Describes the counterexample in words.
     #[must_use]
     pub fn describe(&self, symbols: &Symbols) -> String {
         let Refutation::At { kind, place, point, left, right } = self else {
@@ -105,7 +103,7 @@ impl Refutation {
     }
 }
 
-/// A number in full, or its beginning and its length.
+/// Returns a number in full, or its first digits and its length.
 fn shorten(value: &Rational) -> String {
     let text = value.to_string();
     if text.len() <= 80 {

@@ -1,4 +1,4 @@
-//! The identities that a claim consists of, as pairs of values that must agree at every point.
+//! The identities of a claim, as pairs of values that must agree at every point.
 //!
 //! | claim | left | right |
 //! |---|---|---|
@@ -8,8 +8,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Because ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the third line is J P Jᵀ = P(x̃) without an inverse.
-//! Derivatives are those of dual numbers.
+//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), invariance is J P Jᵀ = P(x̃) without an inverse. Derivatives
+//! are those of dual numbers.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -19,17 +19,17 @@ use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};
 
-/// Two values that must agree, and where they stand.
+/// Two values that must agree, and their identity.
 pub(super) struct Pair<V> {
     pub(super) place: Place,
     pub(super) left: V,
     pub(super) right: V,
 }
 
-/// Which identity of a claim.
+/// An identity of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// The only one.
+    /// The only identity.
     Value,
     /// The entry {i, j} of the invariance of a bracket.
     Entry(usize, usize),
@@ -37,7 +37,7 @@ pub enum Place {
     Jacobi(usize, usize, usize),
 }
 
-/// A claim at a sample, in an arithmetic.
+/// A claim at a sample point.
 pub(super) struct Test<'a, A: Arithmetic> {
     pub(super) claim: &'a Claim,
     pub(super) arithmetic: &'a A,
@@ -45,12 +45,11 @@ pub(super) struct Test<'a, A: Arithmetic> {
 }
 
 impl<A: OverRationals> Test<'_, A> {
-    /// The dimension of the map.
     fn n(&self) -> usize {
         self.sample.matrix.len()
     }
 
-    /// All pairs of the claim; `None` where it has no value.
+    /// Returns all pairs of the claim; `None` if it has no value.
     pub(super) fn pairs(&self) -> Option<Vec<Pair<A::Value>>> {
         let Test { claim, arithmetic, sample } = *self;
         let here = run(arithmetic, &claim.plan, &sample.here)?;
@@ -78,7 +77,7 @@ impl<A: OverRationals> Test<'_, A> {
         pairs.map(|(place, (left, right))| Pair { place, left, right }).collect()
     }
 
-    /// The entries above the diagonal of M P Mᵀ, P given by its own: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ.
+    /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ.
     pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let mut entries = Vec::new();
@@ -135,7 +134,7 @@ impl<A: OverRationals> Test<'_, A> {
         Some(pairs)
     }
 
-    /// The claim's values with their gradients in the states.
+    /// Returns the claim's values with their gradients in the states.
     pub(super) fn gradients(&self) -> Option<Vec<DualNumber<A::Value>>> {
         let (here, n) = (&self.sample.here, self.n());
         let dual = Dual { base: self.arithmetic, directions: n };

@@ -1,4 +1,4 @@
-//! One step of the map at one point, in any field, with all that claims are tested on.
+//! One step of the map at one point in any field, with the data to test claims.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,13 +11,11 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms
-/// lose nothing and divide by nothing.
+/// The plans of the field's numerators p and the matrix Â, expanded for exact arithmetic.
 pub(super) struct Scheme {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
     pub(super) matrix: Plan,
-    /// The number of variables: states, parameters and ε.
     pub(super) variables: usize,
 }
 
@@ -36,9 +34,9 @@ impl Scheme {
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {
-    /// The values of all variables at x: states, parameters, ε.
+    /// The values at x: states, parameters, ε.
     pub(super) here: Vec<V>,
-    /// The same at x̃ (ε unchanged).
+    /// The values at x̃ (ε unchanged).
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,
     pub(super) back_matrix: Vec<Vec<V>>,
@@ -46,7 +44,6 @@ pub(super) struct Sample<V> {
     pub(super) jacobian_determinant: V,
 }
 
-/// Evaluates a plan whose variables have these values.
 pub(super) fn run<A: OverRationals>(
     arithmetic: &A,
     plan: &Plan,
@@ -56,12 +53,11 @@ pub(super) fn run<A: OverRationals>(
     plan.evaluate(arithmetic, value).into_iter().collect()
 }
 
-/// Cuts the entries of an n×n matrix into rows.
 pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
     entries.chunks(n).map(<[V]>::to_vec).collect()
 }
 
-/// One step from `here`; `None` at a pole and where the arithmetic lacks a constant.
+/// Takes one step from `here`; `None` at a pole, or if the arithmetic lacks a constant.
 pub(super) fn take_step<A: OverRationals>(
     scheme: &Scheme,
     arithmetic: &A,
@@ -86,11 +82,11 @@ pub(super) fn take_step<A: OverRationals>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// How many points are drawn for one step, and how many more steps than a claim needs are taken for
-/// it, plus one; the error of a proof ([`super::sizes`]) grows with its square.
+/// The most points drawn for one step, and the most steps beyond those a claim needs, plus one. The
+/// error of a proof ([`super::sizes`]) grows with its square.
 pub(super) const MOST_DRAWS: usize = 16;
 
-/// The random points of one specialisation, drawn as they are asked for.
+/// The random points under given conditions, drawn on demand.
 pub(super) struct Samples<'a> {
     pub(super) conditions: &'a [Condition],
     random: Shake256,
@@ -103,8 +99,7 @@ impl<'a> Samples<'a> {
         Samples { conditions, random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
     }
 
-    /// The point `index` modulo a prime of its own; `None` if no step could be taken in
-    /// [`MOST_DRAWS`] draws.
+    /// Returns the point `index` modulo its own prime; `None` if [`MOST_DRAWS`] draws fail.
     pub(super) fn modular(&mut self, scheme: &Scheme, index: usize) -> Option<&(Modular, Sample<u64>)> {
         let conditions = self.conditions;
         while self.modular.len() <= index {
@@ -120,7 +115,7 @@ impl<'a> Samples<'a> {
         self.modular.get(index)
     }
 
-    /// The exact point `index`, of small rationals; `None` as above.
+    /// Returns the exact point `index` of small rationals; `None` if [`MOST_DRAWS`] draws fail.
     pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
         let conditions = self.conditions;
         while self.exact.len() <= index {
@@ -133,8 +128,7 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Gives the names that conditions are solved for their values at a point of all others; `None`
-/// where one has none.
+/// Evaluates the names that conditions are solved for; `None` if one has no value.
 pub(super) fn impose<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,
@@ -148,9 +142,8 @@ pub(super) fn impose<A: OverRationals>(
     Some(())
 }
 
-/// A random point whose coordinates have height at most `height`, but for those that the conditions
-/// then have; ε is positive and parameters are not zero, unless conditions make them so. `None`
-/// where the conditions divide by zero, and at ε = 0.
+/// Draws a random point of coordinates of at most this height, then imposes the conditions. ε > 0
+/// and parameters are nonzero unless fixed. `None` at divisions by zero, or at ε = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],

@@ -1,21 +1,21 @@
-//! Several rational functions at once: over one denominator, and as rows of linear equations.
+//! Operations on several rational functions: common denominators, and rows of linear equations.
 
 use super::{RationalFunction, divide, unlimited};
 use crate::poly::{Budget, Polynomial, Within, gcd_within};
 
-/// The entries of a row that are not zero, by ascending column.
+/// The nonzero entries of a row, by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
-/// The cost of reducing a fraction of long integers, by that of a product of them.
+/// The cost of reducing a fraction of long integers, relative to a product of them.
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {
-    /// Returns the numerators of functions over their least common denominator, and that.
+    /// Returns the numerators of functions over their least common denominator, and the latter.
     pub fn over_common(functions: &[Self]) -> (Vec<Polynomial>, Polynomial) {
         unlimited(|budget| Self::over_common_within(functions.iter(), budget))
     }
 
-    /// Does what [`over_common`](Self::over_common) does, within a budget.
+    /// Computes [`over_common`](Self::over_common) within a budget.
     pub fn over_common_within<'a>(
         functions: impl Iterator<Item = &'a Self> + Clone,
         budget: &mut Budget,
@@ -32,13 +32,12 @@ impl RationalFunction {
     }
 }
 
-/// Divides a row by its first entry.
 pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Within<Row> {
     let inverse = row[0].1.recip().expect("entries are not zero");
     row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()
 }
 
-/// Computes row − factor · pivot.
+/// Returns row − factor · pivot.
 pub(crate) fn reduced(row: &Row, factor: &RationalFunction, pivot: &Row, budget: &mut Budget) -> Within<Row> {
     let words = factor.numerator().coefficient_words();
     let mut difference = Row::with_capacity(row.len() + pivot.len());

@@ -13,7 +13,6 @@ fn random_polynomial(rng: &mut SplitMix64, terms: usize) -> Polynomial {
     }))
 }
 
-/// A function whose denominator is not zero.
 fn random(rng: &mut SplitMix64) -> RationalFunction {
     loop {
         let (numerator, denominator) = (random_polynomial(rng, 3), random_polynomial(rng, 2));

@@ -1,4 +1,4 @@
-//! A system as a block of `kahan!`, in one canonical layout.
+//! A system as a block of `kahan!` in a canonical layout.
 
 use kahan_syntax::syntax::{Header, Reference};
 
@@ -11,7 +11,6 @@ use super::claim::claim_text;
 use super::formula::Formulas;
 use super::notation::Text;
 
-/// The parameters that something still depends on once the equations are expanded.
 fn used_parameters(system: &System) -> Vec<String> {
     let symbols = &system.field.symbols;
     let is_used = |k: usize| {
@@ -27,14 +26,13 @@ fn used_parameters(system: &System) -> Vec<String> {
     names.filter(|(k, _)| is_used(*k)).map(|(_, name)| name.clone()).collect()
 }
 
-/// Whether a name stands in a relation, or is what it was solved for.
+/// Returns whether a name occurs in a relation.
 fn mentions(condition: &Condition, name: &str) -> bool {
     let mut found = false;
     condition.written.visit_names(&mut |written, _| found |= written == Reference::Name(name));
     found
 }
 
-/// Whether a name stands in a claim as written.
 fn claim_names(claim: &Claim, name: &str) -> bool {
     let mut found = claim.conditions.iter().any(|condition| mentions(condition, name));
     for expr in claim.body.expressions() {
@@ -43,7 +41,7 @@ fn claim_names(claim: &Claim, name: &str) -> bool {
     found
 }
 
-/// The header with its documentation and attributes as written, and these parameters.
+/// Returns the header with documentation and attributes as written, and these parameters.
 fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     let mut lines = header.attributes.lines.clone();
     let visibility = header.visibility.lines.first().map_or("pub", String::as_str);
@@ -67,13 +65,13 @@ fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     lines
 }
 
-/// The equations of a field as expanded, a line each.
+/// Returns the expanded equations of a field, one line each.
 pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
     let right = Formulas { field, map: None, notation: &Text }.field();
     field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
 }
 
-/// The lines of a block: header, equations as expanded (constants folded in), claims as written.
+/// Returns the lines of a block: header, expanded equations, claims as written.
 #[must_use]
 pub fn block_lines(system: &System) -> Vec<String> {
     let header = system.header.as_ref();
@@ -88,7 +86,7 @@ pub fn block_lines(system: &System) -> Vec<String> {
     lines
 }
 
-/// A system as a call of `kahan!`.
+/// Returns a system as a call of `kahan!`.
 #[must_use]
 pub fn macro_block(system: &System) -> String {
     let lines: String = block_lines(system).iter().map(|line| format!("    {line}\n")).collect();

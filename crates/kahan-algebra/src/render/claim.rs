@@ -7,7 +7,7 @@ use crate::system::{Claim, System};
 use super::expression::expression_text;
 use super::notation::{Notation, Text};
 
-/// The claim in the language of `kahan!`, ready to paste.
+/// Returns the claim in the language of `kahan!`.
 #[must_use]
 pub fn claim_text(system: &System, claim: &Claim) -> String {
     let condition = condition_text(system, claim);
@@ -30,7 +30,7 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     }
 }
 
-/// The claim as formulas: name (or entry) and value; of a drift also F(x̃) and its value.
+/// Returns the claim as formulas: name (or entry) and value; for a drift also F(x̃) and its value.
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
@@ -46,14 +46,13 @@ pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, S
     }
 }
 
-/// `eps = 1, c = -a - b`; empty for a claim without `when`.
+/// Returns the conditions as `eps = 1, c = -a - b`; empty for an unconditional claim.
 #[must_use]
 pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)
 }
 
-/// The relations behind `when`: a name that has a number with it, others as written; empty for a
-/// claim without `when`.
+/// Returns the relations behind `when`: names with numbers, others as written.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notation) -> String {
     let symbols = &system.field.symbols;
@@ -70,8 +69,7 @@ pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notati
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// What the relations of a claim were divided by to be solved, `a2 != 0`: not 0 where it is
-/// claimed. Empty where that is numbers alone.
+/// Returns the polynomials that solving divided by, as `a2 != 0`; empty for numbers only.
 #[must_use]
 pub fn condition_note(system: &System, claim: &Claim) -> String {
     let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);

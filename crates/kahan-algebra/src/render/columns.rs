@@ -9,18 +9,17 @@ pub fn widths(rows: &[Vec<String>]) -> Vec<usize> {
     (0..columns).map(|column| width(column).unwrap_or(0)).collect()
 }
 
-/// Pads the cells of a row to these widths and joins them, two spaces apart, without spaces at the
-/// end.
+/// Pads the cells of a row to these widths and joins them by two spaces, without trailing spaces.
 #[must_use]
 pub fn columns(row: &[String], widths: &[usize]) -> String {
     let cells = row.iter().zip(widths).map(|(cell, &width)| {
-        // A format's own width ends at 65 535 characters.
+        // Width in a format string is limited to 65 535 characters.
         cell.clone() + &" ".repeat(width.saturating_sub(cell.chars().count()))
     });
     cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
 }
 
-/// Lays out rows in columns as wide as their cells, a line a row.
+/// Lays out rows in aligned columns, one line for each row.
 ///
 /// ```
 /// let rows = [["x", "2"], ["speed", "3"]].map(|row| row.map(str::to_owned).to_vec());
@@ -32,7 +31,7 @@ pub fn aligned(rows: &[Vec<String>]) -> Vec<String> {
     rows.iter().map(|row| columns(row, &widths)).collect()
 }
 
-/// Cuts a text to at most `width` characters; `…` is the last of them where something was cut off.
+/// Cuts a text to at most `width` characters; a cut text ends in `…`.
 #[must_use]
 pub fn shorten(text: &str, width: usize) -> String {
     if text.chars().count() <= width {

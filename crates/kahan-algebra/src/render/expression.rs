@@ -1,29 +1,29 @@
-//! Expressions as they were written.
+//! Expressions as written.
 
 use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 
 use super::notation::{Notation, Text};
 
-/// How tightly an expression binds, for parentheses.
+/// The binding strength of an expression, for parentheses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// A sum, or a negation.
+    /// A sum or a negation.
     Sum,
     /// A product or a quotient.
     Product,
-    /// A power, or a call of a function.
+    /// A power or a function call.
     Power,
-    /// A name, or an integer.
+    /// A name or an integer.
     Atom,
 }
 
-/// An expression as it was written.
+/// Returns an expression as written.
 #[must_use]
 pub fn expression_text(expr: &Expr) -> String {
     Text.expression(expr)
 }
 
-/// Returns an expression in a notation, and how tightly it binds.
+/// Returns an expression in a notation, and its binding strength.
 pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Level) {
     match &expr.kind {
         ExprKind::Number(value) => {
@@ -55,13 +55,13 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Leve
     }
 }
 
-/// Returns an expression in a notation, in parentheses where it binds less tightly.
+/// Returns an expression in a notation, in parentheses if it binds less tightly than `level`.
 pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Level) -> String {
     let (text, own) = written(notation, expr);
     if own >= level { text } else { notation.parenthesized(&text) }
 }
 
-/// Adds a term to the sum that is being written, or subtracts it.
+/// Appends a term with its sign to a sum.
 pub fn push_term(sum: &mut String, is_negative: bool, term: &str) {
     sum.push_str(match (sum.is_empty(), is_negative) {
         (true, false) => "",

@@ -8,12 +8,12 @@ use kahan_syntax::rational::Rational;
 
 use super::notation::Notation;
 
-/// Writes the objects of one field in one notation.
+/// A writer for the objects of one field in one notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Formulas<'a> {
     /// The field.
     pub field: &'a Field,
-    /// Its map in closed form; `None` beyond the budget.
+    /// The map of the field in closed form; `None` beyond the budget.
     pub map: Option<&'a RationalMap>,
     /// The notation.
     pub notation: &'a dyn Notation,
@@ -27,7 +27,6 @@ impl Formulas<'_> {
         self.notation.polynomial(&self.field.symbols, polynomial)
     }
 
-    /// p/q for a polynomial over the denominator of component `i`.
     fn over(&self, polynomial: &Polynomial, component: &RationalFunction) -> String {
         if component.denominator().is_one() || polynomial.is_zero() {
             return self.polynomial(polynomial);
@@ -40,38 +39,38 @@ impl Formulas<'_> {
         pairs.map(|(polynomial, component)| self.over(polynomial, component)).collect()
     }
 
-    /// f(x)
+    /// Returns f(x).
     #[must_use]
     pub fn field(&self) -> Vec<String> {
         let components = self.field.components.iter();
         components.map(|component| self.notation.function(&self.field.symbols, component)).collect()
     }
 
-    /// f′(x)
+    /// Returns f′(x).
     #[must_use]
     pub fn field_jacobian(&self) -> MatrixText {
         self.matrix_over(&field_jacobian(self.field))
     }
 
-    /// A(x,ε)
+    /// Returns A(x,ε).
     #[must_use]
     pub fn matrix(&self) -> MatrixText {
         self.matrix_over(&scaled_matrix(self.field))
     }
 
-    /// b(x,ε)
+    /// Returns b(x,ε).
     #[must_use]
     pub fn rhs(&self) -> Vec<String> {
         self.over_each(&scaled_rhs(self.field))
     }
 
-    /// Q(x,y), the second point with primes.
+    /// Returns Q(x,y), the second point with primes.
     #[must_use]
     pub fn bilinear(&self) -> Vec<String> {
         self.over_each(&bilinear_form(self.field))
     }
 
-    /// The reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d; `None` beyond the budget.
+    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d; `None` beyond the budget.
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
@@ -85,11 +84,11 @@ impl Formulas<'_> {
         Some(rows.collect())
     }
 
-    /// ∂x̃/∂x, each entry in lowest terms; `None` where the map or an entry is beyond the budget.
-    /// Costs a greatest common divisor an entry.
+    /// Returns ∂x̃/∂x with entries in lowest terms; `None` if the map or an entry is beyond the
+    /// budget. Costs a greatest common divisor for each entry.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// Term products of an entry: some tenths of a second.
+        /// The most products of terms for an entry: some tenths of a second.
         const WORK: u64 = 1 << 20;
 
         let map = &self.map?.reduced;
@@ -107,7 +106,7 @@ impl Formulas<'_> {
         variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// det A(x,ε); `None` beyond the budget.
+    /// Returns det A(x,ε); `None` beyond the budget.
     #[must_use]
     pub fn determinant(&self) -> Option<String> {
         let map = self.map?;
@@ -118,7 +117,7 @@ impl Formulas<'_> {
         })
     }
 
-    /// What was divided out of the map; `None` if nothing was.
+    /// Returns the factor divided out of the map; `None` if it is constant.
     #[must_use]
     pub fn removed_factor(&self) -> Option<String> {
         let map = self.map?;

@@ -1,8 +1,7 @@
-//! Long plain text in lines: broken at spaces, so that no word, number or term is.
+//! Breaks long plain text into lines at spaces.
 
-/// A text in lines of at most `width` characters, broken at spaces; never empty. A sign stays with
-/// the term behind it, `=` with what stands before it. A word of more than `width` characters has a
-/// line of its own.
+/// Breaks a text into at least one line of at most `width` characters. A sign stays with the term
+/// behind it, `=` with the text before it. A longer word gets its own line.
 ///
 /// ```
 /// let lines = kahan_algebra::render::lines("x~ = a*x + b*y - c*z", 10);
@@ -31,8 +30,8 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// A text whose lines have at most `width` characters: each is broken at its spaces and goes on
-/// further in. Comments of Rust stay whole: the rest of one would be no comment.
+/// Breaks lines of more than `width` characters; continuation lines are indented further. Rust
+/// comments stay whole, since their continuation would not be a comment.
 #[must_use]
 pub fn folded(text: &str, width: usize) -> String {
     let mut out = String::with_capacity(text.len());
@@ -57,7 +56,7 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The pieces that stay together, each with the spaces before it.
+/// Returns the unbreakable pieces, each with the spaces before it.
 fn units(text: &str) -> Vec<&str> {
     let mut starts = vec![0];
     let mut after_sign = false;

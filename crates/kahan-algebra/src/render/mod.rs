@@ -1,4 +1,4 @@
-//! Formulas and mistakes as people read them: plain text, and source lines with a caret.
+//! Formulas and mistakes for readers: plain text, and source lines with a caret.
 
 mod block;
 mod claim;

@@ -1,4 +1,4 @@
-//! What a notation decides, and the notation of `kahan!`.
+//! The interface of notations, and the notation of `kahan!`.
 
 use std::fmt;
 
@@ -12,83 +12,82 @@ use crate::symbols::{Symbol, Symbols};
 
 use super::expression::{Level, at_least, push_term, written};
 
-/// How formulas are written. [`Text`] is here; LaTeX, for which the macro has no use, is
-/// `kahan-latex`.
+/// A notation for formulas: [`Text`], or LaTeX in `kahan-latex`.
 pub trait Notation: fmt::Debug {
-    /// A name.
+    /// Returns a name.
     fn name(&self, name: &str) -> String;
 
-    /// The image under the map of the state with this name.
+    /// Returns the image of a state under the map.
     fn image(&self, name: &str) -> String;
 
-    /// The entry of a tensor in these states.
+    /// Returns the entry of a tensor in these states.
     fn entry(&self, row: &str, column: &str) -> String;
 
-    /// A rational number.
+    /// Returns a rational number.
     fn number(&self, value: &Rational) -> String;
 
-    /// base^exponent.
+    /// Returns base^exponent.
     fn power(&self, base: &str, exponent: i64) -> String;
 
-    /// base^exponent, the exponent a formula.
+    /// Returns base^exponent with a formula as exponent.
     fn raised(&self, base: &str, exponent: &str) -> String {
         format!("{base}^({exponent})")
     }
 
-    /// A function of an argument; without a name the argument alone, in parentheses.
+    /// Returns a function of an argument; with an empty name, the argument in parentheses.
     fn call(&self, function: &str, argument: &str) -> String {
         format!("{function}({argument})")
     }
 
-    /// A product of factors that are written already.
+    /// Returns a product of written factors.
     fn product(&self, factors: &[String]) -> String;
 
-    /// `above/below`, both sums at worst.
+    /// Returns `above/below`, which may be sums.
     fn quotient(&self, above: &str, below: &str) -> String;
 
-    /// x + 2ε·above/below, x the state with this name; `above` is not 0.
+    /// Returns x + 2ε·above/below for the state x of this name; `above` is not 0.
     fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String;
 
-    /// An expression as it was written, with the parentheses it needs.
+    /// Returns an expression as written, with the required parentheses.
     fn expression(&self, expr: &Expr) -> String {
         written(self, expr).0
     }
 
-    /// A product as it was written, and how tightly it binds.
+    /// Returns a product as written, and its binding strength.
     fn written_product(&self, factors: &[Factor]) -> (String, Level) {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
             if index > 0 {
                 text.push(if factor.divides { '/' } else { '*' });
             }
-            // A sign at the front is the sign of all: −a·b is (−a)·b.
+            // A leading sign applies to the whole product: −a·b is (−a)·b.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
             text.push_str(&at_least(self, &factor.expr, if signed { Level::Sum } else { Level::Power }));
         }
         (text, Level::Product)
     }
 
-    /// How tightly an expression binds at least that stands behind a sign without parentheses.
+    /// Returns the least binding strength behind a sign without parentheses.
     fn behind_sign(&self) -> Level {
         Level::Power
     }
 
-    /// A sum over all sites, of what is written already.
+    /// Returns a sum over all sites of a written summand.
     fn over_sites(&self, summand: &str) -> String {
         format!("sum({summand})")
     }
 
-    /// An expression in parentheses.
+    /// Returns an expression in parentheses.
     fn parenthesized(&self, text: &str) -> String {
         format!("({text})")
     }
 
-    /// above/below.
+    /// Returns above/below.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
         self.quotient(&self.polynomial(symbols, above), &self.polynomial(symbols, below))
     }
 
-    /// Writes a function in lowest terms.
+    /// Returns a function in lowest terms.
     fn function(&self, symbols: &Symbols, function: &RationalFunction) -> String {
         match function.as_polynomial() {
             Some(polynomial) => self.polynomial(symbols, polynomial),
@@ -96,7 +95,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// The name of a variable; the second copy of a state with a prime.
+    /// Returns the name of a variable; a second copy of a state gets a prime.
     fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
         match symbols.symbol(variable) {
             Symbol::SecondState(i) => format!("{}'", self.name(&symbols.states[i])),
@@ -104,7 +103,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// A polynomial, low degrees first.
+    /// Returns a polynomial, low degrees first.
     fn polynomial(&self, symbols: &Symbols, polynomial: &Polynomial) -> String {
         let mut terms: Vec<(&Monomial, &Rational)> = polynomial.terms().collect();
         terms.sort_by_key(|(monomial, _)| monomial.degree());
@@ -117,7 +116,7 @@ pub trait Notation: fmt::Debug {
     }
 }
 
-/// A positive multiple of a monomial: numbers, parameters and ε before states.
+/// Returns a positive multiple of a monomial: numbers, ε and parameters before states.
 fn term<N: Notation + ?Sized>(
     notation: &N,
     symbols: &Symbols,
@@ -181,12 +180,11 @@ impl Notation for Text {
     }
 }
 
-/// Parentheses around anything but a single name, number or power.
+/// Adds parentheses unless the text is a single name, number or power.
 fn parenthesize(text: &str) -> String {
     if text.contains([' ', '*', '/', '-']) { format!("({text})") } else { text.to_owned() }
 }
 
-/// Parentheses around sums.
 fn parenthesize_sum(text: &str) -> String {
     if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }

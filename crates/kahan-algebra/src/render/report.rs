@@ -1,13 +1,11 @@
-//! A mistake as a paragraph: what is wrong, the source line with a caret under the place, what to
-//! write instead.
+//! A diagnostic as a paragraph: message, source line with a caret, and help.
 
 use std::fmt::Write;
 use std::ops::Range;
 
 use kahan_syntax::diagnostics::Diagnostic;
 
-/// Writes `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names the
-/// text.
+/// Formats `diagnostic` about `text` from `origin`; `ranges` are the byte ranges of its tokens.
 #[must_use]
 pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
     let mut out = format!("error: {}\n", diagnostic.message);
@@ -35,7 +33,7 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     out
 }
 
-/// The line and the column of the text where the mistake begins, each counted from 1.
+/// Returns line and column of the start of the mistake, counted from 1.
 #[must_use]
 pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [usize; 2] {
     let before = &text[..range(diagnostic.span.first, text, ranges).start];
@@ -43,24 +41,22 @@ pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [u
     [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
 }
 
-/// The bytes of a token; behind the last one, those of the last, and of a text without tokens its
-/// end.
+/// Returns the bytes of a token; of the last one beyond the end.
 fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     let last = ranges.len().saturating_sub(1);
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())
 }
 
-/// The columns of a screen, which the line with the caret takes at most.
+/// The most columns of the line with the caret.
 const WIDTH: usize = 80;
 
-/// A line of more than `width` characters is cut around its place.
+/// Cuts a line of more than `width` characters around its place.
 fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     let length = line.chars().count();
     if length <= width {
         return (line.to_owned(), column);
     }
-    // Room for an ellipsis on either side; more of what comes after the place than of what comes
-    // before.
+    // Room for an ellipsis on either side, with more text after the place than before it.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

@@ -1,14 +1,9 @@
-//! Digits: what the library's floats lose beyond what the text loses as it is written.
+//! Compares the loss of digits of the library's plans with that of the text as written.
 //!
-//! Field and step are brought into a normal form before they are computed, and a normal form can
-//! cost digits: over a common divisor `x/(1 + nu) + x*y/(mu - nu)` divides by `mu + nu*(mu - nu -
-//! 1)`, which cancels where `mu - nu` does not. So each object is computed from the text in 24 runs
-//! whose every operation is rounded up or down at random, and E is the largest of their errors. The
-//! library's error is to be at most 8 E everywhere, and 2 E in the median of a field's points.
-//!
-//! Errors are those of each entry by itself, as each has a formula of its own; of the step they are
-//! those of the largest component, as elimination mixes the components. An error below half an ulp
-//! counts as that.
+//! Each object is computed from the text in 24 runs with every operation rounded up or down at
+//! random; E is the largest error. The library's error must be at most 8 E at each point, and 2 E
+//! in the median of a field's points. Errors are per entry, for the step relative to the largest
+//! component, since elimination mixes components. Errors below half an ulp count as half an ulp.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -27,22 +22,21 @@ use kahan_algebra::system::System;
 
 use super::written::Written;
 
-/// The random fields; others by `KAHAN_FIELDS=2000`.
+/// Returns the number of random fields; `KAHAN_FIELDS=2000` changes it.
 fn fields() -> usize {
     std::env::var("KAHAN_FIELDS")
         .map_or(200, |number| number.parse().expect("KAHAN_FIELDS is a whole number"))
 }
 
-/// The points of each field.
 const POINTS: usize = 7;
 /// The runs of the text at each point.
 const RUNS: usize = 24;
-/// What the library may lose, in units of what the text loses.
+/// The maximal loss of the library in units of that of the text.
 const EVERYWHERE: f64 = 8.0;
-/// The same in the median of a field's points.
+/// The maximal median loss over a field's points.
 const IN_THE_MEDIAN: f64 = 2.0;
 
-/// Floats whose every operation is rounded up or down at random, where it is rounded at all.
+/// Floats with every inexact operation rounded up or down at random.
 struct Random {
     draws: RefCell<SplitMix64>,
     literals: RefCell<HashMap<Rational, (f64, f64)>>,
@@ -54,8 +48,7 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// One of the two floats that a number lies between: `nearest` to it, and off by a number of
-    /// this sign.
+    /// Returns `nearest` or its neighbour on the side of `rest`, at random; exact numbers stay.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()
@@ -111,10 +104,9 @@ impl Arithmetic for Random {
     }
 }
 
-/// The objects of a field, by name.
 const OBJECTS: [&str; 5] = ["f", "f'", "A", "b", "step"];
 
-/// The objects at a point, each from the text; `None` where something has no value.
+/// Returns the objects at a point, computed from the text; `None` if one is undefined.
 fn of_text<A: Arithmetic<Constant = Rational>>(
     written: &Written,
     arithmetic: &A,
@@ -148,7 +140,7 @@ fn of_text<A: Arithmetic<Constant = Rational>>(
     Some([field, slopes.concat(), matrix.concat(), right, next])
 }
 
-/// M⁻¹v by elimination with the best pivot of each column, and substitution backwards.
+/// Returns M⁻¹v by elimination with partial pivoting and back substitution.
 fn eliminated<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
@@ -188,10 +180,10 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
     Some(solution)
 }
 
-/// An exact number as a float and what is left.
+/// An exact number as a float and a rest.
 type Double = (f64, f64);
 
-/// The errors of floats, entry by entry, what is no number being infinitely wrong.
+/// Returns the errors of floats entry by entry, infinite for NaN.
 fn errors(floats: &[f64], exact: &[Double]) -> Vec<f64> {
     let error = |(float, (high, low)): (&f64, &Double)| {
         let error = ((float - high) - low).abs();
@@ -204,8 +196,8 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// What an object lost at one point, in units of what the text loses; `None` where the text itself
-/// keeps less than three digits.
+/// Returns the loss of an object at one point in units of the text's loss; `None` if the text
+/// itself keeps fewer than three digits.
 fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool) -> Option<f64> {
     let runs: Vec<Vec<f64>> = runs.iter().map(|run| errors(run, exact)).collect();
     let sizes: Vec<f64> = exact.iter().map(|(high, _)| high.abs()).collect();
@@ -223,12 +215,12 @@ fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool)
     })
 }
 
-/// What each object of a field lost at each point, by its name.
+/// The losses of each object of a field at each point, by name.
 #[derive(Default)]
 struct Losses(BTreeMap<&'static str, Vec<f64>>);
 
 impl Losses {
-    /// Whether an object keeps too few digits.
+    /// Returns whether an object loses too many digits.
     fn fail(ratios: &[f64]) -> bool {
         largest(ratios.iter().copied()) > EVERYWHERE || median(ratios) > IN_THE_MEDIAN
     }
@@ -240,7 +232,6 @@ fn median(ratios: &[f64]) -> f64 {
     sorted[sorted.len() / 2]
 }
 
-/// A system, to be looked at in floats.
 struct Subject<'a> {
     name: &'a str,
     written: Written,
@@ -254,7 +245,7 @@ impl<'a> Subject<'a> {
         Subject { name, written, interpreter: Interpreter::new(system), random: Random::seeded(name) }
     }
 
-    /// What the objects lost at so many of these points.
+    /// Returns the losses at the first `wanted` usable points.
     fn losses(&self, points: impl Iterator<Item = Point<f64>>, wanted: usize) -> Losses {
         let mut losses = Losses::default();
         let mut seen = 0;
@@ -305,7 +296,7 @@ impl<'a> Subject<'a> {
             let runs: Vec<&[f64]> = runs.iter().map(|run| run[k].as_slice()).collect();
             let lost = |floats: Option<&[f64]>| lost(floats, &runs, &exact[k], OBJECTS[k] != "step");
             let lost_by_text = lost(Some(&to_nearest[k]))?;
-            // What is asked for can be had: by the text itself, rounded to nearest.
+            // The text itself, rounded to nearest, meets the requirement.
             assert!(lost_by_text <= EVERYWHERE, "{} of {}: {lost_by_text} E", OBJECTS[k], self.name);
             Some((OBJECTS[k], lost(ours.as_ref().map(|ours| ours[k].as_slice()))?))
         };
@@ -326,15 +317,14 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
     runs.iter().map(Vec::as_slice).collect()
 }
 
-/// A source of fields and points.
 struct Draw {
     random: SplitMix64,
-    /// How near to each other numbers of a point may lie.
+    /// The possible distances between numbers of a point.
     nearness: &'static [f64],
 }
 
 impl Draw {
-    /// One field in four is looked at where no numbers are near each other.
+    /// One field in four has no numbers near each other.
     fn of(name: &str, number: usize) -> Self {
         let nearness: [&[f64]; 4] = [&[1.0], &[1.0, 1e-3], &[1.0, 1e-6], &[1.0, 1e-3, 1e-6, 1e-9]];
         Draw {
@@ -351,7 +341,6 @@ impl Draw {
         &choices[self.below(choices.len())]
     }
 
-    /// Uniform between 0 and 1.
     fn share(&mut self) -> f64 {
         self.random.below(1 << 53) as f64 / (1_u64 << 53) as f64
     }
@@ -360,15 +349,14 @@ impl Draw {
         low + (high - low) * self.share()
     }
 
-    /// Of either sign, about 1 or as small as it may be.
+    /// Draws a distance of either sign.
     fn distance(&mut self) -> f64 {
         let size = *self.one(self.nearness);
         let sign = *self.one(&[1.0, -1.0]);
         sign * size * self.between(0.5, 1.0)
     }
 
-    /// Parameters that may lie near each other (p, q and s) and near −1 (r), and states that may
-    /// lie near 1 and near each other.
+    /// Draws parameters near each other (p, q, s) or −1 (r), and states near 1 and each other.
     fn point(&mut self, system: &System) -> Point<f64> {
         let p = self.between(0.5, 2.0);
         let q = p - self.distance();
@@ -393,8 +381,8 @@ impl Draw {
         Point { state, parameters, eps: self.between(0.01, 0.2) }
     }
 
-    /// A field in two or three variables, each equation up to three terms of degree at most 2
-    /// before which parameters stand in differences and divisors.
+    /// Draws a field in two or three variables with up to three terms of degree at most 2 in each
+    /// equation, whose coefficients contain differences and divisors of parameters.
     fn field(&mut self) -> String {
         let states = &["x", "y", "z"][..2 + self.below(2)];
         let mut text = String::new();
@@ -425,7 +413,7 @@ impl Draw {
     }
 }
 
-/// A field written by hand, and its parameters at one of the points.
+/// A field written by hand, with its parameters at a point.
 struct Example {
     name: &'static str,
     text: &'static str,
@@ -459,7 +447,7 @@ const EXAMPLES: [Example; 5] = [
         text: "xdot = p*(x - 1)*(y - 1); ydot = x - y;",
         parameters: |draw| vec![("p", 1e9 * draw.between(0.5, 1.0))],
     },
-    // The product of both differences, expanded, is less than half an ulp of its terms.
+    // The expanded product of both differences is below half an ulp of its terms.
     Example {
         name: "two-small-differences",
         text: "xdot = 0.1*x - x*y/(q - s) + x/(p - q); ydot = x - y;",
@@ -467,7 +455,7 @@ const EXAMPLES: [Example; 5] = [
     },
 ];
 
-/// The blocks of the catalog that claim integrals, with the names of their files.
+/// Returns the blocks of the catalog that claim integrals, with file names.
 fn catalog() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../systems/src/catalog");
     let files = fs::read_dir(folder).expect("the catalog").map(|file| file.expect("a file").path());
@@ -546,7 +534,7 @@ fn the_digits_of_the_text_are_kept() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// A chain of a family against its text, written out site by site.
+/// Compares a chain of a family with its text written out site by site.
 #[test]
 fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     let site = "{x}*({right} - {left})/(p - q) + (p - q)*{x}/(1 + p) - {x}/(1 + p)";
@@ -576,7 +564,7 @@ fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     }
 }
 
-/// A system with values for some of its parameters against its text with these numbers.
+/// Compares a specialised system with its text at these numbers.
 #[test]
 fn the_digits_of_a_text_are_kept_where_parameters_have_values() {
     let text = "xdot = (x - a)*(y - 1)/(p - q) + x/(a + q); ydot = (1 + a)*(x - y)^2/q;";

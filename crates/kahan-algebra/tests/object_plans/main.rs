@@ -1,6 +1,5 @@
-//! The plans of the objects compute what the objects are: each is run over ℚ and compared with the
-//! formula that defines it, which sees the text of the block and nothing that is derived from it.
-//! The listing of a step is read back and computed line by line.
+//! Runs the plans of all objects over ℚ and compares them with defining formulas that use only the
+//! text of the block. Also reads the listing of a step back and computes it line by line.
 
 mod digits;
 mod written;
@@ -41,7 +40,7 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Two places; at the second one all signs are others.
+/// Returns two places with opposite signs.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;
@@ -58,14 +57,14 @@ fn places(system: &System) -> [Place; 2] {
     })
 }
 
-/// A point, and a second one for what depends on two.
+/// A point, and a second one for bilinear objects.
 struct Place {
     point: Point<Rational>,
     second: Vec<Rational>,
 }
 
 impl Place {
-    /// Values of the results, `prepared` being those of the prepared constants.
+    /// Returns the outputs of a plan; `prepared` holds the prepared constants.
     fn run(&self, plan: &Plan, symbols: &Symbols, prepared: &[Rational]) -> Vec<Option<Rational>> {
         let prepared: Vec<Option<Rational>> = prepared.iter().cloned().map(Some).collect();
         let value = |variable| {
@@ -79,7 +78,6 @@ impl Place {
         plan.evaluate(&Exact, |input| input.value(&prepared, value))
     }
 
-    /// A polynomial, term by term.
     fn polynomial(&self, polynomial: &Polynomial) -> Rational {
         let all = self.point.state.iter().chain(&self.point.parameters).chain([&self.point.eps]);
         let values: Vec<&Rational> = all.collect();
@@ -98,7 +96,7 @@ fn combination(terms: &[(Rational, &[Rational])]) -> Vec<Rational> {
     (0..terms[0].1.len()).map(entry).collect()
 }
 
-/// The columns X of M X = R and det M, by elimination with the first pivot that is not zero.
+/// Returns X of M X = R by columns and det M, by elimination with the first nonzero pivot.
 fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rational>>, Rational) {
     let n = matrix.len();
     let rows = matrix.iter().zip(right);
@@ -121,7 +119,7 @@ fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rationa
     (rows.into_iter().map(|row| row[n..].to_vec()).collect(), determinant)
 }
 
-/// The objects by their definitions, from f alone: its differences are exact, as it is quadratic.
+/// The objects by their definitions, from f only: differences of a quadratic f are exact.
 struct Definitions<'a> {
     written: &'a Written,
     place: &'a Place,
@@ -137,7 +135,7 @@ impl Definitions<'_> {
         vec![Rational::zero(); self.place.point.state.len()]
     }
 
-    /// (f(x + eⱼ) − f(x − eⱼ))/2 in column j.
+    /// Column j is (f(x + eⱼ) − f(x − eⱼ))/2.
     fn slopes(&self, x: &[Rational]) -> Vec<Vec<Rational>> {
         let n = x.len();
         let columns: Vec<Vec<Rational>> = (0..n)
@@ -206,7 +204,7 @@ impl Definitions<'_> {
         combination(&[(Rational::one(), x), (eps.clone(), &self.linear(x)), (eps + eps, &constant)])
     }
 
-    /// x̃ of A x̃ = b, and det A.
+    /// Returns x̃ of A x̃ = b, and det A.
     fn next(&self) -> (Vec<Rational>, Rational) {
         let Point { state, eps, .. } = &self.place.point;
         let right: Vec<Vec<Rational>> =
@@ -226,7 +224,7 @@ impl Definitions<'_> {
         claims.map(|(name, value)| (name, value.expect("the claim has a value"))).collect()
     }
 
-    /// The value of the object that [`Derived::functions`] calls by this name.
+    /// Returns the value of the object that [`Derived::functions`] calls by this name.
     fn object(&self, name: &str, derived: &Derived) -> Vec<Rational> {
         let Place { point: Point { state, .. }, second } = self.place;
         let (next, determinant) = self.next();
@@ -241,7 +239,7 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // Which multiple of the denominator stands there is no law; the polynomial says it.
+            // The multiple of the denominator is arbitrary, so take it from the polynomial.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))
@@ -260,23 +258,19 @@ impl Definitions<'_> {
     }
 }
 
-/// n/2
 fn half(n: i64) -> Rational {
     Rational::new(n, 2)
 }
 
-/// The values of an object at both places by its plan, `None` where one divides by zero, and by its
-/// definition.
+/// An object's plan, and its values at both places by definition.
 struct Object<'a> {
     name: String,
     plan: Plan,
-    /// What prepares the constants of the plan, where it has some.
     constants: Option<&'a Plan>,
     defined: [Vec<Rational>; 2],
 }
 
 impl Object<'_> {
-    /// Whether these plans compute what the object is.
     fn is(&self, plan: &Plan, constants: Option<&Plan>, places: &[Place; 2], symbols: &Symbols) -> bool {
         places.iter().zip(&self.defined).all(|(place, defined)| {
             let prepared = constants.map_or(Some(Vec::new()), |constants| {
@@ -290,7 +284,6 @@ impl Object<'_> {
     }
 }
 
-/// All objects of a system.
 fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> Vec<Object<'a>> {
     let step = derived.step().expect("a closed form");
     let functions = derived.functions().into_iter().filter_map(|(name, plan)| {
@@ -313,8 +306,7 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
     functions.collect()
 }
 
-/// The plan with operation `index` replaced by one that computes something else; `None` for what
-/// reads a value from outside.
+/// Returns the plan with operation `index` changed; `None` for an input.
 fn broken(plan: &Plan, index: usize) -> Option<Plan> {
     let mut plan = plan.clone();
     let operation = &mut plan.operations[index];
@@ -469,7 +461,7 @@ fn a_field_beyond_straight_lines_has_no_plan_of_its_step() {
     assert_eq!(without, ["prepared constants", "step", "det A", "(N, D)"]);
 }
 
-/// One line `name = right` of a listing, computed with the values so far.
+/// Computes one line `name = right` of a listing from the values so far.
 fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
     let (name, right) = line.split_once(" = ").expect("an equation");
     let lookup = |text: &str| -> Rational {

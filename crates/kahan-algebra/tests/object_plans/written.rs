@@ -1,7 +1,4 @@
-//! A block as it is written, operation by operation: what its text says, without the polynomials
-//! and the plans that the library makes of it.
-//!
-//! In: the text of a block. Out: the values of its equations and claims, in any arithmetic.
+//! Evaluates a block as written in any arithmetic, without the library's polynomials and plans.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;
@@ -12,14 +9,14 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, InFamily};
 use kahan_syntax::parse::parse;
 
-/// A block and the order of its names.
+/// A block, and the order of its names.
 pub(crate) struct Written {
     block: Block,
     symbols: Symbols,
 }
 
 impl Written {
-    /// The block of this text, whose names a point has in this order.
+    /// Parses a text whose names a point has in this order.
     pub(crate) fn new(text: &str, symbols: &Symbols) -> Self {
         let mut diagnostics = Diagnostics::default();
         let block = parse(&lex(text).tokens, &mut diagnostics);
@@ -27,7 +24,7 @@ impl Written {
         Written { block, symbols: symbols.clone() }
     }
 
-    /// f(x), equation by equation; `None` where one divides by zero.
+    /// Returns f(x), equation by equation; `None` at a division by zero.
     pub(crate) fn field<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -39,7 +36,7 @@ impl Written {
             .collect()
     }
 
-    /// f′(x), row by row: the text differentiated by the rules for sums, products and quotients.
+    /// Returns f′(x), row by row, by the rules for sums, products and quotients.
     pub(crate) fn field_jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -58,8 +55,8 @@ impl Written {
         Some(rows.map(|row| if row.is_empty() { vec![zero.clone(); n] } else { row }).collect())
     }
 
-    /// The claims of one kind that hold for all parameters, by name: a function's value, or the
-    /// entries of a bracket that are written, each with the two states it stands for.
+    /// Returns the unconditional claims of one kind by name: a function's value, or the entries of
+    /// a bracket above the diagonal.
     pub(crate) fn claims<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -80,7 +77,7 @@ impl Written {
             .collect()
     }
 
-    /// {xᵢ,xⱼ}, i < j, row by row; what is not written is 0.
+    /// Returns {xᵢ,xⱼ}, i < j, row by row; entries not written are 0.
     fn above_the_diagonal<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -107,7 +104,7 @@ impl Written {
         Some(above)
     }
 
-    /// The value of an expression, from left to right.
+    /// Evaluates an expression from left to right.
     fn value<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -161,7 +158,7 @@ impl Written {
         }
     }
 
-    /// The value of a state, a parameter, ε, a constant, or an earlier claim.
+    /// Returns the value of a state, a parameter, ε, a constant, or an earlier claim.
     fn named<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

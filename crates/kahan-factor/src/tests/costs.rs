@@ -1,4 +1,4 @@
-//! What the budget does: counts, so the same on every machine.
+//! Effects of the budget, measured in counts that are equal on every machine.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,7 +17,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         let factors = factors(&polynomial, &mut Budget::new(100_000, work));
         assert_sound(&polynomial, &factors);
         let largest = factors.factors.iter().map(|(factor, _)| factor.degree()).max().unwrap();
-        // The square of a product of degree 5 is seen as one, at least.
+        // At least the square of the product of degree 5 is recognised.
         assert!(largest <= 5, "{factors:?}");
         assert!(factors.is_complete >= is_complete, "more work leaves nothing behind");
         is_complete = factors.is_complete;
@@ -26,7 +26,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
     assert!(!factors(&polynomial, &mut Budget::new(100_000, 0)).is_complete);
 }
 
-/// The squares are in what the coefficients of x share, so they are sought there apart.
+/// The coefficients of x share the squares, so they are decomposed separately.
 #[test]
 fn an_exhausted_budget_leaves_square_free_contents() {
     let given = [(p("u^2 + v"), 2), (p("v^2*w^2 + u^3 + 1"), 3), (p("x*w + y^2"), 1)];
@@ -46,7 +46,7 @@ fn equal_inputs_have_equal_answers() {
     assert_eq!(first.work_left(), second.work_left());
 }
 
-/// The work for a product of random irreducible factors, and that they are found.
+/// Returns the work of factoring a product of random irreducible factors, which must be found.
 fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: usize) -> u64 {
     let given: Vec<(Polynomial, u32)> =
         (0..count).map(|_| (random_irreducible(rng, variables, terms, degree), 1)).collect();
@@ -56,7 +56,7 @@ fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: us
     u64::MAX - budget.work_left()
 }
 
-/// Ten million last a few seconds at most.
+/// A budget of ten million lasts a few seconds at most.
 #[test]
 fn sparse_products_and_irreducible_ones_are_cheap() {
     let mut rng = SplitMix64::new(13);
@@ -73,7 +73,7 @@ fn sparse_products_and_irreducible_ones_are_cheap() {
     }
 }
 
-/// An irreducible polynomial that nothing makes linear takes no lift.
+/// An irreducible polynomial that is linear in no variable needs no lift.
 #[test]
 fn one_irreducible_image_is_enough() {
     let mut rng = SplitMix64::new(14);
@@ -86,7 +86,7 @@ fn one_irreducible_image_is_enough() {
     assert!(factors.is_complete && factors.factors.len() == 1);
 }
 
-/// Few terms of a high degree: no value or dense form runs away.
+/// Few terms of high degree produce no huge value or dense form.
 #[test]
 fn tall_polynomials_keep_to_the_budget() {
     for text in
@@ -105,7 +105,7 @@ fn spent(polynomial: &Polynomial) -> u64 {
     u64::MAX - budget.work_left()
 }
 
-/// What is linear in a variable needs no image, only coefficients without a common factor.
+/// A polynomial that is linear in a variable needs no image, only coprime coefficients.
 #[test]
 fn linear_polynomials_are_cheapest() {
     let mut rng = SplitMix64::new(17);
@@ -115,7 +115,7 @@ fn linear_polynomials_are_cheapest() {
     assert!(spent(&linear) <= 2 * linear.len() as u64);
 }
 
-/// Degrees that no sum of degrees modulo some prime is need no lift and no trial.
+/// Degrees of factors modulo several primes prove most polynomials irreducible, without a lift.
 #[test]
 fn degrees_modulo_primes_settle_most() {
     let mut rng = SplitMix64::new(18);
@@ -131,7 +131,7 @@ fn degrees_modulo_primes_settle_most() {
     assert!(sum <= 110_000, "{sum}");
 }
 
-/// Coefficients of several words take several primes, and no division before the last one.
+/// Coefficients of several words need several primes, and no division before the last one.
 #[test]
 fn wrong_candidates_are_not_divided_by() {
     let mut rng = SplitMix64::new(19);
@@ -144,7 +144,7 @@ fn wrong_candidates_are_not_divided_by() {
     assert!(spent(&whole) <= 365_000, "{}", spent(&whole));
 }
 
-/// Where a is a square, b² − a³ falls apart, and so it does at the first points of some.
+/// For a square a, b² − a³ is reducible; some first points are squares.
 #[test]
 fn the_better_of_several_images_is_lifted() {
     let mut rng = SplitMix64::new(20);

@@ -1,4 +1,4 @@
-//! Seeded random products, among them such whose factors are irreducible by a theorem.
+//! Seeded random products, some with factors that are irreducible by Eisenstein's criterion.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -6,7 +6,7 @@ use kahan_algebra::rational::Rational;
 
 use super::{all_factors, p, product};
 
-/// No more than so many terms of that degree, without a content.
+/// Returns a random polynomial of at most these terms and degree, without a content.
 pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u64) -> Polynomial {
     let mut factor = Polynomial::from_terms((0..terms).map(|_| {
         let powers =
@@ -18,8 +18,7 @@ pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, de
     factor
 }
 
-/// The factors of a random product are the factors of its random factors. That these are
-/// irreducible themselves is not known, but no factor may be lost or found only in company.
+/// The factors of a random product are the factors of its factors, which need not be irreducible.
 #[test]
 fn random_products_have_the_factors_of_their_factors() {
     let mut rng = SplitMix64::new(11);
@@ -49,8 +48,7 @@ fn random_products_have_the_factors_of_their_factors() {
     }
 }
 
-/// A change of variables takes factors to factors: no choice of a main variable or of points
-/// decides anything.
+/// A change of variables maps factors to factors, for any choice of main variable and points.
 #[test]
 fn irreducible_factors_stay_so_in_other_variables() {
     let mut rng = SplitMix64::new(12);
@@ -68,10 +66,10 @@ fn irreducible_factors_stay_so_in_other_variables() {
     }
 }
 
-/// lead·x^d + q·(… + rest), x not in lead and rest nor alone: irreducible after Eisenstein at q.
+/// Returns lead·x^d + q·(… + rest), irreducible by Eisenstein's criterion at the prime q.
 ///
-/// The prime q divides all coefficients but the leading one, and q² does not divide the last one,
-/// which is ±q and so has no common factor with the leading one either.
+/// The prime q divides all coefficients but the leading one. The last coefficient is ±q, so q² does
+/// not divide it and it is coprime to the leading one.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,
@@ -84,7 +82,7 @@ pub(super) fn random_irreducible(
     let mut sum = Polynomial::constant(Rational::from(if rng.below(2) == 0 { prime } else { -prime }));
     for _ in 2..terms {
         let term = random_term(rng, variables, degree);
-        // Below the leading power of the main variable, and not free of it.
+        // A power of the main variable between 1 and the leading one.
         let (_, others) = term.split(|variable| variable == main);
         if height > 1 {
             let power = 1 + rng.below(u64::from(height) - 1) as u32;
@@ -126,7 +124,7 @@ fn products_of_irreducible_factors_come_back_exactly() {
     }
 }
 
-/// A second evaluation, of another variable at other points, has one factor of full degree.
+/// An image in another variable at other points has one factor of full degree.
 #[test]
 fn factors_have_irreducible_images_elsewhere() {
     let mut rng = SplitMix64::new(16);

@@ -1,4 +1,4 @@
-//! The names that a block declares: states, and parameters by its header or, without one, by use.
+//! Names declared by a block: states, and parameters by its header or, without one, by use.
 
 use rustc_hash::FxHashSet;
 
@@ -12,7 +12,6 @@ use crate::symbols::{Symbol, Symbols};
 use super::{Scope, is_epsilon, is_never_free, report_reserved};
 
 impl Scope {
-    /// This scope with these states and parameters in place of its own.
     pub(in crate::check) fn with(self, symbols: Symbols) -> Self {
         let states = symbols.states.iter().cloned().zip((0..).map(Symbol::State));
         let parameters = symbols.parameters.iter().cloned().zip((0..).map(Symbol::Parameter));
@@ -29,8 +28,7 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// The scope of a block with its states and parameters, and no constant or claim yet. The
-    /// states of a family are its arrays, and parameters are those of the chain and of its sites.
+    /// Builds the scope of a block without constants and claims; states of a family are its arrays.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
@@ -106,7 +104,7 @@ impl Scope {
         }
     }
 
-    /// Without a header the free names of the equations are the parameters.
+    /// Declares the free names of the equations as parameters, for a block without header.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
@@ -122,7 +120,7 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // Whoever looks it up finds that nothing declares it.
+                // The later lookup reports it as undeclared.
                 continue;
             }
             if is_keyword(text) {
@@ -137,13 +135,12 @@ impl Scope {
     }
 }
 
-/// A state as it is written: in a family with the index of its site.
 fn written_in(block: &Block) -> impl Fn(&str) -> String {
     let index = if block.family.is_some() { "[i]" } else { "" };
     move |state| format!("{state}{index}")
 }
 
-/// The names in the equations of a block, and in the claims of a family, with their places.
+/// Returns the names in equations, and in claims of a family, with their places.
 pub(in crate::check) fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
     let mut references = Vec::new();
     let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());

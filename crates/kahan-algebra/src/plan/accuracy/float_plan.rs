@@ -1,5 +1,5 @@
-//! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which
-//! is compiled without optimisation: hence plain loops over plain floats.
+//! Runs plans in floats with a given rounding. Every expansion of the macro runs this without
+//! optimisation, hence the plain loops over plain floats.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;
@@ -7,19 +7,18 @@ use kahan_syntax::rational::Rational;
 use super::super::{Operation, Plan};
 use crate::plan::Input;
 
-/// u of floats of 30 bits.
+/// The unit roundoff u of floats of 30 bits.
 pub(super) const SHORT_UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// The nearest float of 30 bits, by Veltkamp's splitting: 2²³ + 1 takes 23 bits away.
+/// Rounds to 30 bits by Veltkamp's splitting: the factor 2²³ + 1 removes 23 bits.
 pub(super) fn short(value: f64) -> f64 {
     let large = 8_388_609.0 * value;
     large - (large - value)
 }
 
-/// A plan with its constants as floats.
 pub(super) struct FloatPlan<'a> {
     plan: &'a Plan,
-    /// A value an operation, those of constants being known.
+    /// Initial values of all operations, with those of constants filled in.
     start: Vec<f64>,
 }
 
@@ -32,8 +31,7 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Returns the results, everything being rounded by `round`; `inputs` by the index of their
-    /// variable. A multiply-add rounds twice.
+    /// Returns the outputs, rounded by `round` (twice in a multiply-add); `inputs` by variable.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {
@@ -53,7 +51,7 @@ impl<'a> FloatPlan<'a> {
     }
 }
 
-/// Floats whose results are rounded once more.
+/// Double arithmetic with an additional rounding of each result.
 struct Rounded<R>(R);
 
 impl<R: Fn(f64) -> f64> Arithmetic for Rounded<R> {

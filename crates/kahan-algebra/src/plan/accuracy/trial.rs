@@ -1,4 +1,4 @@
-//! Points, and what elimination with partial pivoting makes of them.
+//! Sample points, and one step from them by elimination with partial pivoting.
 
 use crate::field::Field;
 use crate::kahan::field_jacobian;
@@ -8,28 +8,26 @@ use crate::prime_field::SplitMix64;
 use super::super::Plan;
 use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 
-/// A point with its next one.
 #[derive(Debug)]
 pub(super) struct Trial {
-    /// States, parameters and ε, as variables count them.
+    /// States, parameters and ε, in the order of variables.
     pub(super) inputs: Vec<f64>,
     /// x̃
     pub(super) next: Vec<f64>,
-    /// The error of elimination in floats of 30 bits.
+    /// The error of elimination in floats of 30 bits, in units u.
     pub(super) elimination: f64,
 }
 
-/// What elimination needs of a field.
 pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
-    /// f′ row by row, then f, both over the denominators that come last.
+    /// The numerators of f′ row by row, then those of f, then the denominators.
     values: FloatPlan<'a>,
 }
 
 impl Trial {
-    /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
-    /// parameters from 1/2 to 2 in size. `None` where f′ vanishes, or det A.
+    /// Draws a point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
+    /// parameters of absolute value 1/2 to 2. `None` if f′ or det A vanishes.
     pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
@@ -51,7 +49,7 @@ impl Trial {
             }
             norm = norm.max(sum);
         }
-        // Not the size itself: where f′ has one entry, that is a pole.
+        // ε is not exactly size/‖f′‖∞: if f′ has one entry, that is a pole.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;
@@ -64,8 +62,8 @@ impl Trial {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// The largest error of the components from number `first` on, in units u of the largest one;
-    /// infinite where one is not finite.
+    /// Returns the largest error of the components from index `first` on, in units u of the largest
+    /// component; infinite if a component is not finite.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {
@@ -77,13 +75,11 @@ impl Trial {
     }
 }
 
-/// A number from 0 to 1 of 20 bits.
 fn share(random: &mut SplitMix64) -> f64 {
     random.below(1 << 20) as f64 / f64::from(1 << 20)
 }
 
 impl<'a> Elimination<'a> {
-    /// The plan of its values.
     pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
         plan_of(jacobian.iter().flatten().chain(field.numerators()).chain(field.denominators()))
@@ -94,7 +90,7 @@ impl<'a> Elimination<'a> {
         Elimination { states, parameters, values: FloatPlan::of(plan) }
     }
 
-    /// The rows of f′, with f as their last column.
+    /// Returns the rows of f′ with f as last column.
     fn rows(&self, round: impl Fn(f64) -> f64 + Copy, inputs: &[f64]) -> Vec<f64> {
         let (n, width) = (self.states, self.states + 1);
         let values: &[f64] = &self.values.run(round, inputs, &[]);
@@ -113,7 +109,7 @@ impl<'a> Elimination<'a> {
     }
 }
 
-/// x + 2ε A⁻¹f from the rows of f′ and f.
+/// Returns x + 2ε A⁻¹f from the rows of f′ and f.
 fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f64, n: usize) -> Vec<f64> {
     let matrix: &mut [f64] = &mut rows;
     let (mut i, mut j) = (0, 0);
@@ -135,7 +131,7 @@ fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f
     next
 }
 
-/// d for the n rows of A with f as their last column.
+/// Solves A d = f for n rows of A with f as last column.
 fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
     let width = n + 1;
     for k in 0..n {
@@ -169,7 +165,7 @@ fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<
     all
 }
 
-/// Exchanges row k with that of the largest entry in column k below it.
+/// Exchanges row k with the row of the largest entry in column k from k on.
 fn bring_up_pivot(rows: &mut [f64], k: usize, width: usize) {
     let (mut pivot, mut i) = (k, k + 1);
     while i * width < rows.len() {

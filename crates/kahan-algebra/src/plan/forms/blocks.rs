@@ -1,18 +1,16 @@
-//! The step from the structure of A, without expanding its determinant: block after block, the
-//! states of an independent set eliminated by their pivots, which are 1, and the rest by Cramer's
-//! rule.
+//! Solves for the step block by block without expanding det A: an independent set of states by its
+//! pivots, which are 1, the others by Cramer's rule.
 //!
-//! For a block with states K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃) with P the polarised field, x̃ being
-//! known in earlier blocks and x standing for x̃ in this one. For an independent set S of K and R
-//! the others, A_SS = I, so that
+//! For a block K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃), P being the polarised field with x for x̃ in K.
+//! With an independent set S of K and the others R, A_SS = I, so
 //!
 //! ```text
 //! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S)
 //! (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in
 //! ```
 //!
-//! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
-//! is [too much](crate::plan::accuracy), a block is solved whole: S is empty.
+//! Large entries beside the pivots lose digits; then S is empty
+//! ([accuracy](crate::plan::accuracy)).
 
 mod solve;
 
@@ -27,32 +25,29 @@ use crate::plan::forms::minors;
 use crate::plan::forms::minors::MOST_OPERATIONS;
 use crate::plan::forms::structure::Structure;
 
-/// The most terms of an entry that is expanded.
 const ENTRY_TERMS: usize = 40;
 
-/// What all turns and scalings of one field share.
+/// Data shared by all orders of rows and scalings of one field.
 pub(in crate::plan) struct Blocks<'a> {
     field: &'a Field,
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    /// The states that are solved for come from here on; those before them are known at both
-    /// points.
+    /// The index of the first state to solve for; earlier states are known at both points.
     first: usize,
 }
 
-/// A block with what is written of it: the states R by minors of `rows`, and then those of an
-/// independent set S, which move by 2ε times what is in `moved`.
+/// A block: states R by minors of `rows`, then independent states S, which move by 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
-    /// A_RR − A_RS·A_SR with the right-hand side appended, in the order in which they are expanded.
+    /// A_RR − A_RS·A_SR with the right-hand side appended, in order of expansion.
     rows: Vec<Vec<Polynomial>>,
     independent: Vec<usize>,
     moved: Vec<Polynomial>,
 }
 
-/// The blocks that are solved for, one after another, whatever the writer.
+/// The blocks in order of solution, independent of the writer.
 #[derive(PartialEq)]
 pub(in crate::plan) struct Arrangement(Vec<Block>);
 
@@ -67,11 +62,10 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// For the tangent vector v of a variational field, where x̃ is known besides x.
+    /// Prepares the tangent vector v of a variational field, where x and x̃ are known.
     ///
-    /// Second states stand for x + x̃ and ṽ − v: then half of the terms of the polarised field
-    /// cancel, and none of the others has a factor ½ that the field does not have, if it is
-    /// doubled.
+    /// Second states stand for x + x̃ and ṽ − v. Then half of the terms of the polarised field
+    /// cancel, and doubling removes the factors ½ that polarisation introduced.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -92,13 +86,11 @@ impl<'a> Blocks<'a> {
         blocks
     }
 
-    /// Whether this is a tangent vector, whose polarised field is doubled.
     fn is_tangent(&self) -> bool {
         self.first > 0
     }
 
-    /// The states of an independent set by their pivots, the others by minors; `None` where a block
-    /// is too large.
+    /// Eliminates independent sets by pivots, other states by minors; `None` for too large blocks.
     pub(in crate::plan) fn eliminating(&self) -> Option<Arrangement> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -107,8 +99,7 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(Arrangement)
     }
 
-    /// All states by minors of at most so many operations, the rows in the cheapest `orders`, as
-    /// far as these are different.
+    /// Solves by minors of at most `operations` operations, in up to `orders` cheap row orders.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
@@ -130,13 +121,11 @@ impl<'a> Blocks<'a> {
         distinct
     }
 
-    /// The blocks that are solved for.
     fn solved(&self) -> impl Iterator<Item = Vec<usize>> {
         self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
     }
 
-    /// What is written of a block, its rows as `in_order` puts them; `None` where an entry is too
-    /// long.
+    /// Prepares a block with rows sorted by `in_order`; `None` if an entry is too long.
     fn block(
         &self,
         block: &[usize],
@@ -150,14 +139,14 @@ impl<'a> Blocks<'a> {
         Some(Block { rest, rows: in_order(rows), independent, moved })
     }
 
-    /// A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) appended, row by row.
+    /// Returns A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) appended, row by row.
     fn reduced_rows(
         &self,
         block: &[usize],
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // A tangent vector has it in the reciprocal.
+        // For a tangent vector the reciprocal contains ε.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -177,8 +166,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// The polarised field with x for x̃ in the states of the block, but for those that are known
-    /// already; of a tangent vector, without their increments.
+    /// Returns the polarised field with x for x̃ in the block's states that are not `known`; for a
+    /// tangent vector, with 0 for their increments.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {
@@ -195,7 +184,6 @@ impl<'a> Blocks<'a> {
 }
 
 impl Block {
-    /// An upper bound on the operations of its minors.
     fn operations(&self) -> usize {
         minors::operations(&pattern(&self.rows))
     }

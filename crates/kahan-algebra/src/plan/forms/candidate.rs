@@ -1,4 +1,4 @@
-//! One form of a step, with its price.
+//! A form of a step with its price.
 
 use kahan_syntax::table::distinct;
 
@@ -13,9 +13,8 @@ pub(in crate::plan) struct Candidate {
     pub(in crate::plan) builder: PlanBuilder,
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
-    /// The measure by which candidates are compared.
     pub(in crate::plan) price: u64,
-    /// Operations from a state to the next, which bound the time of many orbits at once.
+    /// Operations from a state to the next, which limit the throughput of many orbits.
     pub(in crate::plan) operations: usize,
     derived: usize,
 }
@@ -31,8 +30,8 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Makes a form from its numerators. Each comes with the reciprocal that multiplies it, and with
-    /// whether the product changes its sign. A numerator that is 0 has no reciprocal.
+    /// Makes a form from numerators, each with its reciprocal and with whether the product changes
+    /// its sign. A numerator that is 0 gets no reciprocal.
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -46,15 +45,14 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Whether no prepared constant was rounded more than once where that matters.
+    /// Returns whether every prepared constant is rounded once, where that matters.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
 }
 
 impl Writer {
-    /// Returns what a form computes for each state, and how many of its constants are rounded more
-    /// than once.
+    /// Returns the kernel, and the number of constants rounded more than once.
     fn kernel(&self, outputs: &[Node]) -> (Plan, usize) {
         let plan = self.draft.builder.finish(outputs);
         let epsilon = self.scaling.epsilon();
@@ -62,15 +60,14 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Whether no prepared constant that this step needs is rounded more than once where that
-    /// matters. A form that has it needs no fewer constants.
+    /// Returns whether every prepared constant that `step` needs is rounded once, where that
+    /// matters. A form that contains `step` needs at least these constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }
 }
 
-/// Operations and cycles to the next state, and a fine for prepared constants that were rounded
-/// more than once.
+/// Returns a price of operations and cycles, plus a penalty for constants rounded more than once.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));

@@ -1,5 +1,4 @@
-//! The forms of a step that are compared: for each a draft of the denominator and the numerators of
-//! εn and d, from the reduced polynomials or from the determinants of A.
+//! The candidate forms of a step, from the reduced polynomials or from determinants of A.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
@@ -20,41 +19,35 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// A draft in which the denominator is written.
+/// A writer that contains the denominator, and possibly the numerators.
 struct WithDenominator {
     writer: Writer,
     denominator: Signed,
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators are written as products of their factors for this many denominators, the cheapest
-/// ones.
+/// Number of cheapest denominators whose numerators are written as products of factors.
 const TRIED: usize = 2;
-/// Where determinants give the numerators, too, products are tried if their factors have at most
-/// this many terms together.
+/// Products are compared with determinants if their factors have at most this many terms in total.
 const FACTOR_TERMS: usize = 32;
 
-/// How many orders of the rows of a block are compared in a field of few terms.
+/// Number of row orders compared for blocks of a field with few terms.
 const ROTATIONS: usize = 3;
-/// A field of more terms than this has its blocks written in one order only.
+/// Blocks of a field with more terms are written in one order only.
 const COMPARED_TERMS: usize = 60;
-/// The most terms of N and D for which they are written out where there is another form.
+/// Maximal number of terms of a reduced map that is written out beside another form.
 const WRITTEN_TERMS: usize = 120;
 
-/// How many orders of the rows of a whole block are compared.
+/// Number of row orders compared for blocks solved whole.
 const ORDERS: usize = 3;
 
-/// The forms worth a plan.
 pub(in crate::plan) struct Forms<'a> {
-    /// The cheapest one.
     pub(in crate::plan) best: Candidate,
-    /// What the others are made from, where there are any.
     factored: Option<FactoredMap<'a>>,
 }
 
 impl Forms<'_> {
-    /// Other forms, of which a long orbit may wait less than so long a step: one with two
-    /// divisions, where there is one, and those divided by the time step.
+    /// Returns forms that may have a shorter recurrence: with two divisions, or over the time step.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -62,9 +55,8 @@ impl Forms<'_> {
     }
 }
 
-/// The forms of a field's step: from products of sums that are `kept`, and from nothing else where
-/// there are some; of the reduced map, if that
-/// is within the budget, or of A; `None` where the field is too large for straight lines.
+/// Returns the forms of a field's step: from `kept` sums only, if given; otherwise from the reduced
+/// map (if within the budget) and from A. `None` if the field is too large for straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&Kept>,
@@ -90,14 +82,14 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Whether the step may be made from A itself: nothing was divided out of its determinant, and
-/// three variables have better forms.
+/// Returns whether the step may be made from A: the map is beyond the budget, or has more than
+/// three variables and a constant common factor.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
-/// The forms that may keep more digits in long steps than the `best` one does, the cheapest first:
-/// blocks solved whole. Each is at most half as expensive again.
+/// Returns forms that may keep more digits in long steps than `best`, the cheapest first: blocks
+/// solved whole. Each costs at most 3/2 of `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -112,13 +104,11 @@ pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
     sorted_by_key(whole.filter(is_affordable), |form| form.price)
 }
 
-/// The terms of all equations.
 fn terms(field: &Field) -> usize {
     field.numerators().map(Polynomial::len).sum()
 }
 
 impl WithDenominator {
-    /// What the denominator alone costs.
     fn price(&mut self) -> u64 {
         let draft = &mut self.writer.draft;
         Goal::Early.price(draft.size_of(self.denominator.node), draft.ready(self.denominator.node))
@@ -126,7 +116,6 @@ impl WithDenominator {
 }
 
 impl FactoredMap<'_> {
-    /// The cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
         let starts = self.empty.iter().flat_map(|empty| self.denominators(empty));
         let starts = starts.map(|mut start| (start.price(), start));
@@ -149,13 +138,12 @@ impl FactoredMap<'_> {
         best
     }
 
-    /// The terms of all numerators' factors.
     fn factor_terms(&self) -> usize {
         let factors = self.numerators.iter().flat_map(|numerator| &numerator.factors);
         factors.map(|(factor, _)| factor.len()).sum()
     }
 
-    /// The denominator, nested, as a product, and as determinants.
+    /// Writes the denominator nested, as a product, and as determinants.
     fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
         let mut starts = Vec::new();
         let polynomial = &self.map.reduced.denominator;
@@ -174,8 +162,7 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Where nothing was divided out, A itself: its entries are shorter than what their determinant
-    /// expands to.
+    /// Writes determinants of A if nothing was divided out: entries are shorter than the expansion.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -183,11 +170,11 @@ impl FactoredMap<'_> {
         }
         let matrix = scaled_matrix(self.field);
         let mut starts = Vec::new();
-        // The row of the last expansion; of two rows either gives the same.
+        // The row of the last expansion; for two rows both choices are equal.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // D̂ may differ from d by a constant, and the numerators from these then do, too.
+            // D̂ may differ from d by a constant, and then its numerators differ, too.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -204,7 +191,7 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// The determinants with the last expansion along a row.
+    /// Writes the determinants with the last expansion along row `last`.
     fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
         let eps = Polynomial::variable(self.field.symbols.epsilon());
         let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
@@ -212,12 +199,11 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
         };
         let mut rows: Vec<Vec<Entry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A cyclic order of three rows keeps the sign.
+        // A cyclic permutation of three rows keeps the sign.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }
 
-    /// The numerators to a denominator, from the factors.
     fn finish(&self, start: WithDenominator) -> Candidate {
         let WithDenominator { mut writer, denominator, numerators } = start;
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
@@ -227,15 +213,15 @@ impl FactoredMap<'_> {
         Candidate::over(writer, numerators.into_iter().map(over))
     }
 
-    /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an
-    /// orbit then waits for a shorter denominator.
+    /// Returns a form with two divisions if the denominator has [two factors](Self::two_factors).
+    /// The cycle of an orbit then contains a shorter denominator.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
     }
 }
 
-/// Whether the determinants are d and εn themselves, not multiples of them.
+/// Returns whether the determinants are d and εn themselves, not multiples of them.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
 }

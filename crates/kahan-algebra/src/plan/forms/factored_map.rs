@@ -1,5 +1,4 @@
-//! What all forms of a reduced map are made from: its numerators and its denominator as products
-//! over one base of factors.
+//! A reduced map with numerators and denominator as products over one base of factors.
 
 use kahan_syntax::rational::Rational;
 
@@ -14,13 +13,12 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::Writer;
 
-/// What all forms of one step are made from.
 pub(in crate::plan) struct FactoredMap<'a> {
     pub(in crate::plan) field: &'a Field,
     pub(in crate::plan) map: &'a RationalMap,
     pub(in crate::plan) numerators: Vec<Factored>,
     pub(in crate::plan) denominator: Factored,
-    /// What every form begins with.
+    /// Empty writers, one for each way to distribute ε.
     pub(in crate::plan) empty: Vec<Writer>,
 }
 
@@ -39,12 +37,11 @@ impl<'a> FactoredMap<'a> {
         FactoredMap { field, map, numerators, denominator, empty: Writer::empty(field) }
     }
 
-    /// The numerators that are not zero.
     pub(in crate::plan) fn moving(&self) -> impl Iterator<Item = &Factored> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// All numerators, each times its power of ε, `without` a factor.
+    /// Writes all numerators times their power of ε, divided by the factor `without`.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -59,8 +56,7 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// Where the denominator is a product of two factors of which all components need one and some
-    /// do not need the other: E1 and E5. The first is the one that all need.
+    /// Returns (p, q) for a denominator p·q if all components need p but not all need q (E1, E5).
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -76,9 +72,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that
-    /// short ones contain; the powers are those of short numerators and of long ones, c/d the first
-    /// reciprocal.
+    /// Writes short numerators over one factor and long ones over both. Short numerators contain
+    /// the factor `other`; `powers` are of short and long numerators, c/d is the first reciprocal.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
@@ -89,14 +84,13 @@ impl<'a> FactoredMap<'a> {
         let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
-        // One after the other: side by side, compilers pack two divisions into a slower one.
+        // Divide in sequence: compilers pack two parallel divisions into a slower vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
         let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
         let numerators = self.written_numerators(&mut writer, power, Some(other));
         let constant_flips = self.denominator.coefficient.is_negative();
-        // A short quotient divides by one of the written factors, a long one by both, each with the
-        // sign it was written with.
+        // A short quotient divides by one written factor, a long one by both, each with its sign.
         let over = |(numerator, product): (Signed, &Factored)| {
             let flips = constant_flips ^ needed.negative;
             match is_short(product) {

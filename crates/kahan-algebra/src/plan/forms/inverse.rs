@@ -1,13 +1,10 @@
-//! Forms divided by the time step: with h = 1/(2ε), the inverse time step, 1 + 2εx becomes h + x.
+//! Forms divided by the time step: with the inverse time step h = 1/(2ε), 1 + 2εx becomes h + x.
 //!
-//! A denominator d is 1 + O(ε) up to a constant, and what multiplies ε in it is on the way from
-//! each state to the next. Divided by a power of ε it has that factor on a constant instead, which
-//! a prepared step knows: E1's 1/(h + x) waits for one addition. Where h alone is left, as for
-//! homogeneous fields of degree two in ε, it is the only rounded constant: the step is that of
-//! Kahan's map at the half step 1/(2h), which differs from ε by half an ulp.
-//!
-//! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes
-//! it has another one besides.
+//! Up to a constant d = 1 + O(ε), and the factors of ε lie on the path from state to state.
+//! Division by a power of ε moves them to a prepared constant: E1's 1/(h + x) waits for one
+//! addition. If only h is left, as for homogeneous fields of degree 2 in ε, it is the only rounded
+//! constant: the step is Kahan's map at ε = 1/(2h), half an ulp from the given ε. The step has no
+//! value at ε = 0 and overflows earlier, so it needs another form besides.
 
 use kahan_syntax::rational::Rational;
 
@@ -22,16 +19,15 @@ use crate::plan::writing::numerators::Power;
 use crate::plan::writing::scaling::{is_power_of_two, over_eps};
 use crate::plan::writing::writer::Writer;
 
-/// The most powers of ε that are divided by: more of them leave the range of a scalar too early.
+/// The most powers of ε to divide by; more would leave the range of a scalar too early.
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
-    /// is rounded twice and their [recurrence](crate::plan::StepPlan::recurrence) may be below this
-    /// one.
+    /// Returns the forms over ε and ε², and the one with two divisions, with constants rounded once
+    /// and a possible [recurrence](crate::plan::StepPlan::recurrence) below this one.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Constants are one product there, whatever is divided.
+            // Constants are one product anyway, so division gains nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -57,14 +53,13 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Whether a product of states has a coefficient that is a sum, which is prepared as one where
-    /// ε is left in it.
+    /// Returns whether a product of states has a sum as coefficient, one constant with its ε.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
     }
 
-    /// A polynomial with all its coefficients prepared, so that a factor of all costs nothing.
+    /// Writes a polynomial with all coefficients prepared, so that a common factor costs nothing.
     fn with_coefficients(&self, writer: &mut Writer, polynomial: &Polynomial) -> Signed {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         let terms = groups.into_iter().map(|(states, coefficient)| {
@@ -75,8 +70,8 @@ impl FactoredMap<'_> {
         writer.write(&gathered, Goal::Early)
     }
 
-    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal;
-    /// `None` where that tells already that the form is of no use.
+    /// Returns x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) from the written denominator and its reciprocal c/(d/εᵏ);
+    /// `None` if the denominator shows that the form is useless.
     fn over_power(
         &self,
         power: u32,
@@ -95,15 +90,13 @@ impl FactoredMap<'_> {
         Some(Candidate::over(writer, numerators.into_iter().map(over)))
     }
 
-    /// The states whose components are not zero.
     fn moving_states(&self) -> Vec<Variable> {
         let components = self.numerators.iter().enumerate();
         let moving = components.filter(|(_, numerator)| !numerator.coefficient.is_zero());
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators that one factor p divides, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those
-    /// that both do.
+    /// Returns 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators over p, 2(n/εᵏ)/(p/εᵏ)/(q/ε) over both.
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();
@@ -117,7 +110,7 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// p/εᵏ without a power of two, and what to divide by it for 2/(p/εᵏ).
+    /// Returns p/εᵏ without a power of two, and the dividend that yields 2/(p/εᵏ).
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

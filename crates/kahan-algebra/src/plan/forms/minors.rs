@@ -1,7 +1,6 @@
-//! Cramer's rule on operations: the determinants of A and of A with one column replaced by the
-//! right-hand side, without a division. After k rows the minor of every set of k columns is known,
-//! each from those of one row less, so that all the determinants share them; zero entries leave out
-//! what they would multiply.
+//! Cramer's rule on operations, without a division: det A, and the determinants with one column
+//! replaced by the right-hand side. Row by row, minors of every set of columns follow from those of
+//! one row less, so all determinants share them. Zero entries cost nothing.
 
 use kahan_syntax::table::{Table, sorted_by_key};
 
@@ -10,15 +9,13 @@ use crate::poly::Polynomial;
 use crate::plan::writing::draft::{Draft, Signed};
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// The determinant of A, and for each column the determinant with that column replaced by the
-/// right-hand side.
+/// det A, and for each column the determinant with that column replaced by the right-hand side.
 pub(in crate::plan) struct Determinants {
     pub(in crate::plan) denominator: Signed,
     pub(in crate::plan) numerators: Vec<Signed>,
 }
 
-/// The rows are those of A with the right-hand side appended; the last one is the row of the last
-/// expansion.
+/// Computes the determinants of A with the right-hand side appended; the last row is expanded last.
 pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
     let n = rows.len();
     let mut minors: Table<u64, Signed> = Table::new();
@@ -34,19 +31,18 @@ pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) ->
     let zero = Signed::plus(draft.zero());
     let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
     let numerators = (0..n).map(|j| {
-        // The right-hand side stands last and moves left past n−1−j columns.
+        // The right-hand side moves left past n−1−j columns.
         minor(j).flipped((n - 1 - j) % 2 == 1)
     });
     Determinants { denominator: minor(n), numerators: numerators.collect() }
 }
 
-/// The entries of one row.
 fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
     let entries = row.iter().enumerate().map(|(column, entry)| (1 << column, entry.written));
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
-/// The minors of two rows, of which some may be operations already.
+/// Returns the minors of two rows; some may be operations already.
 fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
     let mut minors = Table::new();
     for j in 1..first.len() {
@@ -71,7 +67,7 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
     minors
 }
 
-/// ab − cd, where what they compute is known.
+/// Returns ab − cd if the polynomials of all entries are known.
 fn minor_of(a: &Entry, b: &Entry, c: &Entry, d: &Entry) -> Option<Polynomial> {
     let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
     Some(&(a? * b?) - &(c? * d?))
@@ -81,7 +77,7 @@ fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
     Signed { node: draft.multiply(a.node, b.node), negative: a.negative != b.negative }
 }
 
-/// The minors with one row more.
+/// Extends the minors by one row.
 fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Table<u64, Signed> {
     let mut terms: Table<u64, Vec<Signed>> = Table::new();
     for (&chosen, minor) in minors.iter() {
@@ -98,7 +94,7 @@ fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Ta
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
 }
 
-/// An upper bound on the operations of [`determinants`], from where the entries are not zero.
+/// Returns an upper bound on the operations of [`determinants`] from the nonzero pattern.
 pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     let mut known: Vec<u64> = vec![0];
     let mut count = 0;
@@ -120,8 +116,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// The order of the rows for which so many others take fewer [operations], of those that begin
-/// anywhere and go on as given, or by the number of entries, or the other way round.
+/// Returns the row order of the given rank by [operations], among rotations of the given order, of
+/// sparse rows first, and of dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();
@@ -141,7 +137,6 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
     orders.swap_remove(rank.min(last)).1
 }
 
-/// The most minors of one size.
 const MOST_MINORS: usize = 4096;
-/// The most operations of Cramer's rule in one block; beyond, elimination is faster.
+/// The most operations of Cramer's rule in one block; elimination is faster beyond.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

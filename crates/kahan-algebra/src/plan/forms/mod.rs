@@ -1,10 +1,10 @@
-//! Which forms a step has, and which of them is cheapest.
+//! The forms of a step, and their comparison.
 //!
-//! - `structure` finds blocks of the field, and states in them that do not act on each other.
+//! - `structure` finds blocks of the field and independent states in them.
 //! - `factored_map` writes the reduced map as products over one base of factors.
-//! - `minors` writes determinants of A, `blocks` solves A block by block, `products` solves it with
-//!   f as it was written, `inverse` divides by the time step, `tangent` carries tangent vectors.
-//! - `candidate` gives a finished form its price, `candidates` compares them.
+//! - `minors` writes determinants of A, `blocks` solves A block by block, `products` solves with f
+//!   as written, `inverse` divides by the time step, `tangent` carries tangent vectors.
+//! - `candidate` prices a finished form, `candidates` compares forms.
 
 pub(in crate::plan) mod blocks;
 pub(in crate::plan) mod candidate;

@@ -1,9 +1,8 @@
-//! The step of a field in which products of sums of states are written, as in `(x - 1)*(y - 1)/s`:
-//! from A and f as they are written, without an expansion.
+//! The step of a field with written products of sums of states, such as `(x - 1)*(y - 1)/s`,
+//! without expansion.
 //!
-//! Near a zero of both sums the terms of the expanded product cancel, and a large factor, as 1/s,
-//! magnifies the rounding error until it shows in the step. Cramer's rule on A·(x̃ − x) = 2εf
-//! multiplies f by cofactors and leaves it as it is.
+//! Near a common zero of the sums the terms of the expanded product cancel, and a large factor 1/s
+//! magnifies the rounding error. Cramer's rule on A·(x̃ − x) = 2εf keeps the products in f.
 
 use kahan_syntax::rational::Rational;
 
@@ -17,8 +16,7 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::draft::Signed;
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// One form for each row that the determinants are developed along last; none where there are too
-/// many operations.
+/// Returns one form for each row that can be expanded last; none if there are too many operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();
@@ -38,7 +36,7 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> 
         let entry = |node| Entry { polynomial: None, written: Signed::plus(node) };
         let mut rows: Vec<Vec<Entry>> =
             nodes.chunks(n + 1).map(|row| row.iter().copied().map(entry).collect()).collect();
-        // An odd order of the rows changes all signs, which cancel in the quotients.
+        // An odd permutation of rows changes all signs, which cancel in the quotients.
         rows.rotate_left(turn);
         let Determinants { denominator, numerators } = determinants(&mut writer, &rows);
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);

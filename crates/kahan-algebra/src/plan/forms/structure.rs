@@ -1,5 +1,4 @@
-//! The structure of a field that its step can use: which states move without others, and which do
-//! not act on each other.
+//! The structure of a field: blocks in which A is triangular, and independent states.
 
 use kahan_syntax::table::{distinct, sorted_by_key};
 
@@ -7,10 +6,10 @@ use crate::field::Field;
 use crate::kahan::{field_jacobian, pattern};
 use crate::poly::Polynomial;
 
-/// Which entries of f′ are not identically zero.
+/// The pattern of nonzero entries of f′, and components without denominator.
 pub(in crate::plan) struct Structure {
     depends: Vec<Vec<bool>>,
-    /// Whether the component is free of a denominator.
+    /// Whether the component has denominator 1.
     is_whole: Vec<bool>,
 }
 
@@ -21,19 +20,17 @@ impl Structure {
         Structure { depends, is_whole }
     }
 
-    /// Whether ∂fᵢ/∂xⱼ is not identically zero.
     pub(in crate::plan) fn depends(&self, i: usize, j: usize) -> bool {
         self.depends[i][j]
     }
 
-    /// The blocks in whose order A is block triangular.
     pub(in crate::plan) fn blocks(&self) -> Vec<Vec<usize>> {
         let row = |row: &Vec<bool>| (0..row.len()).filter(|&j| row[j]).collect();
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// States of a block that do not act on each other or themselves: their rows and columns of A
-    /// are those of the identity. Chosen greedily, those with the fewest ties first.
+    /// Returns independent states of a block: they act neither on each other nor on themselves, so
+    /// their rows and columns of A are those of the identity. Chosen greedily.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -48,19 +45,16 @@ impl Structure {
     }
 }
 
-/// The strongly connected components of the graph in which i points to the states that fᵢ depends
-/// on, each after those that it depends on: A is block triangular in this order. Components that
-/// depend on fewer states come first, of equals that with the first state.
-///
-/// `depends` lists for each i the states that fᵢ depends on.
+/// Returns the strongly connected components of the graph with edges from i to `depends[i]`, the
+/// states that fᵢ depends on, each after those that it depends on: A is block triangular in this
+/// order. Components that depend on fewer states come first, ties by first state.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // The number of other states that each block depends on, directly or through others. States are
-    // counted in groups of as many as a word has bits.
+    // Count the other states that each block depends on, 64 states at a time, one bit each.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {
@@ -80,12 +74,11 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     by_weight.into_iter().map(|(block, _)| block).collect()
 }
 
-/// The strongly connected components, each behind those that it points to (R. E. Tarjan, SIAM J.
-/// Comput. 1 (1972) 146–160).
+/// Returns the strongly connected components (R. E. Tarjan, SIAM J. Comput. 1 (1972) 146–160).
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
-    // The least number that is known to be reached from a state inside its component.
+    // The least number known to be reachable from a state inside its component.
     let mut lowest = vec![0; depends.len()];
     let mut is_open = vec![false; depends.len()];
     let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);
@@ -130,7 +123,6 @@ mod tests {
     use crate::elimination::tests::random_rows;
     use crate::prime_field::SplitMix64;
 
-    /// Which states each state depends on, directly or through others.
     fn reaches(depends: &[Vec<usize>]) -> Vec<Vec<bool>> {
         let n = depends.len();
         let mut reaches: Vec<Vec<bool>> =

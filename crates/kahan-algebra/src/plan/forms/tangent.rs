@@ -1,13 +1,11 @@
-//! How a tangent vector is carried from a point to the next one, where both are known.
-//!
-//! The derivative of Kahan's map along v solves
+//! Carries a tangent vector v from a point to the next one, both known: v solves
 //!
 //! ```text
 //! A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v,
 //! ```
 //!
-//! which is the second half of the map of the variational field. So it is written as a step is, by
-//! [`blocks`](crate::plan::forms::blocks); but x̃ is an input, and the first half is left out.
+//! the second half of the variational field's map, written by
+//! [`blocks`](crate::plan::forms::blocks).
 
 use kahan_syntax::table::sorted_by_key;
 
@@ -20,14 +18,14 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
-/// How many orders of the rows of a block are compared.
+/// Number of row orders compared for a block.
 const ORDERS: usize = 3;
-/// The most operations of Cramer's rule in one block; numbers along a line take no more beyond.
+/// The most operations of Cramer's rule in one block; beyond, numbers along a line take no more.
 const MOST_OPERATIONS: usize = 300;
 
-/// Returns the plan of ṽ from x, v and x̃, one result a component; the components of x̃ are the first
-/// half of the second states. Of the forms that keep their digits in long steps it is the one with
-/// the fewest operations; `None` if every form loses digits.
+/// Returns the plan of ṽ from x, v and x̃, one output for each component. The first half of the
+/// second states holds x̃. Chooses the fewest operations among forms that keep their digits in long
+/// steps; `None` if every form loses digits.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);
@@ -45,7 +43,6 @@ pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
 }
 
-/// v and its increment.
 fn carried(form: Candidate, variational: &Field) -> Plan {
     let Candidate { mut builder, numerators, reciprocals, .. } = form;
     let n = numerators.len();

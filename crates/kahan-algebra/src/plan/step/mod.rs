@@ -1,9 +1,9 @@
-//! The plan of a step: what is computed once, when ε and the parameters are known, and what is
-//! computed for each state.
+//! The plan of a step: constants prepared once for ε and the parameters, and the kernel for each
+//! state.
 //!
 //! - `split` separates prepared constants from the `kernel`.
-//! - `signs` and `reciprocals` rewrite the kernel, which has multiply-adds by then.
-//! - `recurrence` measures the way from a state to the next.
+//! - `signs` and `reciprocals` rewrite the kernel after the fusion of multiply-adds.
+//! - `recurrence` measures the cycles from a state to the next.
 
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
@@ -20,13 +20,13 @@ use crate::plan::step::reciprocals::with_signs_of_reciprocals;
 use crate::plan::step::signs::with_signs;
 use crate::plan::{Input, Kernel, Node, Operation, Plan, PlanBuilder};
 
-/// The largest ‖εf′‖∞ at which the planner looks at what a step loses.
+/// The largest ‖εf′‖∞ at which the planner measures the accuracy of a step.
 pub const LARGEST_SIZE: u32 = 1000;
 
-/// What a step costs: the figures that a prepared step carries with it.
+/// The cost of a step, carried by a prepared step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// Operations from a state to the next, a multiply-add counted twice.
+    /// Operations from a state to the next; a multiply-add counts twice.
     pub operations: u32,
     /// The divisions among them.
     pub divisions: u32,
@@ -34,48 +34,46 @@ pub struct StepCost {
     pub critical_path: u32,
 }
 
-/// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// A straight-line step: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepPlan {
-    /// From ε and the parameters to the prepared constants, in order. It has no states.
+    /// The prepared constants in order, from ε and the parameters; no states.
     pub constants: Plan,
-    /// What is computed for each state.
+    /// The operations for each state.
     pub kernel: Kernel,
-    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that
-    /// is away from zero.
+    /// Whether preparation divides by ε: then the step serves only floats and ε away from zero.
     pub has_inverse_step: bool,
-    /// The plan for lanes, where it is another one: a second division can shorten the critical path
-    /// of one orbit, but many orbits at once are bound by the divider. Where this plan [divides by
-    /// ε](Self::has_inverse_step), also the one for all scalars but floats, and for an ε near zero.
+    /// The plan for lanes, if it differs: a second division can shorten the recurrence of one
+    /// orbit, but the divider bounds many orbits at once. If this plan [divides by
+    /// ε](Self::has_inverse_step), `general` also serves all other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which this step loses about as
-    /// little as elimination with partial pivoting does: measured by the planner, at seeded points.
-    /// [`LARGEST_SIZE`] where nothing more is lost as far as it looks.
+    /// The largest size ‖εf′‖∞ among 1, 10, 100, 1000 up to which the step loses about as little as
+    /// elimination with partial pivoting, measured at seeded points. At most [`LARGEST_SIZE`].
     pub holds_to: u32,
 }
 
 impl StepPlan {
-    /// The plan that serves this arithmetic at this ε.
+    /// Returns the plan for this arithmetic at this ε.
     #[must_use]
     pub fn at<A: OverRationals>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
         if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 
-    /// The plan that serves every scalar and every ε.
+    /// Returns the plan for every scalar and every ε.
     #[must_use]
     pub fn for_any_step(&self) -> &Self {
         self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 
-    /// Operations from a state to the next: the kernel's, the last multiplication where there is
-    /// one, and an addition for each component.
+    /// Returns the operations from a state to the next: the kernel, the multiplications by
+    /// reciprocals, and an addition for each component.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.kernel.reciprocal_of.iter().flatten().count();
         self.kernel.plan.cost().operations() + products + self.kernel.dimension()
     }
 
-    /// What the step costs, as generated code says it.
+    /// Returns the cost of the step.
     #[must_use]
     pub fn cost(&self) -> StepCost {
         let count = |n: u64| u32::try_from(n).expect("plans have a budget of terms");
@@ -86,9 +84,10 @@ impl StepPlan {
         }
     }
 
-    /// x̃ from x and the prepared constants: the kernel, and its last multiply-add a component.
+    /// Returns the plan of x̃ from x and the prepared constants: the kernel, then one multiply-add
+    /// for each component.
     ///
-    /// A numerator −n is subtracted rather than negated, as every compiler does it.
+    /// A numerator −n is subtracted rather than negated, as compilers do.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
         let mut operations = self.kernel.plan.operations.clone();
@@ -110,15 +109,15 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Each operation once, and none that no result needs.
+        // Merges equal operations and drops unused ones.
         Plan::together([&Plan { operations, outputs }])
     }
 
-    /// Whether values with a name are kept from being packed into vectors.
+    /// Returns whether named values must be kept out of vector registers (three components only).
     ///
-    /// Of three components one is left over from every pair, and the shuffles cost up to an eighth
-    /// of a step. Two make one vector; for more, what says it would make steps so large that
-    /// compilers no longer inline them into loops.
+    /// With three components one is left over from every pair, and shuffles cost up to an eighth of
+    /// a step. Two components fill one vector. For more, the fences would make steps too large for
+    /// compilers to inline into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
@@ -154,14 +153,13 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are still inputs here; `mapped` puts them in later. So a
-        // division that is found now is one by ε.
+        // Reciprocals of parameters are still inputs here and substituted later by `mapped`. So
+        // every division found now is one by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
     }
 
-    /// The same step, its constants being what `change` makes of them.
     #[must_use]
     pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
         let general = self.general.map(|general| Box::new(general.mapped(change)));
@@ -170,13 +168,11 @@ impl StepPlan {
 }
 
 impl PlanBuilder {
-    /// Divides the increment of a single variable at once, x̃ = x ± 2εn/d: returns the numerator
-    /// over the divisor of this reciprocal ±1/d or ±2/d; `None` for another one.
+    /// Divides the increment of a single variable directly, x̃ = x ± 2εn/d: returns the numerator
+    /// over the divisor of a reciprocal ±1/d or ±2/d; `None` for other reciprocals.
     ///
-    /// A reciprocal that is shared by several components costs one division for all of them. A
-    /// single component gains nothing by it: the multiplication that follows would be on the way
-    /// from each state to the next, and would round once more, so that an orbit might miss a pole
-    /// that it meets.
+    /// A shared reciprocal saves divisions for several components. For one, its multiplication
+    /// would lengthen the recurrence and round once more, and an orbit might miss a pole.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

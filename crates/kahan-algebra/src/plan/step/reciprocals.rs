@@ -1,19 +1,18 @@
-//! The sign of each reciprocal: c/d or −c/d.
+//! Chooses the sign of each reciprocal, c/d or −c/d, so that most of its numerators need no
+//! negation.
 //!
-//! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of
-//! its numerators are negated than are not. Rounding is symmetric, so no bit of x̃ changes; floats
-//! fold a negation into the last subtraction, but a step over anything else (error bounds, lanes,
-//! double-doubles) would carry it out.
+//! Rounding is symmetric, so no bit of x̃ changes. Floats fold a negation into the last
+//! subtraction, but other scalars (error bounds, lanes, double-doubles) would execute it.
 
 use kahan_syntax::rational::Rational;
 
 use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 
-/// The kernel with the signs of its reciprocals chosen. Cost: operations · components.
+/// Returns the kernel with chosen signs of reciprocals. Cost: operations · components.
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;
-    // For each component the division that its reciprocal begins with.
+    // For each component the division of a literal at the start of its reciprocal.
     let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
         kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
@@ -54,12 +53,12 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     Kernel { plan: builder.finish(&outputs), ..kernel }
 }
 
-/// Whether an operation is a literal divided by something, once or several times.
+/// Returns whether an operation is a literal divided one or more times.
 pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
     base(plan, node).is_some()
 }
 
-/// The division of a literal that a reciprocal c/d/d′ begins with.
+/// Returns the division of a literal at the start of a reciprocal c/d/d′.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);
@@ -70,7 +69,6 @@ fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     }
 }
 
-/// The literal that an operation divides.
 fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     let Operation::Divide(dividend, _) = kernel.operations[quotient.0] else { return None };
     match &kernel.operations[dividend.0] {
@@ -79,9 +77,7 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Whether no other operation computes with a quotient than those that divide it further, down to
-/// results: where one component is eliminated before others, increments are made of reciprocals,
-/// too.
+/// Returns whether only divisions use a quotient; eliminated components also use reciprocals.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
     let uses = |user: &Operation| user.operands().any(|operand| operand == quotient);
     kernel.operations.iter().enumerate().filter(|(_, user)| uses(user)).all(|(index, user)| {

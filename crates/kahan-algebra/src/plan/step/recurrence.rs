@@ -1,7 +1,7 @@
-//! How long a step takes in an orbit, where each waits for the one before.
+//! The time of a step in an orbit, where each step waits for the previous one.
 //!
-//! What counts is not the longest way through one step, but the longest cycle from a state through
-//! several steps back to itself: a component that no denominator depends on may come late.
+//! The relevant path is the longest dependency cycle from a state through several steps back to
+//! itself, not the longest path through one step: a component absent from denominators may be late.
 
 use crate::poly::Variable;
 
@@ -9,14 +9,14 @@ use crate::plan::{Input, Node, Operation, PlanBuilder, StepPlan};
 use kahan_program::cost::{ADD, FUSED, MULTIPLY};
 
 impl StepPlan {
-    /// Cycles from one state to the next in a long orbit, rounded up.
+    /// Returns the cycles from one state to the next in a long orbit, rounded up.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Cycles a step in an orbit: the largest mean over dependency cycles of up to n steps, in
-    /// units of 1/60 cycle. A mean over seven or more steps is rounded down to such a unit.
+    /// Returns the largest mean of cycles over dependency cycles of up to n steps, in units of 1/60
+    /// cycle. Means over seven or more steps are rounded down.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -30,7 +30,7 @@ impl StepPlan {
         longest
     }
 
-    /// Entry (i, j): cycles from x_j to x̃ᵢ; `None` where x̃ᵢ does not depend on x_j.
+    /// Entry (i, j) is the number of cycles from x_j to x̃ᵢ; `None` if x̃ᵢ does not depend on x_j.
     fn delays(&self) -> Vec<Vec<Option<u32>>> {
         let n = self.kernel.dimension();
         let columns: Vec<Vec<Option<u32>>> = (0..n).map(|j| self.delays_from(j)).collect();
@@ -60,23 +60,23 @@ impl StepPlan {
     }
 }
 
-/// The [recurrence](StepPlan::recurrence) that no step goes below in which these states are moved
-/// by multiples of one reciprocal, whatever the multiples are and however sums are fused.
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps that move these states
+/// by multiples of one reciprocal, for all multiples and all fusions of sums.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // A single component is divided at once.
+    // A single component is divided directly.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
 }
 
-/// The cycles from a variable to an operation at least; `None` where it does not depend on it.
+/// Returns the least cycles from a variable to an operation; `None` if independent.
 pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {
         let ready = match *operation {
             Operation::Input(Input::Variable(input)) => (input == variable).then_some(0),
-            // Signs move.
+            // Signs move elsewhere.
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
@@ -96,10 +96,10 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// How many units a cycle has: a multiple of 1 to 6, so that means over up to six steps are whole.
+/// Units in a cycle: a multiple of 1 to 6, so that means over up to six steps are integers.
 const UNIT: u64 = 60;
 
-/// The longest ways through one step after another.
+/// Returns the longest paths through one step after another.
 fn composed(first: &[Vec<Option<u32>>], second: &[Vec<Option<u32>>]) -> Vec<Vec<Option<u32>>> {
     let n = first.len();
     let through = |i: usize, j: usize| (0..n).filter_map(|k| Some(second[i][k]? + first[k][j]?)).max();

@@ -1,24 +1,21 @@
-//! The sign in which each value is carried, where a prepared difference has the wrong one.
+//! Chooses the sign of each value in a kernel with prepared differences.
 //!
-//! In: the constants and the kernel of a step. Out: the same with a constant a − b prepared as b −
-//! a, and the values that depend on it carried with the other sign, where fewer sums then subtract
-//! and fewer results are negated. Nothing is rounded otherwise, as rounding is symmetric. Which of
-//! the two a polynomial in normal form begins with is an accident; with the right one, components
-//! of one kind are computed by instructions of one kind, and compilers that pack scalar code into
-//! vectors save a fifth of a large step's instructions rather than shuffle. Kernels without such a
-//! constant are left as the draft has written them.
+//! A constant a − b is prepared as b − a, and dependent values change their sign, if fewer sums
+//! then subtract and fewer results are negated. Rounding is symmetric, so no bit changes. The order
+//! of a difference in normal form is arbitrary; with a good one, similar components use the same
+//! instructions, and compilers that vectorise scalar code save a fifth of its instructions. Kernels
+//! without prepared differences stay unchanged.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// A negation costs an operation; a subtraction none, but it is not what its neighbours do.
+/// Cost of a negated result; a subtraction costs 1, as it differs from neighbouring additions.
 const NEGATION: usize = 4;
 
-/// Rounds of changing one sign after the other; it settles earlier in all but contrived plans.
+/// Maximal rounds of the descent; it nearly always ends earlier.
 const ROUNDS: usize = 4;
 
-/// The constants and the kernel with their signs chosen; neither operations nor critical path are
-/// more than before. Cost: operations² for each difference among the constants and each sum that
-/// subtracts, a few times over.
+/// Returns constants and kernel with chosen signs; neither operations nor critical path increase.
+/// Cost: a few times operations² for each prepared difference and each subtracting sum.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
@@ -38,21 +35,19 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// Each sum with both signs may be carried either way: `reversed` says which.
+/// A search over signs of prepared differences and mixed sums; `reversed` is a choice.
 struct Search<'a> {
     kernel: &'a Plan,
-    /// Where each prepared constant is in the kernel, if it is a difference, which can be prepared
-    /// either way.
+    /// For each prepared constant its node in the kernel, if it is a difference.
     prepared: Vec<Option<Node>>,
-    /// The constants as the kernel has them.
+    /// Whether an operation reads a prepared difference.
     is_free: Vec<bool>,
 }
 
-/// The signs that follow from a choice.
 struct Signs {
-    /// Whether the value is carried with the other sign.
+    /// Whether the value is carried with opposite sign.
     negative: Vec<bool>,
-    /// Whether the choice makes a difference there.
+    /// Whether the choice matters at this operation.
     is_choice: Vec<bool>,
     cost: usize,
 }
@@ -73,10 +68,9 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// The choice after [`Self::descended`], then with each constant turned round, alone and in
-    /// addition, and with all that a negated result depends on, if what follows from that costs
-    /// less: a constant that appears in several sums pays only together with them, and so does a
-    /// sum of several terms.
+    /// Returns the best choice found by [`Self::descended`] from several starts: the initial one,
+    /// each constant reversed, separately and in addition, and everything reversed that a negated
+    /// result depends on. A constant in several sums pays only if all change together.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.descended(none.clone());
@@ -118,7 +112,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Changes one choice after the other for as long as that costs less.
+    /// Reverses single choices while that lowers the cost.
     fn descended(&self, mut reversed: Vec<bool>) -> Vec<bool> {
         let mut best = self.signs(&reversed);
         for _ in 0..ROUNDS {
@@ -178,7 +172,7 @@ impl<'a> Search<'a> {
             let (first, second) = summands(operation, |node| signs.negative[node.0]);
             let (first, second) = (first != signs.negative[index], second != signs.negative[index]);
             let operation = match *operation {
-                // The same value carried with the other sign.
+                // The operand carries the negated value already.
                 Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
@@ -209,8 +203,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The signs of the two summands of a sum as they are carried, `of` being those of its operands;
-/// not of use for other operations.
+/// Returns the carried signs of both summands of a sum; (false, false) for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),
@@ -222,7 +215,6 @@ fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     }
 }
 
-/// The constants, those differences turned round that are wanted with the other sign.
 fn turn_constants(constants: &Plan, turned: &[bool]) -> Plan {
     let mut builder = PlanBuilder::default();
     let all = builder.include_all(&constants.operations);

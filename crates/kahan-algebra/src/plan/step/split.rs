@@ -1,11 +1,10 @@
-//! What is computed once and what for each state.
+//! Separates operations that depend on ε and parameters from those that depend on states.
 
 use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// How many results are products of two values that both contain ε: constants rounded more than
-/// once.
+/// Counts outputs that contain products of two values with ε: constants rounded more than once.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];
@@ -20,22 +19,21 @@ pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usiz
     plan.outputs.iter().filter(|output| derived[output.0]).count()
 }
 
-/// Separates what depends on no variable that `varies` from the rest: the results of the first
-/// plan are the prepared constants of the second. Exact literals are not prepared; they cost
-/// nothing.
+/// Splits a plan: outputs of the first plan, which depends on no variable that `varies`, are the
+/// prepared constants of the second. Exact literals stay in the second plan.
 #[must_use]
 pub(in crate::plan) fn split(
     plan: &Plan,
     epsilon: Variable,
     varies: impl Fn(Variable) -> bool,
 ) -> (Plan, Plan) {
-    // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but
-    // where a form contains 1/ε, whoever prepares it has looked at ε.
+    // A zero divisor is a pole of the step, not an error of preparation, so divisions stay in the
+    // kernel. Division by ε is prepared; the caller has checked ε.
     let is_epsilon = |node: Node| plan.operations[node.0] == Operation::Input(Input::Variable(epsilon));
     split_where(plan, is_epsilon, varies)
 }
 
-/// Splits the plan of a line without poles: quotients are prepared, too.
+/// Splits the plan of a line without poles; quotients are prepared, too.
 #[must_use]
 pub(crate) fn separated(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
     split_where(plan, |_| true, varies)

@@ -1,5 +1,4 @@
-//! A plan in the making that knows when each of its values is ready, so that sums and products can
-//! be grouped with what arrives last at the end.
+//! A plan under construction that knows when values are ready, so that late ones combine last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -13,17 +12,15 @@ use crate::poly::Variable;
 use crate::plan::writing::scaling::Scaling;
 use crate::plan::{Input, Node, Operation, PlanBuilder};
 
-/// A builder with the cycle in which each operation's result can be used.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Draft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
-    /// Whether an operation depends on no state: it is a constant that a prepared map computes
-    /// once.
+    /// Whether an operation depends on no state and is a prepared constant.
     fixed: Vec<bool>,
-    /// How many operations up to each operation depend on a state.
+    /// For each operation the number of operations up to it that depend on a state.
     sizes: Vec<usize>,
-    /// Variables from here to ε are parameters, the others states.
+    /// The number of states; later variables up to ε are parameters.
     states: u16,
     epsilon: Variable,
     /// Whether constants may be multiplied with each other, see [`Self::product`].
@@ -43,7 +40,6 @@ impl Draft {
         }
     }
 
-    /// Brings the tables up to date.
     fn settle(&mut self) {
         for operation in &self.builder.operations()[self.ready.len()..] {
             let fixed = match operation {
@@ -64,13 +60,12 @@ impl Draft {
         }
     }
 
-    /// The cycle in which an operation's result can be used.
     pub(in crate::plan) fn ready(&mut self, node: Node) -> u32 {
         self.settle();
         self.ready[node.0]
     }
 
-    /// Operations that depend on a state and that an operation needs.
+    /// Returns the number of state-dependent operations that a node needs, itself included.
     pub(in crate::plan) fn size_of(&mut self, node: Node) -> usize {
         self.settle();
         let operations = self.builder.operations();
@@ -88,12 +83,10 @@ impl Draft {
         size
     }
 
-    /// The number of operations, to go back to with [`Self::truncate`].
     pub(in crate::plan) fn length(&self) -> usize {
         self.builder.operations().len()
     }
 
-    /// Forgets all operations but the first `length`.
     pub(in crate::plan) fn truncate(&mut self, length: usize) {
         self.builder.truncate(length);
         self.ready.truncate(length);
@@ -101,7 +94,6 @@ impl Draft {
         self.sizes.truncate(length);
     }
 
-    /// Operations that depend on a state, so far.
     pub(in crate::plan) fn kernel_size(&mut self) -> usize {
         self.settle();
         self.sizes.last().copied().unwrap_or(0)
@@ -123,17 +115,15 @@ impl Draft {
         self.builder.is_zero(signed.node)
     }
 
-    /// a · b
     pub(in crate::plan) fn multiply(&mut self, a: Node, b: Node) -> Node {
         self.builder.multiply(a, b)
     }
 
-    /// The product of all, the earliest two first; a product that exists already comes before a new
-    /// one.
+    /// Returns the product of all factors, the earliest two first; existing products come before
+    /// new ones.
     ///
-    /// Unless the draft folds, two constants are not multiplied with each other as long as there is
-    /// a state: their product would be rounded the same way in every step, and the integrals of a
-    /// long orbit would drift.
+    /// Unless the draft folds constants, two constants are not multiplied while a state is left:
+    /// the rounding error of their product would recur in every step, and integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),
@@ -154,9 +144,8 @@ impl Draft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Two factors, of which equal ones stand side by side, whose product is an operation already;
-    /// first those of a factor that has no other such partner. Products of very many different
-    /// factors are taken as they stand.
+    /// Returns two factors whose product exists already, preferring a factor with few partners.
+    /// Equal factors must be adjacent. Returns `None` for very many different factors.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;
 
@@ -187,21 +176,20 @@ impl Draft {
         Some((runs[i].start, runs[j].start + usize::from(i == j)))
     }
 
-    /// The sum of all, each with its sign, the earliest two first.
+    /// Returns the sum of signed terms, the earliest two first.
     pub(in crate::plan) fn sum(&mut self, terms: &[Signed]) -> Node {
         let sum = self.signed_sum(terms);
         self.node(sum)
     }
 
-    /// The value with its sign.
     pub(in crate::plan) fn node(&mut self, signed: Signed) -> Node {
         if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
-    /// The same, its sign beside it.
+    /// Returns the sum of signed terms with its sign separate.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Of equal ones the sum that was made last comes first, then terms as they stand.
+        // Ties: the latest sum comes first, then terms in order.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();
@@ -225,19 +213,17 @@ impl Draft {
         }
     }
 
-    /// The values in the order in which they are ready, constants first.
+    /// Sorts values by readiness, constants first.
     fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
         sorted_by_key(values, |value| self.order(node(value)))
     }
 
-    /// What values are sorted by.
     fn order(&self, node: Node) -> (bool, u32, Node) {
         (!self.fixed[node.0], self.ready[node.0], node)
     }
 }
 
-/// A summand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::plan) struct Signed {
     pub(in crate::plan) node: Node,
@@ -249,7 +235,7 @@ impl Signed {
         Signed { node, negative: false }
     }
 
-    /// The same value, or its negation.
+    /// Returns the value, negated if `flip`.
     pub(in crate::plan) fn flipped(self, flip: bool) -> Self {
         Signed { negative: self.negative != flip, ..self }
     }
@@ -260,7 +246,6 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// The draft of a product of `names` inputs, each to the power `times`.
     fn product_of(names: u16, times: usize) -> Draft {
         let field = crate::read(&crate::lexer::lex("xdot = x;").tokens).system().expect("a system").field;
         let mut draft = Draft::new(&scalings(&field)[0]);
@@ -269,13 +254,13 @@ mod tests {
         draft
     }
 
-    /// Pairs of a thousand equal factors, compared with each other, would never end.
+    /// Comparing all pairs of a thousand equal factors would never end.
     #[test]
     fn a_long_power_is_made_by_squaring() {
         assert_eq!(product_of(1, 1 << 10).length(), 11);
     }
 
-    /// Comparing pairs of four thousand factors before each product would never end.
+    /// Comparing all pairs of four thousand factors before each product would never end.
     #[test]
     fn a_long_product_is_made_factor_by_factor() {
         assert_eq!(product_of(4000, 1).length(), 4000 + 3999);

@@ -1,17 +1,14 @@
-//! Several polynomials as products over one base of factors: what two of them share is a factor,
-//! and so is what the coefficients in one variable share, and a quadratic in one variable with a
-//! square discriminant falls apart. No complete factorisation: what is found this way is what a
-//! step can reuse.
+//! Factors several polynomials over one base: common factors of two, contents in one variable, and
+//! factors of quadratics with a square discriminant. Finds only factors that steps reuse.
 
 use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// The work that looking for factors may take; beyond it polynomials stay as they are.
+/// The most work to find factors; beyond it polynomials stay unchanged.
 const WORK: u64 = 20_000;
-/// The most terms of polynomials that are looked at.
 const TERMS: usize = 60;
-/// The most terms of a polynomial whose discriminants are looked at.
+/// The most terms of a polynomial whose discriminants are computed.
 const QUADRATIC_TERMS: usize = 16;
 
 /// coefficient · monomial · ∏ factorᵉ
@@ -23,12 +20,10 @@ pub(in crate::plan) struct Factored {
 }
 
 impl Factored {
-    /// How often a factor occurs.
     pub(in crate::plan) fn exponent(&self, factor: &Polynomial) -> u32 {
         self.factors.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
     }
 
-    /// With a factor once less, if it occurs.
     pub(in crate::plan) fn without(&self, factor: &Polynomial) -> Self {
         let mut quotient = self.clone();
         for (known, exponent) in &mut quotient.factors {
@@ -39,13 +34,12 @@ impl Factored {
     }
 }
 
-/// Each polynomial over the common base.
 pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     let base = base(polynomials);
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
-/// Pairwise coprime polynomials without monomial factors, of which the given ones are products.
+/// Returns pairwise coprime polynomials without monomial factors that factor the given ones.
 fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     let mut budget = Budget::new(TERMS * TERMS, WORK);
     let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
@@ -71,7 +65,7 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     base
 }
 
-/// Without coefficient and monomial, the leading coefficient positive.
+/// Divides by coefficient and monomial; the leading coefficient becomes positive.
 fn core(polynomial: &Polynomial) -> Polynomial {
     polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
@@ -88,14 +82,14 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// What the coefficients in some variable have in common, if that is a proper factor.
+/// Returns the common factor of the coefficients in some variable, if it is proper.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // A coefficient of one term divides by monomials only, and those are gone.
+        // A coefficient of one term is divisible only by monomials, which are removed.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
@@ -104,8 +98,7 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     })
 }
 
-/// A factor of av² + bv + c in some variable v: there is one if b² − 4ac is a square s², and it is
-/// shared with 2av + b − s.
+/// Returns a factor of av² + bv + c: if b² − 4ac is a square s², one is shared with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;
@@ -189,8 +182,8 @@ mod tests {
         }
     }
 
-    /// Two numerators of E6 share y + ε(x² − z²); the third one, without a common factor and
-    /// without a content, is a product by its discriminant.
+    /// Two numerators of E6 share y + ε(x² − z²). The third has neither a common factor nor a
+    /// content; its discriminant factors it.
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -198,8 +191,7 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// E3: z + ε(x² + y²) is shared, x² + y² is what the coefficients of z in the third numerator
-    /// have in common.
+    /// E3: z + ε(x² + y²) is shared; x² + y² is the content of the third numerator in z.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

@@ -1,10 +1,10 @@
-//! How a polynomial becomes operations.
+//! Turns polynomials into operations.
 //!
-//! - `scaling` says which products of ε, parameters and states become variables of their own.
-//! - `nesting` decides which variable is taken out of which terms of a polynomial, `factors` finds
-//!   a base of factors of several, `numerators` the order in which factors are multiplied.
+//! - `scaling` makes products of ε with parameters and states variables of their own.
+//! - `nesting` chooses the variable to factor out of terms, `factors` a base of factors of several
+//!   polynomials, `numerators` the order of multiplication.
 //! - `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses
-//!   what is there.
+//!   existing operations.
 
 pub(in crate::plan) mod draft;
 pub(in crate::plan) mod factors;

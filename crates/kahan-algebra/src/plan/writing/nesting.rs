@@ -1,9 +1,8 @@
-//! How to nest one polynomial: which variable to take out of which terms, by what that costs.
+//! Chooses the nested form of a polynomial by estimated cost.
 //!
-//! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The
-//! estimate of a form counts its operations and the cycle in which its value is ready, no operation
-//! being shared; the cheapest form is kept. A budget bounds the terms that are looked at to compare
-//! forms: beyond it, all variables of a polynomial are taken out at once.
+//! A form is a sum of terms and of products v·q; each choice of v gives another one. The estimate
+//! counts operations without sharing and the cycle in which the value is ready. A budget limits the
+//! terms examined; beyond it, all variables of a polynomial are factored out at once.
 
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -20,24 +19,22 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms for which all forms are compared; longer polynomials are nested by their most
-/// frequent variable.
+/// The most terms for which all forms are compared; longer ones use their most frequent variable.
 const COMPARED: usize = 12;
 
-/// The most terms that are looked at to compare forms.
 const MOST_LOOKED_AT: usize = 1_000_000;
 
-/// What a form should be.
+/// The aim of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum Goal {
-    /// Ready early: the denominator, which everything waits for.
+    /// Early readiness: for the denominator, which everything waits for.
     Early,
-    /// Few operations: the numerators, which are computed while the division runs.
+    /// Few operations: for numerators, which are computed during the division.
     Few,
 }
 
 impl Goal {
-    /// What is to be least: under `Early` a cycle is worth an operation.
+    /// Returns the price to minimise; under `Early` a cycle costs as much as an operation.
     pub(in crate::plan) fn price(self, operations: usize, ready: u32) -> u64 {
         match self {
             Goal::Early => 16 * operations as u64 + 16 * u64::from(ready),
@@ -46,49 +43,40 @@ impl Goal {
     }
 }
 
-/// A summand of a nested form.
 #[derive(Clone, Debug)]
 pub(in crate::plan) enum Summand {
-    /// One term.
     Term(Monomial, Rational),
-    /// The monomial (with its coefficient) times a sum.
+    /// A monomial with its coefficient, times a sum.
     Product(Monomial, Rational, Rc<Polynomial>),
 }
 
-/// The estimate of a form.
 #[derive(Debug)]
 struct Estimate {
     operations: usize,
-    /// When each summand is ready.
     summands: Vec<u32>,
     form: Form,
 }
 
-/// A form, of which the summands are made only where it is chosen.
+/// A form; its summands are made only if it is chosen.
 #[derive(Debug)]
 enum Form {
-    /// Term by term.
     Flat,
-    /// A product, and a rest in the form of its estimate.
+    /// A product, and a rest with its own estimate.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
-    /// Products and terms.
     Grouped(Vec<Summand>),
 }
 
-/// Polynomials with their estimates.
 #[derive(Debug, Default)]
 struct Known {
     polynomials: Numbered<Rc<Polynomial>>,
     estimates: Vec<Rc<Estimate>>,
 }
 
-/// Estimates, each made once.
 #[derive(Debug)]
 pub(in crate::plan) struct Nesting {
     goal: Goal,
     scaling: Scaling,
     known: RefCell<Known>,
-    /// How many terms were looked at.
     looked_at: Cell<usize>,
 }
 
@@ -97,7 +85,6 @@ impl Nesting {
         Nesting { goal, scaling, known: RefCell::default(), looked_at: Cell::new(0) }
     }
 
-    /// The cheapest form found.
     pub(in crate::plan) fn best(&self, polynomial: &Rc<Polynomial>) -> Vec<Summand> {
         let mut summands = Vec::new();
         let mut next = Some((Rc::clone(polynomial), self.estimate(polynomial)));
@@ -132,7 +119,7 @@ impl Nesting {
         estimate
     }
 
-    /// Whether a term depends on no state.
+    /// Returns whether a term depends on no state.
     pub(in crate::plan) fn is_fixed(&self, monomial: &Monomial) -> bool {
         monomial.powers().iter().all(|(variable, _)| self.scaling.ready(*variable).is_none())
     }
@@ -161,7 +148,7 @@ impl Nesting {
         self.goal.price(estimate.operations, gathered(&estimate.summands))
     }
 
-    /// Variables in at least two terms; for long polynomials only the most frequent one.
+    /// Returns variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
         let counts = polynomial.frequencies().into_iter();
         let counts = counts.filter(|&(variable, count)| count > 1 && self.may_be_out(variable));
@@ -172,12 +159,12 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Whether a variable may be taken out of terms: what depends on no state is prepared instead.
+    /// Returns whether a variable may be factored out; others are prepared instead.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
 
-    /// Every term on its own; what depends on no state is one prepared summand.
+    /// Estimates the sum term by term, with all state-independent terms as one prepared summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
         let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: Form::Flat };
         let mut has_fixed = false;
@@ -196,7 +183,7 @@ impl Nesting {
         estimate
     }
 
-    /// Operations of a term, and when it is ready.
+    /// Returns the operations of a term and the cycle in which it is ready.
     fn term(&self, monomial: &Monomial, coefficient: &Rational) -> (usize, u32) {
         let mut factors: Vec<u32> = Vec::new();
         let mut has_fixed = false;
@@ -233,7 +220,7 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
 
-    /// All variables taken out at once, each term by that of its variables that most terms have.
+    /// Estimates the form that factors out all variables at once, most frequent first.
     fn grouped(&self, polynomial: &Polynomial) -> Estimate {
         let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
         let flat = self.flat(&rest);
@@ -248,7 +235,7 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Grouped(own) }
     }
 
-    /// variable · quotient as a summand, its operations, and when it is ready.
+    /// Returns variable · quotient as a summand, its operations, and its cycle of readiness.
     fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
@@ -268,25 +255,24 @@ impl Nesting {
     }
 }
 
-/// The terms of a polynomial as summands.
 fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// The cost of a prepared constant that was rounded more than once, in operations.
+/// The cost in operations of a prepared constant that is rounded more than once.
 pub(in crate::plan) const DERIVED: usize = 3;
 
-/// Returns the time at which the sum of values is ready, the earliest two added first.
+/// Returns the cycle in which the sum of values is ready, earliest two first.
 fn gathered(ready: &[u32]) -> u32 {
     combined(ready.to_vec(), ADD)
 }
 
-/// Returns the time at which the product of values is ready, the earliest two multiplied first.
+/// Returns the cycle in which the product of values is ready, earliest two first.
 fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-/// Returns the time at which one value is left of these, where two become one after `latency` cycles.
+/// Returns the cycle in which one value is left, where two become one after `latency` cycles.
 fn combined(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     // The earliest two stand last.
@@ -303,8 +289,7 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// Σ of all products of 200 states: one state at a time, 200 polynomials of 10 000 terms each
-    /// would be looked at.
+    /// The sum of all products of 200 states, one at a time, would examine 200 · 10 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

@@ -1,5 +1,4 @@
-//! The numerators εn, or n divided by a power of ε, as products of factors, with what several of
-//! them share multiplied once.
+//! The numerators times powers of ε as products of factors; shared subproducts are multiplied once.
 
 use crate::poly::{Polynomial, Variable};
 
@@ -10,12 +9,10 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::scaling::over_eps;
 use crate::plan::writing::writer::Writer;
 
-/// What each numerator n is multiplied by.
+/// The factor that multiplies each numerator n.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plan) enum Power {
-    /// ε
     Eps,
-    /// 1/εᵏ
     OverEps(u32),
 }
 
@@ -27,8 +24,7 @@ impl Power {
         }
     }
 
-    /// The product with each factor divided by the ε's that cancel in it, as far as there are any,
-    /// and what is left to multiply.
+    /// Cancels powers of ε in each factor; returns the product and the remaining power.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -41,12 +37,10 @@ impl Power {
     }
 }
 
-/// Products under construction, one a numerator.
 pub(in crate::plan) struct Products {
     lists: Vec<Factors>,
 }
 
-/// A product that is not multiplied yet.
 #[derive(Clone, Debug, Default)]
 struct Factors {
     nodes: Vec<Node>,
@@ -58,7 +52,6 @@ impl Products {
         Products { lists: Vec::new() }
     }
 
-    /// Adds coefficient · monomial · ∏ factorᵉ.
     pub(in crate::plan) fn push(&mut self, writer: &mut Writer, product: &Factored, goal: Goal) {
         let (nodes, negative) = writer.factors_of_term(&product.monomial, &product.coefficient);
         let mut list = Factors { nodes, negative };
@@ -69,8 +62,7 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds the product times a power of ε, which goes where it costs the fewest operations: to the
-    /// monomial or to one of the factors.
+    /// Adds the product times a power of ε, placed where it costs the fewest operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();
@@ -85,7 +77,7 @@ impl Products {
         self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
-    /// Multiplies: pairs of factors that several products contain first.
+    /// Multiplies, beginning with pairs of factors that several products contain.
     pub(in crate::plan) fn finish(mut self, writer: &mut Writer) -> Vec<Signed> {
         while let Some((a, b)) = self.shared_pair() {
             let node = writer.draft.multiply(a, b);
@@ -98,7 +90,7 @@ impl Products {
         self.lists.into_iter().map(&mut product).collect()
     }
 
-    /// The pair that most products contain, if at least two do.
+    /// Returns the pair that most products contain, if at least two do.
     fn shared_pair(&self) -> Option<(Node, Node)> {
         let mut best: Option<(usize, (Node, Node))> = None;
         for list in &self.lists {
@@ -138,7 +130,7 @@ impl Factors {
     }
 }
 
-/// The power of ε at place 0 goes to the monomial, at place k to the k-th factor.
+/// Writes the power of ε into the monomial (place 0) or the k-th factor (place k).
 fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
     let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();

@@ -1,11 +1,8 @@
-//! Powers of ε distributed over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
+//! Distributes powers of ε over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
 //!
-//! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself
-//! enters as a rounded constant. A scaled symbol is a variable of its own, numbered after all
-//! others.
-//!
-//! A form divided by the time step has the [inverse time step](crate::plan::forms::inverse)
-//! besides, the last of these variables.
+//! With εx computed first, a term needs no multiplication by ε, and ε is the only rounded constant.
+//! A scaled symbol is a variable numbered after all others. Forms divided by the time step also use
+//! the [inverse time step](crate::plan::forms::inverse), the last of these variables.
 
 use kahan_syntax::rational::Rational;
 
@@ -14,31 +11,31 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::cost::{DIVIDE, MULTIPLY};
 
-/// Coefficients are variables from here on; there are fewer symbols than that.
+/// The first variable for coefficients; symbols have lower numbers.
 const COEFFICIENTS: u16 = 1 << 15;
-/// 1/(2ε), for all forms the same variable.
+/// 1/(2ε), one variable for all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
-/// When a state of the next point is ready, about: after a division.
+/// The approximate cycle in which a state of the next point is ready: after a division.
 const LATE: u32 = 2 * DIVIDE;
 
-/// Which symbols of a term take its powers of ε.
+/// The symbols of a term that absorb its powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum First {
     /// States before parameters: for fields whose parameters multiply some terms only.
     States,
-    /// Parameters before states: εa₁ is computed once, so that x need not be scaled.
+    /// Parameters before states: εa₁ is prepared, so that x need not be scaled.
     Parameters,
 }
 
-/// Polynomials over plain and scaled symbols.
+/// The numbering of plain and scaled symbols.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
-    /// Where scaled symbols begin: states, parameters, ε and the second states come before.
+    /// The number of plain symbols: states, parameters, ε and second states.
     offset: u16,
     epsilon: Variable,
     first: First,
-    /// Whether the constants of a term are prepared as one, although that rounds them twice.
+    /// Whether the constants of a term are prepared as one, which rounds them twice.
     pub(in crate::plan) folds: bool,
 }
 
@@ -58,23 +55,22 @@ impl Scaling {
         self.epsilon
     }
 
-    /// The variable of the k-th coefficient that was gathered.
     pub(in crate::plan) fn coefficient(&self, k: usize) -> Variable {
         Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
     }
 
-    /// εv for a state or parameter v.
+    /// Returns the variable εv for a state or parameter v.
     pub(in crate::plan) fn scaled(&self, symbol: Variable) -> Variable {
         Variable(symbol.0 + self.offset)
     }
 
-    /// v, if the variable is εv.
+    /// Returns v for a variable εv.
     pub(in crate::plan) fn unscaled(&self, variable: Variable) -> Option<Variable> {
         let is_scaled = variable.0 >= self.offset && variable.0 < INVERSE_STEP.0;
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// When a variable is ready; `None` for what depends on no state.
+    /// Returns the cycle in which a variable is ready; `None` if it depends on no state.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {
@@ -91,9 +87,8 @@ impl Scaling {
         }
     }
 
-    /// Every way to scale the terms that the orders of preference allow, without repetition: where
-    /// a term has fewer powers of ε than states, the states that come first in the order stay
-    /// plain.
+    /// Returns the distinct ways to scale the terms. If a term has fewer powers of ε than states,
+    /// the first states in an order of preference stay plain.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
@@ -113,7 +108,6 @@ impl Scaling {
         ways
     }
 
-    /// The first of the ways.
     pub(in crate::plan) fn scale_first(&self, polynomial: &Polynomial) -> Polynomial {
         self.scale(polynomial, &(0..self.states).collect::<Vec<_>>())
     }
@@ -153,8 +147,8 @@ impl Scaling {
     }
 }
 
-/// Whether volumes shrink or grow everywhere at one rate, div f being a constant other than 0. Such
-/// a field keeps no measure and no integral that a constant rounded twice could make drift.
+/// Returns whether volumes shrink or grow everywhere at one rate (div f is a nonzero constant).
+/// Then no measure or integral exists that a constant rounded twice could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -164,19 +158,19 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Orders of these states in which each comes first once.
+/// Returns orders of these states in which each comes first once.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }
 
-/// The coefficient, if it is ±2ᵏ.
+/// Returns whether a coefficient is ±2ᵏ.
 pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
     coefficient
         .as_small_ratio()
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// The ways to distribute ε first; without parameters there is one.
+/// Returns the scalings by preference; one if there are no parameters.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
@@ -186,7 +180,7 @@ pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     }
 }
 
-/// p/εᵏ, a polynomial in the other symbols, ε and h: ε cancels as far as p has it.
+/// Returns p/εᵏ as a polynomial in the other symbols, ε and h: ε cancels as far as p contains it.
 pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
     let divided = polynomial.terms().map(|(monomial, coefficient)| {
         let cancelled = monomial.exponent(epsilon).min(power);
@@ -202,7 +196,7 @@ pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Va
 mod tests {
     use super::*;
 
-    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, what has ε² keeps one.
+    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, the term with ε² keeps one.
     #[test]
     fn eps_cancels_as_far_as_a_term_has_it() {
         let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));

@@ -1,5 +1,5 @@
-//! Writes scaled polynomials as operations, reusing what is there already: a polynomial that was
-//! computed before, up to its sign, and one of which a multiple shortens the polynomial at hand.
+//! Writes scaled polynomials as operations and reuses existing ones: equal polynomials up to sign,
+//! and sums of which a multiple shortens the polynomial.
 
 mod cheapest;
 mod coefficients;
@@ -20,16 +20,13 @@ use crate::plan::writing::nesting::{Goal, Nesting, Summand};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// The most terms of a polynomial for which multiples of others are looked for: their number grows
-/// with its square.
+/// The most terms of a polynomial in which multiples are sought; the cost is quadratic.
 const REUSED: usize = 24;
 
-/// The most terms for which a constant that they have in common may stay inside: its product with
-/// each of their factors may be an operation already.
+/// The most terms for which a common constant may stay inside, as its products may exist already.
 const SHARED: usize = 3;
 
-/// An entry of a matrix: its polynomial over scaled symbols, where it is known, and the operation
-/// that computes it.
+/// A matrix entry: its polynomial over scaled symbols, if known, and its operation.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Entry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
@@ -41,22 +38,21 @@ pub(in crate::plan) struct Entry {
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: Draft,
     pub(in crate::plan) scaling: Scaling,
-    /// The polynomials, their leading coefficients positive, in the order of their making.
+    /// The polynomials with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
-    /// The operation of each.
     steps: Vec<Signed>,
-    /// The numbers of those that are sums.
+    /// The indices of polynomials with several terms.
     sums: Vec<usize>,
-    /// Steps that stand for symbols.
+    /// Nodes that replace symbols.
     put: Vec<(Variable, Node)>,
-    /// Sums of constants that were prepared as one.
+    /// Sums of constants prepared as one.
     coefficients: Vec<Polynomial>,
     /// Forms for `Goal::Early` and `Goal::Few`.
     nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    /// An empty one for each way to distribute ε. Its clones share what they estimate of forms.
+    /// Returns an empty writer for each way to distribute ε. Clones share their estimates of forms.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -75,7 +71,7 @@ impl Writer {
         }
     }
 
-    /// A plain or scaled symbol.
+    /// Returns the node of a plain or scaled symbol.
     pub(in crate::plan) fn variable(&mut self, variable: Variable) -> Node {
         if variable == INVERSE_STEP {
             return self.inverse_step(&Rational::one());
@@ -89,37 +85,35 @@ impl Writer {
         }
     }
 
-    /// c/(2ε), which is prepared.
+    /// Returns the prepared constant c/(2ε).
     pub(in crate::plan) fn inverse_step(&mut self, c: &Rational) -> Node {
         let half = self.draft.constant(&(c * &Rational::new(1, 2)));
         let eps = self.draft.input(self.scaling.epsilon());
         self.draft.builder.divide(half, eps)
     }
 
-    /// A plain symbol; a state of the next point is an operation.
+    /// Returns the node of a plain symbol; a state of the next point is an operation.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// c/d; with c = 2 the increment 2εn/d costs no multiplication by 2.
+    /// Returns c/d; with c = 2 the increment 2εn/d needs no multiplication by 2.
     pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)
     }
 
-    /// ε/d
     pub(in crate::plan) fn eps_over(&mut self, denominator: Node) -> Node {
         let eps = self.draft.input(self.scaling.epsilon());
         self.draft.builder.divide(eps, denominator)
     }
 
-    /// From now on an operation stands for this symbol.
+    /// Replaces a symbol by a node from now on.
     pub(in crate::plan) fn put(&mut self, symbol: Variable, node: Node) {
         self.put.push((symbol, node));
     }
 
-    /// A polynomial, made for the goal.
     pub(in crate::plan) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let (sign, positive) = normalised(polynomial);
         if let Some(number) = self.made.find(&positive) {
@@ -130,33 +124,32 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// A polynomial in plain symbols and ε, its powers of ε distributed in the first way.
+    /// Writes a polynomial in plain symbols and ε, with powers of ε distributed in the first way.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
     }
 
-    /// Notes that an operation computes this polynomial in plain symbols and ε.
+    /// Records that an operation computes this polynomial in plain symbols and ε.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);
     }
 
-    /// An entry of a matrix, its powers of ε distributed in the first way.
+    /// Writes a matrix entry, with powers of ε distributed in the first way.
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
         Entry { polynomial: Some(polynomial), written }
     }
 
-    /// The operation that computes this polynomial over scaled symbols, if there is one.
+    /// Returns the operation that computes this polynomial over scaled symbols, if any.
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let gathered = self.gathered(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
         self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
     }
 
-    /// Notes that an operation computes this polynomial.
     pub(in crate::plan) fn remember(&mut self, polynomial: &Polynomial, written: Signed) {
         let (sign, positive) = normalised(polynomial);
         self.remember_positive(positive, written.flipped(sign));
@@ -209,7 +202,6 @@ impl Writer {
         monomial.powers().iter().any(|(variable, _)| self.scaling.ready(*variable).is_none())
     }
 
-    /// Term by term.
     fn write_flat(&mut self, polynomial: &Polynomial) -> Signed {
         let terms = polynomial.terms();
         let terms: Vec<Signed> = terms.map(|(power, value)| self.term(power, value, None)).collect();
@@ -221,7 +213,7 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == Goal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Low degrees first: their products can be factors of the others.
+        // Low degrees first: their products can be factors of others.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,
@@ -243,7 +235,6 @@ impl Writer {
         self.draft.signed_sum(&terms)
     }
 
-    /// coefficient · monomial · inner
     fn multiple(
         &mut self,
         monomial: &Monomial,
@@ -257,7 +248,7 @@ impl Writer {
     }
 }
 
-/// The sign of the leading coefficient, and the polynomial with a positive one.
+/// Returns whether the leading coefficient is negative, and the polynomial with a positive one.
 fn normalised(polynomial: &Polynomial) -> (bool, Rc<Polynomial>) {
     let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
     (negative, Rc::new(if negative { -polynomial } else { polynomial.clone() }))

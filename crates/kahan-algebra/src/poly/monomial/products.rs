@@ -4,7 +4,7 @@ use super::super::powers::{Power, Powers};
 use super::{Monomial, Variable};
 
 impl Monomial {
-    /// The product.
+    /// Returns the product.
     pub fn mul(&self, other: &Self) -> Self {
         if other.is_one() {
             return self.clone();
@@ -46,7 +46,7 @@ impl Monomial {
         }
     }
 
-    /// The quotient by a variable; `None` where it does not occur.
+    /// Returns the quotient by a variable; `None` if the variable is absent.
     pub fn lowered(&self, variable: Variable) -> Option<Self> {
         let powers = self.powers();
         let mut place = 0;
@@ -66,7 +66,7 @@ impl Monomial {
         Some(lowered)
     }
 
-    /// The quotient; `None` where `divisor` does not divide.
+    /// Returns the quotient; `None` if `divisor` does not divide.
     pub fn div(&self, divisor: &Self) -> Option<Self> {
         if !divisor.divides(self) {
             return None;
@@ -87,7 +87,7 @@ impl Monomial {
         Some(Self { degree: self.degree - divisor.degree, powers })
     }
 
-    /// Whether `multiple` is this times a monomial. It allocates nothing: most divisions fail.
+    /// Returns whether the monomial divides `multiple`, without allocation.
     pub fn divides(&self, multiple: &Self) -> bool {
         if self.degree > multiple.degree {
             return false;
@@ -105,7 +105,7 @@ impl Monomial {
         j == right.len()
     }
 
-    /// The power.
+    /// Returns the power.
     pub fn pow(&self, exponent: u32) -> Self {
         if exponent == 0 {
             return Self::one();
@@ -118,7 +118,7 @@ impl Monomial {
         power
     }
 
-    /// The greatest common divisor: the lower exponent of each variable.
+    /// Returns the greatest common divisor: the lower exponent of each variable.
     pub fn gcd(&self, other: &Self) -> Self {
         let mut common = Self::one();
         for &(variable, exponent) in self.powers() {

@@ -1,4 +1,4 @@
-//! Blocks written as steps.
+//! Writes the solution of blocks as forms of a step.
 
 use std::ops::Range;
 
@@ -17,13 +17,12 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// The most terms of a right-hand side for which all ways to distribute ε are compared.
+/// The most terms of a right-hand side for which all distributions of ε are compared.
 const COMPARED_TERMS: usize = 12;
 
-/// x̃ᵢ − xᵢ: a numerator with its sign, and its reciprocal.
+/// x̃ᵢ − xᵢ: a signed numerator and its reciprocal.
 type Increment = (Signed, Option<Node>);
 
-/// A form in the making.
 #[derive(Clone)]
 struct Solution {
     writer: Writer,
@@ -31,8 +30,7 @@ struct Solution {
 }
 
 impl Arrangement {
-    /// The turns of the rows that are different, at most `most` of them: after some, the rows of
-    /// each block stand as they did.
+    /// Returns the distinct rotations of rows, at most `most`, until every block repeats.
     fn turns(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -42,8 +40,8 @@ impl Arrangement {
 }
 
 impl Blocks<'_> {
-    /// A candidate for each row that is last after one of at most so many turns of the rows. They
-    /// begin alike: the rows of the first block are written once.
+    /// Returns a candidate for each of at most `turns` rotations, with shared rows of the first
+    /// block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -75,7 +73,7 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<Entry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd order of the rows changes all signs, which cancel in the quotients.
+            // An odd permutation of rows changes all signs, which cancel in the quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);
@@ -97,7 +95,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// x + x̃ of the states that are known.
+    /// Adds x + x̃ of the known states.
     fn put_sums(&self, writer: &mut Writer) {
         for i in 0..self.first {
             let second = self.field.symbols.variable(Symbol::SecondState(i));
@@ -108,8 +106,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it. Of a
-    /// tangent vector, the increment alone.
+    /// Adds x̃ᵢ = xᵢ + numerator · reciprocal, or for a tangent vector only the increment.
     fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));
@@ -142,12 +139,11 @@ impl Solution {
         block.rows.iter().map(&mut written_row).collect()
     }
 
-    /// The form of the increments from this one on.
     fn candidate(self, first: usize) -> Candidate {
         let Solution { mut writer, increments } = self;
         let increments = &increments[first..];
         let numerator = |(signed, _): &Increment| match signed.negative {
-            // Its value is a part of x̃ in this plan, so a difference is not turned round.
+            // The value is part of x̃ in this plan, so keep the difference and change its sign.
             true => writer.draft.builder.changed_sign(signed.node),
             false => signed.node,
         };

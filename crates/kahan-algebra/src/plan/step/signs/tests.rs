@@ -4,7 +4,7 @@ use super::*;
 use crate::arithmetic::Exact;
 use crate::poly::Variable;
 
-/// The constant a − b, and beside it a.
+/// Returns the constants a − b and a.
 fn constants() -> Plan {
     let mut builder = PlanBuilder::default();
     let [a, b] = [2, 3].map(|v| builder.input(Variable(v)));
@@ -18,7 +18,7 @@ fn values(constants: &Plan, kernel: &Plan) -> Vec<Option<Rational>> {
     kernel.evaluate(&Exact, |read| read.value(&prepared, |variable| Some(input(variable))))
 }
 
-/// 1 − cx, −cy and −cxy become sums and products without a sign once c is prepared as b − a.
+/// With c = b − a the results 1 − cx, −cy and −cxy need neither subtraction nor negation.
 #[test]
 fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     let mut builder = PlanBuilder::default();
@@ -38,7 +38,7 @@ fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     );
 }
 
-/// Multiply-adds of all three kinds, and a value that is used with both signs.
+/// Covers multiply-adds of all three kinds, and a value used with both signs.
 #[test]
 fn fused_operations_keep_their_values() {
     let mut builder = PlanBuilder::default();

@@ -1,5 +1,4 @@
-//! Several ways to write one thing: each is tried, the one that makes the fewest operations is
-//! kept.
+//! Tries several ways to write a value and keeps the one with the fewest operations.
 
 use crate::poly::Polynomial;
 
@@ -10,14 +9,13 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// A polynomial in plain symbols and ε, its powers of ε distributed in the way that adds the
-    /// fewest operations.
+    /// Writes a polynomial in plain symbols and ε with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
     }
 
-    /// The same as an entry of a matrix.
+    /// Writes a matrix entry with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
         let ways = self.scaling.ways(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| Entry {
@@ -27,7 +25,7 @@ impl Writer {
         self.cheapest(&ways, write, |_| 0)
     }
 
-    /// The factors of a term, in the way that adds the fewest operations, and its sign.
+    /// Returns the factors of a term and its sign, with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
@@ -37,8 +35,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Of one attempt or more that which makes the fewest operations, its result's own price added,
-    /// the first of several; the others leave no trace.
+    /// Keeps the attempt with the fewest operations plus the result's `price`, the first of equals,
+    /// and undoes the others. There must be at least one attempt.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
@@ -56,7 +54,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // The first comes last: where it is the best, as it often is, it is written already.
+        // Write the first attempt last: it is often the best and then needs no rewrite.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {
@@ -67,12 +65,11 @@ impl Writer {
         }
     }
 
-    /// Returns how long each of the writer's lists is, to go back to with [`Self::truncate`].
+    /// Returns the lengths of the writer's lists, for [`Self::truncate`].
     fn lengths(&self) -> [usize; 5] {
         [self.draft.length(), self.steps.len(), self.sums.len(), self.put.len(), self.coefficients.len()]
     }
 
-    /// Forgets what was written since the lists had these lengths.
     fn truncate(&mut self, [draft, made, sums, put, coefficients]: [usize; 5]) {
         self.draft.truncate(draft);
         self.made.truncate(made);

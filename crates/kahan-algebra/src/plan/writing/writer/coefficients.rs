@@ -1,5 +1,4 @@
-//! Constants: sums of them that multiply one product of states are one coefficient, computed when
-//! the map is prepared.
+//! Gathers sums of constants that multiply products of states into prepared coefficients.
 
 use kahan_syntax::rational::Rational;
 
@@ -8,14 +7,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use super::Writer;
 use crate::plan::writing::draft::Signed;
 
-/// The most sums of constants that are coefficients: each new one is compared with all, and has a
-/// variable of its own.
+/// The most gathered coefficients: each new one is compared with all and takes a variable.
 const MOST_GATHERED: usize = 1024;
 
 impl Writer {
-    /// The polynomial with each sum of constants that multiplies one product of states as one
-    /// coefficient; of products of constants only where they may be rounded twice. `None` where
-    /// there is no such sum.
+    /// Replaces each sum of constants that multiplies one product of states by a coefficient; sums
+    /// with products of constants only if they may be rounded twice. `None` without such a sum.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;
@@ -44,7 +41,6 @@ impl Writer {
         Some(Polynomial::from_terms(terms))
     }
 
-    /// Whether constants multiply states in a term.
     fn mixes(&self, monomial: &Monomial) -> bool {
         let (mut has_state, mut has_constant) = (false, false);
         for (variable, _) in monomial.powers() {
@@ -55,7 +51,7 @@ impl Writer {
         has_state && has_constant
     }
 
-    /// The variable that stands for a sum of constants.
+    /// Returns the variable of a sum of constants.
     pub(in crate::plan) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
         if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
             return self.scaling.coefficient(k);
@@ -69,7 +65,7 @@ impl Writer {
         variable
     }
 
-    /// What depends on no state: one prepared constant, whatever it costs.
+    /// Writes state-independent terms as one prepared constant.
     pub(super) fn fixed_sum(&mut self, terms: Vec<(Monomial, Rational)>) -> Signed {
         let nodes: Vec<Signed> =
             terms.iter().map(|(monomial, coefficient)| self.term(monomial, coefficient, None)).collect();

@@ -1,4 +1,4 @@
-//! Reuse: a polynomial as multiples of sums that are operations already, and a rest.
+//! Writes a polynomial as multiples of existing sums, and a rest.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::Table;
@@ -10,8 +10,7 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// The polynomial as multiples of sums that exist already, and a rest; `None` where no multiple
-    /// shortens it.
+    /// Writes the polynomial as multiples of existing sums and a rest; `None` if none shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();
@@ -36,8 +35,8 @@ impl Writer {
         Some(self.draft.signed_sum(&terms))
     }
 
-    /// The sum g and the term m for which P − m·g is shortest, if it is shorter by two terms, or
-    /// nothing.
+    /// Returns the sum g and the term m for which P − m·g is shortest, with P − m·g, if that is
+    /// shorter than P by at least two terms.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, Multiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
@@ -57,24 +56,23 @@ impl Writer {
     }
 }
 
-/// A term m, and what m·g leaves of a polynomial.
 struct Multiple {
     monomial: Monomial,
     ratio: Rational,
-    /// How many terms P − m·g has.
+    /// The number of terms of P − m·g.
     left: usize,
 }
 
-/// The term m that leaves the fewest terms of P − m·g, if that are fewer than `least`; of several
-/// the first, in the order of the terms of P and g of which it is the quotient.
+/// Returns the term m that leaves the fewest terms of P − m·g, if fewer than `least`; ties go to
+/// the first quotient in the order of terms of P and g.
 fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<Multiple> {
     let mut best: Option<Multiple> = None;
     for term in polynomial.as_terms() {
         let mut place = 0;
         loop {
             let below = best.as_ref().map_or(least, |best| best.left);
-            // What m·g has in common with P: its terms, and once more those with their coefficient,
-            // which are none before this one.
+            // The required overlap of m·g with P: common monomials, plus those with equal
+            // coefficients. Monomials of g before `place` have none.
             let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
             if common + place > 2 * sum.len() {
                 break;
@@ -88,8 +86,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// The quotient of a term of P by one of g, if P and its product with g have at least so much in
-/// `common`. Most have not, which shows soon.
+/// Returns the quotient of a term of P by a term of g, if P and the product with g overlap in at
+/// least `common`. Most candidates fail early.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,

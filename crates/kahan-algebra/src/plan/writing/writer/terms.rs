@@ -1,4 +1,4 @@
-//! Terms: a product of symbols with its coefficient, which goes where it costs nothing.
+//! Writes terms: a product of symbols with a coefficient, placed where it costs nothing.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,7 +10,6 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::scaling::{INVERSE_STEP, is_power_of_two};
 
 impl Writer {
-    /// coefficient · monomial · factor
     pub(super) fn term(
         &mut self,
         monomial: &Monomial,
@@ -22,8 +21,7 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// The factors of a term and its sign. A power of two goes into the ε of a scaled symbol, where
-    /// it costs nothing.
+    /// Returns the factors of a term and its sign. A power of two joins the ε of a scaled symbol.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,
@@ -58,7 +56,7 @@ impl Writer {
         (factors, negative)
     }
 
-    /// The same with all constants in one, and that in the ε of a scaled state if there is one.
+    /// Returns the factors with all constants in one product, with the ε of a scaled state if any.
     pub(super) fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
         let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
         let (mut states, constants): (Vec<Variable>, Vec<Variable>) =
@@ -84,7 +82,7 @@ impl Writer {
         factors
     }
 
-    /// (cε)·v with cε prepared.
+    /// Returns (cε)·v with cε prepared.
     pub(super) fn scaled_by(&mut self, c: &Rational, symbol: Option<Variable>) -> Node {
         let (eps, c) = (self.draft.input(self.scaling.epsilon()), self.draft.constant(c));
         let prepared = self.draft.multiply(c, eps);
