@@ -72,6 +72,7 @@ pub struct Unreadable {
     pub help: String,
 }
 
+/// A token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
     /// The kind.
