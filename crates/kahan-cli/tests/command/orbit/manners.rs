@@ -1,4 +1,4 @@
-//! What a user meets besides numbers: refusals, pipes, help.
+//! Refusals, pipes and help.
 
 use super::*;
 
