@@ -20,7 +20,6 @@ fn emit_lines(lines: &[String]) -> TokenStream {
     lines.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
-/// Returns the documentation of the stand-in for a block with mistakes.
 pub(super) fn stand_in(follows: bool) -> TokenStream {
     let line = " The block has mistakes, which the compiler reports. This stands in for what it would be, \
                 and nothing that the block claims is proved.";

@@ -91,13 +91,11 @@ fn emit_value_and_slope(
     (value, slope)
 }
 
-/// Emits the body of a function that returns a plan's results as a vector.
 pub(super) fn emit_vector(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let (bindings, results) = emit_body(context, plan);
     quote! { #bindings __kahan::vector([#(#results),*]) }
 }
 
-/// Emits the body of a function that returns a plan's results as a matrix, row by row.
 fn emit_matrix(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let (bindings, entries) = emit_body(context, plan);
     let rows = entries.chunks(context.system.field.dimension()).map(|row| quote!([#(#row),*]));

@@ -53,7 +53,6 @@ impl<'a> Type<'a> {
         !self.parameters.is_empty() || !self.site_parameters.is_empty()
     }
 
-    /// Returns `E7<T>`, or `E6` without parameters.
     pub(super) fn path(&self) -> TokenStream {
         let (name, generics) = (&self.name, self.generics());
         quote!(#name #generics)

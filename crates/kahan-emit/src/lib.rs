@@ -73,7 +73,6 @@ struct Context<'a> {
     system: &'a System,
     derived: &'a Derived,
     this: Type<'a>,
-    /// The lift, if the block asks for one.
     lifted: Option<&'a Lifted>,
     dimension: Literal,
     /// Whether the claims are proved; otherwise the code stands in for a block with mistakes.
@@ -102,7 +101,6 @@ pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
 
 struct Read {
     checked: Checked,
-    /// The lift, if the block asks for one.
     lifted: Option<Lifted>,
 }
 

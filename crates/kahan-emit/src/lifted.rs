@@ -28,7 +28,6 @@ const NODES: usize = 200;
 pub(super) struct Lifted {
     /// The number of original states, with `t` if the time occurs.
     pub(super) states: usize,
-    /// The lift, unless the block has mistakes.
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
 }

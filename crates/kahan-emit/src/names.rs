@@ -32,7 +32,6 @@ mod tests {
 
     use crate::expand;
 
-    /// Numbers of this size lead to a constant −2 that is used twice.
     #[test]
     fn a_negative_constant_has_a_name() {
         let block = "xdot = 1e1500*x; ydot = 1e-1500*y;".parse().expect("tokens");

@@ -155,7 +155,6 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Binds a value, or leaves it to be nested on use.
     fn step(&mut self, index: usize) {
         let operation = &self.plan.operations[index];
         let nested = self.operands(operation).filter(|operand| self.lets[operand.0].is_none());

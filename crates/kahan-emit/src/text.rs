@@ -61,7 +61,6 @@ fn count(tokens: &TokenStream) -> usize {
     tokens.clone().into_iter().map(inside).sum()
 }
 
-/// Formats items as a file, and a value inside a function.
 fn formatted(tokens: &TokenStream) -> String {
     let file = syn::parse2(tokens.clone())
         .or_else(|_| syn::parse2(quote! { fn scope() { let value = #tokens; } }))

@@ -15,7 +15,6 @@ pub(crate) struct Source {
     pub(crate) origin: String,
 }
 
-/// The tokens of a block with their places.
 pub(crate) struct Flat {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,

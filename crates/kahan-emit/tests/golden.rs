@@ -16,21 +16,17 @@ use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 /// The blocks, each with the functions that it shows; an empty list means all.
 const BLOCKS: [(&str, &[&str]); 7] = [
     ("e3", &[]),
-    // Parameters and quotients of them.
     ("parameters", &[]),
-    // A value, as the block has no header.
     ("anonymous", &["quotients", "prepare", "extend_scalars"]),
     // Mistakes, and a stand-in type.
     ("broken", &["integrals", "prepare"]),
     // More than eight variables: elimination along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
-    // A family: the plans of one site.
     ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
     // A lift: initial values of its new variables.
     ("lifted", &["embed", "project", "field", "E"]),
 ];
 
-/// The functions in earlier files.
 #[derive(Default)]
 struct Shown(BTreeSet<String>);
 

@@ -241,7 +241,6 @@ pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIn
     modified_integral(field, integral.numerator())
 }
 
-/// Returns the field of a form, with numbered names.
 pub(crate) fn field_of(ring: &Ring, form: &[Quadratic]) -> Field {
     let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
     let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", ring.parameters) };

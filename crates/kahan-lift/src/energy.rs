@@ -42,7 +42,6 @@ impl Mechanical {
             .collect();
         let inverse = inverse_transpose(&moves)?;
         let kinetic = kinetic_energy(ring, &partials, &momenta, &moves, &inverse)?;
-        // ∇V = −A⁻ᵀ S G
         let slope = |row: &Vec<RationalFunction>| {
             let mut slope = Laurent::zero();
             for (factor, kinetic) in row.iter().zip(&kinetic) {
@@ -123,7 +122,6 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     is_mechanical.then_some([positions, momenta])
 }
 
-/// Returns the ring with the field that moves one state at unit speed.
 fn along(ring: &Ring, state: usize) -> Ring {
     let mut ring = ring.clone();
     let unit = |other| if other == state { Laurent::number(Rational::one()) } else { Laurent::zero() };

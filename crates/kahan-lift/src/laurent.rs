@@ -62,7 +62,6 @@ impl Monomial {
         Monomial::from_exponents(self.0.iter().map(|own| own.saturating_mul(exponent)).collect())
     }
 
-    /// Returns the monomial whose square this is, if it exists.
     pub(crate) fn square_root(&self) -> Option<Self> {
         let is_square = self.0.iter().all(|exponent| exponent % 2 == 0);
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
@@ -83,7 +82,6 @@ impl Monomial {
     }
 }
 
-/// A Laurent polynomial: monomials with nonzero coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Laurent(BTreeMap<Monomial, RationalFunction>);
 
@@ -110,7 +108,6 @@ impl Laurent {
         Self::from(Monomial::power(index, 1))
     }
 
-    /// Returns the terms in ascending order of monomials.
     pub(crate) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &RationalFunction)> {
         self.0.iter()
     }
@@ -131,7 +128,6 @@ impl Laurent {
         self.0.get(monomial).cloned().unwrap_or_else(RationalFunction::zero)
     }
 
-    /// Returns the value, if no coordinate occurs.
     pub(crate) fn as_constant(&self) -> Option<RationalFunction> {
         self.terms().all(|(monomial, _)| monomial.is_one()).then(|| self.coefficient(&Monomial::one()))
     }

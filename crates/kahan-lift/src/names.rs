@@ -76,7 +76,6 @@ impl<'a> Writer<'a> {
         (sum, rest)
     }
 
-    /// Returns the factors of a numerator or denominator, none for 1.
     fn factors(&self, polynomial: &Polynomial, notation: &dyn Notation) -> Vec<String> {
         if polynomial.is_one() {
             return Vec::new();
@@ -206,7 +205,6 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Returns `x2` for x², `x1_2` for x1².
 fn raised(name: &str, exponent: u16) -> String {
     let gap = if name.ends_with(|last: char| last.is_ascii_digit()) { "_" } else { "" };
     format!("{name}{gap}{exponent}")

@@ -236,7 +236,6 @@ impl Reader {
         let finest = small(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
         let meaning = Meaning::Root(base.clone(), finest);
         let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
-            // d(P^(1/q)) = P^(1/q − 1) dP/q
             let coordinate = self.ring.coordinates.len();
             let factor = RationalFunction::constant(Rational::new(1, i64::from(finest)));
             let slope = Laurent::term(Monomial::power(coordinate, 1 - finest), factor);
@@ -424,7 +423,6 @@ impl Reader {
     }
 }
 
-/// Functions that are quotients or inverses of others.
 const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("cot", Some("cos"), "sin"),
     ("sec", None, "cos"),

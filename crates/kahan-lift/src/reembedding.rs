@@ -4,7 +4,6 @@
 use crate::embedding::{Called, Embedding, Operation};
 use crate::ring::Function;
 
-/// The largest number of iterations in a step.
 const MOST_EVALUATIONS: usize = 40;
 /// The error of a relation that counts as rounding, in units of ε_machine times its terms.
 const ROUNDING: f64 = 8.0;

@@ -76,7 +76,6 @@ impl Function {
 /// The function of the states that is a coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
-    /// A state, by its index.
     State(usize),
     /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),

@@ -38,12 +38,10 @@ pub(crate) struct Found {
     pub is_optimal: bool,
 }
 
-/// The largest number of sets that are collected at a time.
 const MOST_SETS: usize = 24;
 pub(crate) const MOST_VARIABLES: usize = 60;
 /// The number of search nodes that take the time of one local change.
 const NODES_A_CHANGE: usize = 20;
-/// The largest number of local changes for each variable.
 const LOCAL_CHANGES: usize = 40;
 
 /// The monomials that can be written in some variables.

@@ -15,7 +15,6 @@ use crate::ring::Ring;
 const HORIZON: f64 = 100.0;
 /// The largest growth exponent that counts as stable.
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
-/// The largest amplification that counts as stable.
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
 /// The amplification at which a fast growth ends the computation.
 const HOPELESS: f64 = 1e8;

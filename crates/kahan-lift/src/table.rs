@@ -14,7 +14,6 @@ struct Entry {
     monomial: Monomial,
     /// The monomials of its normal form; `None` if it is in normal form.
     rewritten: Option<Rc<[Id]>>,
-    /// The monomials of its derivative, computed on first use.
     derivative: Option<Rc<[Id]>>,
 }
 
@@ -50,7 +49,6 @@ impl<'a> Table<'a> {
         id
     }
 
-    /// Returns the numbers of the monomials of a polynomial.
     pub(crate) fn support(&mut self, polynomial: &Laurent) -> Rc<[Id]> {
         polynomial.terms().map(|(monomial, _)| self.id(monomial)).collect()
     }

@@ -4,7 +4,6 @@ use kahan_algebra::lenient;
 use kahan_lift::{Lift, Options, Reembedding, lift};
 use kahan_runtime::{Field, Map};
 
-/// A system with initial values, parameters, and a hand-written field.
 struct System {
     text: &'static str,
     start: &'static [f64],
@@ -31,7 +30,6 @@ impl System {
         [self.start.to_vec(), lift.embed(self.start, self.parameters)].concat()
     }
 
-    /// Returns the states after some steps.
     fn states(&self, lift: &Lift, eps: f64, steps: u64) -> Vec<f64> {
         let mut point = self.embedded(lift);
         self.map(lift).at(eps).advance(&mut point, steps).expect("the dimension of the lift");
@@ -47,7 +45,6 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
-/// Solves the original equations by the classical Runge–Kutta method.
 fn solution(system: &System, time: f64, steps: u32) -> Vec<f64> {
     let h = time / f64::from(steps);
     let field = system.field;
@@ -181,7 +178,6 @@ fn symmetric_projection_lets_no_energy_drift() {
         let mut states = system.start.to_vec();
         let first = energy(&states);
         let mut errors = Vec::new();
-        // Up to time 800.
         for _ in 0..20_000 {
             let converged = reembedding.step(
                 &mut states,

@@ -121,7 +121,6 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Returns the text of a token, or an empty one behind the last token.
     fn at(&self, place: usize) -> &str {
         self.given.get(place).map_or("", |(token, _)| &token.text)
     }

@@ -340,7 +340,6 @@ impl Expr {
 }
 
 impl ExprKind {
-    /// Returns a literal, with a negation around it if the value is negative.
     fn number(value: &Rational, span: Span) -> Self {
         let size = ExprKind::Number(value.abs());
         if value.is_negative() { ExprKind::Negation(Box::new(Expr { kind: size, span })) } else { size }

@@ -5,7 +5,6 @@ use kahan_syntax::lenient::read;
 use kahan_syntax::parse::parse;
 use kahan_syntax::rational::Rational;
 
-/// Returns the first mistake of a text, or its canonical form.
 fn mistake(text: &str) -> String {
     let read = read(text);
     let mut diagnostics = Diagnostics::default();

@@ -30,7 +30,6 @@ pub(crate) struct Atlas {
 }
 
 impl Atlas {
-    /// Writes the page. Returns its place, with a complaint if a claim failed.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let index = Index::begin(&self.out)?;
         let paper = Paper::new();

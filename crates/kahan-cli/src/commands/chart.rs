@@ -176,7 +176,6 @@ impl Asking for Chart {
         line.saying::<Self>(&said).with("--out", "chart.svg")
     }
 
-    /// Writes the file. Returns a summary of its contents.
     fn run(&self) -> Result<Answer, Refusal> {
         let out = OutFile::picture_or_table(&self.out)?;
         let shown = match &self.from {

@@ -21,7 +21,6 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    /// Returns the script for the command line `command`.
     pub(crate) fn run(&self, command: Command) -> Result<Answer, Refusal> {
         let mut command = naming_systems(command);
         let mut script = Vec::new();

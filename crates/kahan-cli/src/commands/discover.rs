@@ -101,7 +101,6 @@ impl Asking for Discover {
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
 
-    /// Searches, and returns or writes the report.
     fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
@@ -120,7 +119,6 @@ impl Asking for Discover {
     }
 }
 
-/// The width of lines of Rust.
 const SOURCE_WIDTH: usize = 100;
 
 /// Returns the summary, then the claims, which can be copied as a whole.
@@ -160,7 +158,6 @@ fn condition(found: &Discovered) -> String {
     if fixed.is_empty() { String::new() } else { format!(", when {}", fixed.join(", ")) }
 }
 
-/// Returns the relation of each basis, and how to evaluate it.
 fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     let variables = &found.report.variables;
     found.report.bases.iter().enumerate().map(|(number, basis)| {
@@ -211,5 +208,4 @@ fn latex(found: &Discovered) -> String {
     page.text
 }
 
-/// The width of the labels of numbers.
 const KEY_WIDTH: usize = 21;

@@ -105,7 +105,6 @@ impl Asking for Dynamics {
         ))
     }
 
-    /// Observes the orbit. Complains if it ends early.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let observed = asked.ask(&study, &Prompt::of("steps"))?;

@@ -47,7 +47,6 @@ impl Asking for Eval {
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
 
-    /// Evaluates. Complains at a pole.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let values = asked.ask(&study, &Unwatched)?;
@@ -56,7 +55,6 @@ impl Asking for Eval {
     }
 }
 
-/// Says why the point has no image.
 fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     let (name, place) = (study.name(), study.place(&asked.at, &asked.eps));
     match why {
@@ -97,7 +95,6 @@ fn readable(objects: &Value) -> String {
 }
 
 fn lines_of(label: &str, value: &Value) -> Vec<String> {
-    /// The width of the labels.
     const LABELS: usize = 16;
     let cell = |value: &Value| match value {
         Value::Null => "undefined".to_owned(),

@@ -90,7 +90,6 @@ pub(crate) struct Extremes {
 }
 
 impl Extremes {
-    /// Returns the table of all cells. Complains if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let Extremes { trials, random_fields, odd_fields, odd_trials, seed, .. } = *self;
         let asked = Question { trials, random_fields, odd_fields, odd_trials, seed };
@@ -110,7 +109,6 @@ impl Extremes {
     }
 }
 
-/// The width of the labels below the table.
 const LABELS: usize = 15;
 
 fn text(judged: &Judged) -> String {
@@ -137,7 +135,6 @@ fn text(judged: &Judged) -> String {
     paragraphs([cells, lines])
 }
 
-/// Lists the failures of the stable tier.
 fn complaint(judged: &Judged) -> Option<String> {
     let [wrong, flags] = judged.against_the_promise();
     let examples = joined(judged.tally.failures.iter().map(|failure| &failure.text), "; ");

@@ -69,7 +69,6 @@ impl Asking for Heights {
         Ok((study, Question { eps, at, steps, digits, seconds }))
     }
 
-    /// Measures the heights. Complains at a pole.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
@@ -111,7 +110,6 @@ fn text(found: &HeightsFound, asked: &Question) -> String {
     paragraphs([steps, measured])
 }
 
-/// Says which limit ended the orbit, and how to raise it.
 fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
     let (bound, option) = match found.survey.stopped? {
         Stop::Pole => return None,

@@ -92,7 +92,6 @@ impl Lift {
     }
 }
 
-/// Returns a relation with its behaviour along the orbit.
 fn relation(found: &LiftFound, relation: &RelationFound) -> String {
     let verdict = relation.verdict_asking("give --at");
     format!("{}: {verdict}", found.equation(relation))

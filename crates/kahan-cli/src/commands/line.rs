@@ -22,7 +22,6 @@ pub(crate) trait Asking: Args + FromArgMatches {
         line.saying::<Self>(asked)
     }
 
-    /// Asks, and formats the answer.
     fn run(&self) -> Result<Answer, Refusal>;
 }
 
@@ -33,7 +32,6 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// Begins a line with a command and the words that name a system.
     pub(crate) fn new(command: &'static str, system: &[String]) -> Self {
         Line { command, words: system.to_vec() }
     }
@@ -52,7 +50,6 @@ impl Line {
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {
                 Value::Array(list) if is_repeated => list.clone(),
-                // An axis becomes `NAME=RANGE`.
                 Value::Object(axes) => {
                     axes.iter().map(|(name, range)| json!(format!("{name}={}", words(range)))).collect()
                 }
@@ -78,7 +75,6 @@ impl Line {
         self
     }
 
-    /// Appends an option if it has a value.
     pub(crate) fn with_some(self, option: &str, value: Option<impl ToString>) -> Self {
         value.into_iter().fold(self, |line, value| line.with(option, value))
     }

@@ -72,7 +72,6 @@ pub(super) fn usual() -> Sheet {
     Sheet::new((960, 720), Theme::Viewer)
 }
 
-/// A file that `--out` names.
 pub(super) struct OutFile {
     sink: Sink,
     /// The format of a picture; `None` for a table.

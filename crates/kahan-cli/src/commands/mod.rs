@@ -36,7 +36,6 @@ macro_rules! commands {
         }
 
         impl Line {
-            /// Returns the command line that asks a question about a system.
             fn asking(system: &[String], question: &Question) -> Self {
                 match question {
                     $($($(

@@ -135,7 +135,6 @@ impl Asking for Orbit {
         Ok((study, self.question(eps, at)))
     }
 
-    /// Writes the rows. Returns a complaint or a description, if any.
     fn run(&self) -> Result<Answer, Refusal> {
         if let Some(start) = &self.begin {
             return self.chain(start);
@@ -170,7 +169,6 @@ impl Orbit {
         Question { eps, at, transient, steps, every, scalar, order, method, projective, reembed }
     }
 
-    /// Writes the orbit of a chain that begins as `--start` says.
     fn chain(&self, start: &str) -> Result<Answer, Refusal> {
         let has_numbers = self.scalar != ScalarKind::F64 || self.order != 2;
         if has_numbers || self.method != Method::Kahan {

@@ -93,7 +93,6 @@ impl Page {
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 
-    /// Returns the command line that writes the page.
     fn line(&self, block: &Block) -> Line {
         let line = Line::new("page", &self.source.words(block));
         let line = self.step.given().into_iter().fold(line, |line, (option, text)| line.with(option, text));
@@ -204,7 +203,6 @@ fn introduction(subject: &Subject<'_>) -> Markup {
 
 /// Returns the field with the integrals that were found, if there are any and they are short.
 fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field> {
-    /// The length of a text beyond which it is not readable.
     const LONGEST: usize = 800;
 
     let Ok(Found::Discover(found)) = &found.answer else { return None };

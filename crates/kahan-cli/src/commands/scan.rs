@@ -68,7 +68,6 @@ impl Asking for Scan {
     }
 }
 
-/// Describes a relation, with the claims that are proved where it holds.
 fn relation_lines(found: &Proposal) -> Vec<String> {
     let Proposal { relation, points, claims, .. } = found;
     let integrals = match found.sight.integrals {

@@ -27,10 +27,8 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// Returns the exit status of kahan-sweep.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         match sweeper().args(&self.arguments).status() {
-            // kahan-sweep has printed its answer.
             Ok(status) => {
                 Ok(Answer::silent(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
             }

@@ -115,7 +115,6 @@ impl Asking for Trade {
         self.asked_of(&self.source.required_block()?)
     }
 
-    /// Returns the front and the choice. Complains if no setting meets the tolerance.
     fn run(&self) -> Result<Answer, Refusal> {
         let out = self.out.as_deref().map(OutFile::picture).transpose()?;
         let block = self.source.required_block()?;
@@ -252,7 +251,6 @@ fn notes(traded: &Traded) -> Vec<String> {
     lines
 }
 
-/// Says why there is no choice.
 fn complaint(traded: &Traded) -> Option<String> {
     if traded.choice().is_some() {
         return None;

@@ -53,7 +53,6 @@ impl Asking for Verify {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
 
-    /// Verifies. Complains if a claim fails.
     fn run(&self) -> Result<Answer, Refusal> {
         let source = self.source();
         let prompt = Prompt::of("claims");
@@ -88,7 +87,6 @@ const ALL: &str = "Show every claim with its statement, its source and its time"
 
 const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;`, `drift NAME = … by …;` or `bracket NAME { … }`";
 
-/// Summarises mutated claims.
 fn mutated(answer: &Mutations) -> String {
     let claims = answer.mutations.len();
     if claims == 0 {
@@ -102,7 +100,6 @@ fn mutated(answer: &Mutations) -> String {
     )
 }
 
-/// Lists the claims that fail, or that survive every mutation.
 fn complaint(verified: &Verified) -> Option<String> {
     match verified {
         Verified::Claims(verdicts) => verdicts.complaint(),

@@ -19,7 +19,6 @@ const USUAL_WIDTH: usize = 80;
 /// The smallest width of a terminal that is respected.
 const NARROWEST: usize = 20;
 
-/// Returns the width for tables.
 pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
 }
@@ -44,7 +43,6 @@ fn longest_word(text: &str) -> usize {
     text.split(' ').map(length).max().unwrap_or(0)
 }
 
-/// Returns the largest size of a cell in a column.
 fn largest(rows: &[Vec<String>], column: usize, size: fn(&str) -> usize) -> usize {
     rows.iter().filter_map(|row| row.get(column)).map(|cell| size(cell)).max().unwrap_or(0)
 }
@@ -54,7 +52,6 @@ fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
 
-/// Puts headings above rows.
 pub(crate) fn headed<H: ToString>(
     headings: impl IntoIterator<Item = H>,
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -164,7 +161,6 @@ fn row_within(row: &[String], widths: &[usize]) -> Vec<String> {
     (0..height).map(line).collect()
 }
 
-/// Formats each row as a list of headings and cells.
 fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let names = heading.iter().map(|name| length(name)).max().unwrap_or(0).min(width / 2);

@@ -2,10 +2,8 @@
 
 use super::sink::{Broken, Sink};
 
-/// An array of floats that is being written to a file.
 pub(crate) struct Npy {
     sink: Sink,
-    /// The shape of a row.
     row: Vec<usize>,
     rows: u64,
 }

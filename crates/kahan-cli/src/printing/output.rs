@@ -13,7 +13,6 @@ use super::layout::terminal_width;
 /// The result of a command with valid arguments.
 #[derive(Debug)]
 pub(crate) struct Answer {
-    /// The text for standard output.
     pub(crate) text: String,
     /// Whether a terminal may break lines at spaces.
     pub(crate) breaks: bool,
@@ -79,9 +78,7 @@ fn paragraph(message: &str) -> String {
     format!("error: {}\n", brief(message))
 }
 
-/// Prints a note to standard error.
 pub(crate) fn warn(note: &str) {
-    // A closed standard error is ignored.
     let _ = writeln!(io::stderr(), "note: {note}");
 }
 
@@ -97,7 +94,6 @@ pub(crate) fn finish(result: Result<Answer, Refusal>) -> u8 {
         Err(Refusal(reports)) => (String::new(), reports, 2),
     };
     let written = io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush());
-    // A closed standard error is ignored.
     let _ = io::stderr().write_all(complaint.as_bytes());
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

@@ -8,7 +8,6 @@ use kahan_study::ClaimShown;
 
 use super::layout::{self, screen_width};
 
-/// A text to which lines are appended.
 #[derive(Default)]
 pub(crate) struct Page {
     pub(crate) text: String,
@@ -75,7 +74,6 @@ pub(crate) fn column(entries: &[String]) -> Vec<String> {
     matrix(&singletons(entries), '[', ']')
 }
 
-/// Aligns equations in LaTeX, one a row.
 pub(crate) fn aligned(lines: Vec<String>) -> String {
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
 }

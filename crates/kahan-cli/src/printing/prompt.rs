@@ -52,24 +52,20 @@ impl Prompt {
         Prompt { bar, since: Instant::now(), end: None, done: AtomicU64::new(0) }
     }
 
-    /// Stops the work after this time.
     pub(crate) fn within(self, seconds: f64) -> Self {
         // A century is as good as no limit, and fits every clock.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         Prompt { end: Some(self.since + allowed), ..self }
     }
 
-    /// Returns whether the time is up.
     pub(crate) fn is_over(&self) -> bool {
         self.end.is_some_and(|end| Instant::now() >= end)
     }
 
-    /// Shows the stage that begins.
     pub(crate) fn say(&self, stage: &str) {
         self.bar.set_message(stage.to_owned());
     }
 
-    /// Adds the steps of a finished part.
     pub(crate) fn done(&self, steps: u64) {
         let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
         self.bar.set_position(done);

@@ -14,7 +14,6 @@ use tempfile::NamedTempFile;
 use super::interrupt::{Unfinished, unfinished};
 use super::output::Refusal;
 
-/// A destination of rows.
 pub(crate) struct Sink(Place);
 
 enum Place {
@@ -105,7 +104,6 @@ impl Sink {
         written.map_err(|error| self.broken(&error))
     }
 
-    /// Overwrites the beginning of a file.
     pub(super) fn overwrite_beginning(&mut self, bytes: &[u8]) -> Result<(), Broken> {
         let Place::File { writer, .. } = &mut self.0 else { return Ok(()) };
         let written = writer.rewind().and_then(|()| {
@@ -115,7 +113,6 @@ impl Sink {
         written.map_err(|error| self.broken(&error))
     }
 
-    /// Writes the whole content and finishes.
     pub(crate) fn put(mut self, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
         self.write(content)?;
         Ok(self.finish()?)

@@ -17,18 +17,15 @@ pub(crate) enum Format {
     Json,
 }
 
-/// A table that is being written to a sink.
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
     /// The first cells of all rows of an orbit, one value each, which identify it among several.
     place: Vec<Kept>,
-    /// A buffer for the current row.
     line: String,
     has_rows: bool,
     /// The width of the terminal that shows the rows.
     width: Option<usize>,
-    /// The error of the sink.
     broken: Option<Broken>,
     /// Whether rows are computed even without a reader.
     outlives_reader: bool,
@@ -63,7 +60,6 @@ impl Table {
         self.place = place;
     }
 
-    /// Sets whether rows are computed even without a reader.
     pub(crate) fn outlive_reader(&mut self, does: bool) {
         self.outlives_reader = does;
     }
@@ -85,7 +81,6 @@ impl Table {
         }
     }
 
-    /// Returns the error of the sink, if any.
     pub(crate) fn written(&mut self) -> Result<(), Broken> {
         self.broken.take().map_or(Ok(()), Err)
     }

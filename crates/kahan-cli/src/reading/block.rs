@@ -29,7 +29,6 @@ const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
 /// A text that contains a field.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
-    /// The entry of the catalog, if it is one.
     pub(crate) entry: Option<&'static Entry>,
     text: FieldText,
     /// Whether the block is in a call of the macro.
@@ -55,7 +54,6 @@ impl Block {
         Block { entry, ..Block::within(text, body, origin) }
     }
 
-    /// Reads the field in a file of `np.savez`.
     pub(super) fn of_arrays(path: &Path) -> Result<Self, Refusal> {
         let origin = path.display();
         let bytes = fs::read(path)
@@ -65,7 +63,6 @@ impl Block {
         Ok(Block { entry: None, text, is_rust: false })
     }
 
-    /// Takes a part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
         let is_rust = body != (0..text.len());
         let block = Block { entry: None, text: FieldText::part(text, body, origin), is_rust };
@@ -95,7 +92,6 @@ impl Block {
         })
     }
 
-    /// Returns the text as it was given.
     pub(crate) fn text(&self) -> &str {
         self.text.given()
     }
@@ -139,7 +135,6 @@ impl Block {
         (are_states && letters.len() > 1).then(|| letters.join("*"))
     }
 
-    /// Returns the values that the text gives to parameters.
     pub(super) fn parameters(&self) -> &[(String, Rational)] {
         self.text.parameters()
     }

@@ -17,7 +17,6 @@ impl Start {
     /// Reads the chain that begins as `--start` says. Variables get names if there are at most
     /// `most_names`.
     pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, Refusal> {
-        /// The limit of memory.
         const MOST_SITES: usize = 1 << 28;
 
         let block = self.source.required_block()?;
@@ -129,7 +128,6 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
     )))
 }
 
-/// Returns the formulas in the order of the arrays.
 fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Formula>, Refusal> {
     let mut formulas: Vec<Option<Formula>> = vec![None; arrays.len()];
     for (name, formula) in given {

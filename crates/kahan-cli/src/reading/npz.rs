@@ -28,7 +28,6 @@ struct Part {
     entries: Vec<(usize, usize, f64)>,
 }
 
-/// Reads the coefficients of a field.
 pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     let mut files = files(bytes).map_err(|error| format!("is no file of np.savez: {error}"))?;
     let parts: Vec<Part> = ["c", "B", "Q"]
@@ -95,7 +94,6 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     Ok(field)
 }
 
-/// Refuses arrays with unknown names.
 fn others(files: &Files) -> String {
     let what = if files.len() == 1 { "an array" } else { "arrays" };
     let names = joined(files.keys().map(|name| format!("`{name}`")), ", ");

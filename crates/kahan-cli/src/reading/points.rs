@@ -11,7 +11,6 @@ use kahan_study::number_file::{Entry, Numbers};
 use super::values::number;
 use crate::printing::Refusal;
 
-/// Returns whether a text names a file of numbers.
 pub(crate) fn is_number_file(text: &str) -> bool {
     let ending = Path::new(text).extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| ending == "npy" || ending == "csv")
@@ -61,7 +60,6 @@ pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     Some((first.split(',').map(|part| number(part, "--at").ok()).collect::<Option<_>>()?, Vec::new()))
 }
 
-/// Returns the only point, or refuses several.
 pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, Refusal> {
     match (points.pop(), points.len()) {
         (Some(point), 0) => Ok(point),
@@ -73,7 +71,6 @@ pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<V
     }
 }
 
-/// Reads one coordinate for each state.
 fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
     let parts: Vec<&str> = text.split(',').collect();
     if Path::new(text).is_file() && parts.iter().any(|part| number(part, "--at").is_err()) {

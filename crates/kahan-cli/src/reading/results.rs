@@ -18,7 +18,6 @@ pub(crate) fn sweeper() -> Command {
     Command::new(beside.unwrap_or_else(|| PathBuf::from(&name)))
 }
 
-/// Says why kahan-sweep did not start.
 pub(crate) fn not_started(error: &io::Error) -> Refusal {
     Refusal::new(if error.kind() == io::ErrorKind::NotFound {
         "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install \

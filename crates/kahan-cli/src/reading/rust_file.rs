@@ -15,7 +15,6 @@ const MACRO: &str = "kahan";
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RustBlock {
-    /// The bytes between its brackets.
     pub(super) range: Range<usize>,
     /// The line of `kahan!`, from 1.
     pub(super) line: usize,
@@ -30,7 +29,6 @@ struct Piece<'a> {
     range: Range<usize>,
 }
 
-/// Returns the calls in a text, in order.
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
     // Most texts have none, and may be long.
     if !text.contains(MACRO) {

@@ -74,7 +74,6 @@ pub(crate) struct Source {
     t0: Option<String>,
 }
 
-/// Reads the criterion of a lift.
 fn which() -> impl TypedValueParser<Value = Which> {
     one_of(&Which::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
@@ -105,7 +104,6 @@ impl StepLength {
         self.eps.as_deref().filter(|text| text.contains(':'))
     }
 
-    /// Returns the given option with its text.
     pub(crate) fn given(&self) -> Option<(&'static str, &str)> {
         let eps = self.eps.as_deref().map(|eps| ("--eps", eps));
         eps.or_else(|| self.dt.as_deref().map(|dt| ("--dt", dt)))
@@ -211,7 +209,6 @@ impl Source {
         Ok(Some(Lifting { which, start, names, near, time, shows_all: self.all }))
     }
 
-    /// Returns whether a field was named.
     pub(crate) fn is_named(&self) -> bool {
         self.system.is_some() || self.field.is_some() || self.file.is_some()
     }
@@ -240,7 +237,6 @@ impl Source {
         Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
     }
 
-    /// Returns the named field, without its parameters.
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
         match &self.system {
             Some(name) if self.field.is_none() && self.file.is_none() => Ok(Subject::named(name)),
@@ -248,7 +244,6 @@ impl Source {
         }
     }
 
-    /// Returns the named block, if any.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
@@ -322,7 +317,6 @@ impl Source {
 
 /// Returns a note on the undeclared names in a text that have no value.
 fn undeclared_in(block: &Block, given: &[&str]) -> Option<String> {
-    /// The largest number of names in the note.
     const MOST: usize = 8;
 
     let mut names = block.undeclared();

@@ -9,7 +9,6 @@ use super::source::{Source, Start};
 use crate::printing::{Refusal, warn};
 
 impl Source {
-    /// Returns the field with the given parameters.
     pub(crate) fn study(&self) -> Result<Study, Refusal> {
         self.study_at(None)
     }
@@ -50,7 +49,6 @@ impl Source {
         Ok(self.subject_of(subject, at, axes)?.study(&Systems)?)
     }
 
-    /// Adds lift, parameters and sites to the subject.
     fn subject_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Subject, Refusal> {
         let middle = |axis: &Axis| (axis.name.clone(), axis.range.value(axis.range.count() / 2));
         let lifting = self.lifting(at.and_then(first_point), axes.iter().map(middle).collect())?;
@@ -64,13 +62,11 @@ impl Source {
 type Points = Vec<Vec<Rational>>;
 
 impl Start {
-    /// Returns the field, the only start, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
         let (study, starts, eps) = self.starts()?;
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all starts, and ε.
     pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), Refusal> {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;

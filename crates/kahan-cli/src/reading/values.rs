@@ -23,7 +23,6 @@ pub(crate) fn named<'a>(given: &'a str, option: &str, example: &str) -> Result<(
     })
 }
 
-/// Reads an integer between `least` and `most`.
 pub(crate) fn whole<T>(least: T, most: T) -> impl TypedValueParser<Value = T>
 where
     T: Copy + Display + TryFrom<i128> + Send + Sync + 'static,
@@ -31,7 +30,6 @@ where
     move |text: &str| numbers::whole(text, least, most)
 }
 
-/// Reads a positive number of seconds.
 pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())

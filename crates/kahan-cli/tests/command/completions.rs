@@ -4,7 +4,6 @@ use std::process::{Command, Stdio};
 
 use crate::running::{answer, refusal};
 
-/// Returns the output of a shell, if it is installed.
 fn shell(name: &str, arguments: &[&str]) -> Option<String> {
     let output = Command::new(name).args(arguments).stdin(Stdio::null()).output().ok()?;
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

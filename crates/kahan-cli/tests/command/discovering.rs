@@ -290,7 +290,6 @@ fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {
     }
 }
 
-/// Returns the values of a scan at which `wanted` integrals are seen.
 fn with_integrals(scan: &Value, name: &str, wanted: u64) -> Vec<String> {
     let points = scan["points"].as_array().expect("a list").iter();
     let chosen = points.filter(|point| point["sight"]["independent_integrals"] == wanted);

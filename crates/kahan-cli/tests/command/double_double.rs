@@ -24,13 +24,11 @@ fn object(arguments: &str) -> Value {
     serde_json::from_str(&answer(arguments)).expect("JSON")
 }
 
-/// Returns the states in a table.
 fn points(csv: &str, dimension: usize) -> Vec<Vec<String>> {
     let row = |line: &str| line.split(',').skip(2).take(dimension).map(str::to_owned).collect();
     csv.lines().skip(1).map(row).collect()
 }
 
-/// Writes a number as the command does.
 fn written(number: Dd) -> String {
     let text = number.to_string();
     if text.contains(['.', 'e']) { text } else { text + ".0" }
@@ -59,7 +57,6 @@ fn steps_are_those_of_the_compiled_library_to_the_last_digit() {
     assert_eq!(points(&csv, 2), library(orbit.composed(Composition::KAHAN_LI_8), 20));
 }
 
-/// Returns the exact value of a decimal.
 fn rational(text: &str) -> BigRational {
     let (significand, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, fraction) = significand.split_once('.').unwrap_or((significand, ""));

@@ -393,7 +393,6 @@ fn what_is_gone_through_has_no_other_value() {
     }
 }
 
-/// Returns a chart of rows as a table.
 fn chart_of_rows(rows: &str, arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();

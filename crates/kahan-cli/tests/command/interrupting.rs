@@ -14,7 +14,6 @@ fn started(arguments: &[&str]) -> Child {
     command.args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command runs")
 }
 
-/// Waits for a condition, at most a minute.
 fn wait_until(mut is_so: impl FnMut() -> bool) {
     let start = Instant::now();
     while !is_so() {
@@ -112,12 +111,10 @@ fn long_calls(folder: &Path) -> Vec<Vec<String>> {
     LINES.iter().map(|line| line.split_whitespace().flat_map(word).collect()).collect()
 }
 
-/// A run that ends with the test.
 struct Run(Child);
 
 impl Drop for Run {
     fn drop(&mut self) {
-        // Fails if the run has ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

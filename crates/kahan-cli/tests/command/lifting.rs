@@ -15,7 +15,6 @@ fn lifted(field: &str, more: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).expect("one object")
 }
 
-/// Returns the heading and the rows of an orbit.
 fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -26,7 +25,6 @@ fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     (heading, lines.map(numbers).collect())
 }
 
-/// Returns the behaviour of the relations.
 fn fates(object: &Value) -> Vec<&str> {
     let relations = object["relations"].as_array().expect("a list");
     relations.iter().map(|relation| relation["along"].as_str().unwrap_or("null")).collect()

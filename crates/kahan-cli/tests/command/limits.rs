@@ -6,7 +6,6 @@ use crate::running::refusal;
 
 const REFERENCE: &str = include_str!("../../../../kahan-core/docs/language.md");
 
-/// Returns the rows of the table: subject and limit.
 fn table() -> Vec<(&'static str, u64)> {
     let (_, section) =
         REFERENCE.split_once("\nQuestions about a field have limits, too.\n").expect("the table");
@@ -19,7 +18,6 @@ fn table() -> Vec<(&'static str, u64)> {
     rows.collect()
 }
 
-/// Returns a ring of equations, each of which names the next variable.
 fn ring(variables: usize) -> String {
     (0..variables).map(|k| format!("x{k}dot = x{};", (k + 1) % variables)).collect()
 }

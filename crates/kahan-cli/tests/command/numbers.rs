@@ -68,7 +68,6 @@ fn what_is_no_count_is_told_so() {
     assert!(said.contains("4096"), "{said}");
 }
 
-/// The largest length of a paragraph about one mistake.
 const LONGEST: usize = 900;
 
 #[test]

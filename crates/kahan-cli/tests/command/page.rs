@@ -12,13 +12,11 @@ use crate::running::{answer, kahan, refusal, text};
 #[cfg(unix)]
 use crate::running::{examples_run, shell};
 
-/// Makes a page with these arguments.
 fn page(folder: &Path, arguments: &[&str]) -> String {
     answer(&[&["page"], arguments, &["--out", folder.to_str().expect("UTF-8")]].concat());
     fs::read_to_string(folder.join("index.html")).expect("the page")
 }
 
-/// Returns the commands on a page as texts.
 fn commands(page: &str) -> Vec<String> {
     let parts = page.split("<pre class=\"command\"").skip(1);
     let code = |part: &str| {
@@ -29,7 +27,6 @@ fn commands(page: &str) -> Vec<String> {
     parts.map(code).collect()
 }
 
-/// Returns the drawing in the figure `id`.
 fn drawing<'a>(page: &'a str, id: &str) -> &'a str {
     let figure = page.split_once(&format!("id=\"{id}\"")).expect("the figure").1;
     let svg = figure.split_once("<svg").expect("a drawing").1;
@@ -103,7 +100,6 @@ fn a_page_is_well_formed_and_fetches_nothing() {
     }
 }
 
-/// Returns the caption of a figure.
 fn caption<'a>(page: &'a str, id: &str) -> &'a str {
     let figure = page.split_once(&format!("id=\"{id}\"")).expect("the figure").1;
     figure.split_once("<figcaption>").and_then(|(_, rest)| rest.split_once("</figcaption>")).expect("words").0

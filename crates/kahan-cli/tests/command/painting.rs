@@ -4,7 +4,6 @@
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// Returns the drawings in a text.
 pub(crate) fn drawings(text: &str) -> Vec<&str> {
     let parts = text.match_indices("<svg").map(|(start, _)| &text[start..]);
     parts

@@ -30,7 +30,6 @@ fn may_not_make_the_field_divide_by_zero() {
     assert!(paragraph.contains("a = 1") && paragraph.contains("divides by zero"), "{paragraph}");
 }
 
-/// Returns standard error of a run that succeeds.
 fn said(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -63,7 +62,6 @@ fn that_nothing_declares_are_said_once_by_every_command() {
     );
     let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];
     assert_eq!(said(&family), k);
-    // The time is not a parameter.
     assert!(refusal(&["show", "--field", "xdot = t*x;"]).contains("write one more equation, `tdot = 1;`"));
     // A value, a range, a header or a program declares a name.
     let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";

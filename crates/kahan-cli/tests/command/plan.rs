@@ -8,7 +8,6 @@ const DENSE: &str = "
     ddot = (a+2*b+c-d+e+f+g-h)^2 + d*e; edot = (3*a+b+c+d-e+f+g+h)^2 + e*f; fdot = (a+b+c-2*d+e-f+g+h)^2 + f*g;
     gdot = (a-b+c+d+e+5*f-g+h)^2 + g*h; hdot = (a+b+7*c+d-e+f+g-h)^2 + h*a;";
 
-/// Returns the rows of the table, from its heading to the next empty line.
 fn rows(page: &str) -> Vec<&str> {
     page.lines().skip_while(|line| !line.starts_with("object")).take_while(|line| !line.is_empty()).collect()
 }

@@ -43,7 +43,6 @@ pub(crate) fn object(arguments: &[&str]) -> Value {
     serde_json::from_str(&answer(arguments)).expect("one JSON object")
 }
 
-/// Returns the paragraph of a refusal.
 pub(crate) fn refusal(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     let paragraph = text(&output.stderr);

@@ -31,7 +31,6 @@ fn main() {
 }
 "#;
 
-/// Writes a file with this text.
 fn file(folder: &tempfile::TempDir, text: &str) -> String {
     let path = folder.path().join("blocks.rs");
     std::fs::write(&path, text).expect("a file");

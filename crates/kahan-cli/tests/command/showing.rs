@@ -63,7 +63,6 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
     assert!(special.contains("pub struct E9;") && !special.contains("__p_xi"), "{special}");
 }
 
-/// Returns the commands that `kahan --help` lists.
 fn commands() -> Vec<String> {
     let help = answer(&["--help"]);
     let listed = help.split("\nOptions:").next().expect("what stands above");

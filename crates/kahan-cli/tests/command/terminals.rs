@@ -2,13 +2,11 @@
 
 use crate::running::{answer, kahan, text};
 
-/// Six variables, for wide tables and matrices.
 const WIDE: &str = "xdot = y*z; ydot = -x*z; zdot = x*y + u; udot = v*w; vdot = -u*w; wdot = 0*u; \
                     integral a_rather_long_name_of_an_integral = w^2;";
 /// A number of thirty digits, with images of more than a line.
 const LONG: &str = "123456789012345678901234567891/7";
 
-/// Returns calls that print tables, with their outputs.
 fn tables() -> Vec<(Vec<String>, String)> {
     let mut runs: Vec<Vec<&str>> = vec![vec!["list"], vec!["verify", "general"]];
     for system in ["euler", "lv", "e3", "e7", "volterra4", "lagrange", "zhukovsky"] {
@@ -112,7 +110,6 @@ fn piped_formulas_are_whole() {
     }
 }
 
-/// Terminals of 80 and of 50 columns.
 #[cfg(unix)]
 mod on_a_terminal {
     use std::fs::File;

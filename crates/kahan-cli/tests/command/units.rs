@@ -8,7 +8,6 @@ use crate::running::{answer, object, text};
 const FIELD: &str = "xdot = nu*y; ydot = nu*(0.1/q - x - 0.2*y + 0.3*q*x^2);";
 const UNITS: [[i32; 2]; 4] = [[40, 0], [-250, 0], [0, 30], [17, -40]];
 
-/// Returns n·2^exponent with all digits.
 fn scaled(n: i64, exponent: i32) -> String {
     let power = f64::from(exponent.abs()).exp2();
     if exponent < 0 { format!("{n}/{power:.0}") } else { format!("{:.0}", n as f64 * power) }

@@ -326,7 +326,6 @@ fn first_values_are_those_of_the_expressions() {
     let values = lift.embed(&[x, v], &[]);
     for (new, value) in lift.new.iter().zip(values) {
         let expression = new.expression.as_ref().expect("an expression");
-        // The expression becomes the right-hand side of an equation.
         let again =
             lifted(&format!("x' = v; v' = 0*x; w' = {expression}"), &Options::default()).expect(expression);
         let slope = Builder::embedding(&again.ring, &again.ring.field).values(&[x, v, 0.0], &[])[2];

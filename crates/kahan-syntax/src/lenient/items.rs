@@ -40,7 +40,6 @@ impl Reader<'_> {
         items
     }
 
-    /// Returns the token behind the item that begins at `start`.
     fn end_of(&self, start: usize, left: Option<&Left>) -> usize {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");

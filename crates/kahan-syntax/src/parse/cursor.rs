@@ -106,7 +106,6 @@ impl<'a> Cursor<'a> {
         Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
     }
 
-    /// Returns the span of the token just read.
     pub(super) fn behind(&self) -> Span {
         Span::token(self.at.saturating_sub(1))
     }
@@ -154,7 +153,6 @@ impl<'a> Cursor<'a> {
         Ok(name)
     }
 
-    /// Returns the mistake that another token stands where `what` is expected.
     pub(super) fn missing(&self, kind: Kind, span: Span, what: &str, help: impl Into<String>) -> Diagnostic {
         Diagnostic::new(kind, span, format!("expected {what}, found {}", self.describe_next()), help)
     }

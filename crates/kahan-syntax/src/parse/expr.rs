@@ -180,7 +180,6 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
     }
 }
 
-/// Reads a parenthesis from the `(` that is next to its `)`.
 pub(super) fn in_parentheses<T>(
     cursor: &mut Cursor<'_>,
     depth: usize,

@@ -137,7 +137,6 @@ fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
     )
 }
 
-/// Reads the parameters up to `close`. Each may carry attributes.
 fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnostics: &mut Diagnostics) {
     cursor.advance();
     while cursor.peek(0).is_some_and(|token| !matches!(token.kind, TokenKind::Close(_))) {

@@ -114,7 +114,6 @@ fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagno
     }
 }
 
-/// Reads the header. Returns the cursor behind it and the block.
 fn begin<'a, X>(tokens: &'a [Token], diagnostics: &mut Diagnostics) -> (Cursor<'a>, Block<X>) {
     let (mut cursor, mut block) = (Cursor::new(tokens), Block::default());
     block.header = header::parse_header(&mut cursor, &mut block.lift, diagnostics);

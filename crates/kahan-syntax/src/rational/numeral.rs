@@ -3,9 +3,7 @@
 /// The parts of a numeral, which ends as in Rust: `1..2` and `1.x` begin with the numeral `1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numeral<'a> {
-    /// The digits and underscores before the point.
     pub(crate) whole: &'a str,
-    /// The digits and underscores behind the point.
     pub(crate) fraction: &'a str,
     pub(crate) exponent: &'a str,
     pub(crate) rest: &'a str,

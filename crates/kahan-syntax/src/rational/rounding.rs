@@ -80,7 +80,6 @@ impl Rational {
     }
 }
 
-/// Returns the bits of the float of `format` nearest to num/den.
 pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64 {
     if num.is_zero() {
         return 0;

@@ -9,7 +9,6 @@ fn q(text: &str) -> Rational {
     Rational::parse(text).unwrap_or_else(|| panic!("{text} should read as a number"))
 }
 
-/// Returns rationals around the border between small and big.
 fn samples() -> Vec<Rational> {
     let edges =
         [0, 1, -1, 2, 3, -6, 12, 1 << 31, (1 << 31) + 1, -(1 << 53) - 1, i64::MAX, i64::MIN, i64::MIN + 1];

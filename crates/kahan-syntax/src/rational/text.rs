@@ -27,7 +27,7 @@ impl Rational {
     }
 }
 
-/// Reads a decimal without a sign, also `.5` and `5.e3`, which the lexer reads otherwise.
+/// Reads a decimal without a sign, also `.5` and `5.e3`.
 fn decimal(text: &str) -> Option<Rational> {
     if let Some(value) = short_decimal(text) {
         return Some(value);

@@ -12,7 +12,6 @@ pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
     /// Ranges, or names of columns, whose values are then the middles of the cells.
     pub(super) over: &'a [String],
-    /// The column to show.
     pub(super) column: String,
     /// Conditions NAME=VALUE on rows.
     pub(super) chosen: &'a [String],
@@ -67,7 +66,6 @@ impl<'a> Rows<'a> {
         let mut cells = vec![Cell::default(); count];
         for row in rows {
             let place = |axis: usize| ranges[axis].range.place(columns[axis][row]);
-            // The first axis varies fastest.
             let cell = axes.clone().rev().try_fold(0, |cell, axis| Some(cell * counts[axis] + place(axis)?));
             if let Some(cell) = cell {
                 cells[cell].add(shown(values[row]));
@@ -112,7 +110,6 @@ fn choice(given: &str) -> Result<(&str, f64), Refusal> {
     Ok((name, number(value, "--where")?.to_f64()))
 }
 
-/// The sum over the rows in a cell.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     rows: usize,

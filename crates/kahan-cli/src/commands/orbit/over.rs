@@ -85,7 +85,6 @@ impl Orbit {
         })
     }
 
-    /// Returns a value as a cell in the rows of its orbit.
     fn cell(&self, value: &Rational) -> Kept {
         match self.scalar {
             ScalarKind::Exact => Kept::Exact(vec![Exact::Number(value.into())]),
@@ -101,7 +100,6 @@ impl<'a> Combinations<'a> {
         Ok(Combinations { study, axes, count, few: Vec::new() })
     }
 
-    /// Returns the values of a combination.
     fn values(&self, index: usize) -> Vec<Rational> {
         let mut rest = index;
         let mut values: Vec<Rational> = self
@@ -118,7 +116,6 @@ impl<'a> Combinations<'a> {
         values
     }
 
-    /// Returns the field with the values of a combination.
     fn study(&self, index: usize) -> Result<Study, StudyError> {
         if let Some(study) = self.few.get(index) {
             return Ok(study.clone());
@@ -132,7 +129,6 @@ impl<'a> Combinations<'a> {
     }
 }
 
-/// The largest number of combinations.
 const MOST: usize = 1 << 20;
 
 /// The number of combinations whose maps are cached.

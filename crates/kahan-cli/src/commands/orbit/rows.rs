@@ -48,7 +48,6 @@ impl Orbit {
         Ok(answer.but(complaint(&stops)))
     }
 
-    /// Writes the rows. Returns how the orbits ended.
     fn write_into<O>(
         &self,
         sink: Sink,

@@ -19,7 +19,6 @@ use super::super::picture::shown::{Drawn, Shown, What};
 use super::super::picture::starts::{At, Spread};
 use crate::printing::{Prompt, Refusal};
 
-/// A field, and the words that name it on a command line.
 pub(super) struct Field {
     pub(super) words: Vec<String>,
     pub(super) study: Study,
@@ -63,11 +62,8 @@ pub(super) struct Subject<'a> {
     pub(super) seconds: f64,
 }
 
-/// The time limit of a picture of orbits, in seconds.
 const SECONDS: f64 = 10.0;
-/// The number of starts in pictures of many orbits.
 const STARTS: usize = 5;
-// Shares of the time.
 const SEARCH: f64 = 0.35;
 const POLES: f64 = 0.1;
 const HEIGHTS: f64 = 0.06;
@@ -96,7 +92,6 @@ impl Subject<'_> {
         Asked::of(self.generic, Question::Discover(asked))
     }
 
-    /// Returns the fate of singularities, and the heights of an exact orbit.
     pub(super) fn growth(&self) -> Markup {
         let poles = Poles { seconds: self.share(POLES), ..Poles::default() };
         let heights = Shown { what: What::Heights, seconds: self.share(HEIGHTS), ..self.one_orbit(400) };
@@ -109,7 +104,6 @@ impl Subject<'_> {
         }
     }
 
-    /// Returns orbits in phase space, over time, and in a section.
     pub(super) fn orbits(&self) -> Markup {
         let portrait = self.many_orbits(if self.variables.len() == 1 { 200 } else { 4000 });
         let first = &self.variables[0];
@@ -132,7 +126,6 @@ impl Subject<'_> {
         Asked::of(self.kept, Question::Observe(asked)).html()
     }
 
-    /// Returns the chart of stability.
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
         let ShownOrbit { eps, start, .. } = self.shown;
@@ -173,7 +166,6 @@ impl Subject<'_> {
         Asked { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
     }
 
-    /// Draws a picture of `kahan picture`, with an explanation.
     fn picture(&self, id: &str, title: &str, asked: &Shown, words: impl Fn(&[Visits]) -> Markup) -> Markup {
         let drawn = asked.drawn(&self.valued.study).and_then(|Drawn { picture, notes }| {
             if picture.points == 0 {
@@ -272,7 +264,6 @@ pub(super) fn command(line: &Line) -> Markup {
 
 /// Explains a section by the number and the places of its crossings.
 fn crossings(orbits: &[Visits], variables: usize) -> Markup {
-    /// Fewer crossings show no pattern.
     const PATTERN: usize = 40;
     /// The mean number of visits from which places count as repeated.
     const OFTEN: usize = 10;
@@ -306,7 +297,6 @@ fn crossings(orbits: &[Visits], variables: usize) -> Markup {
 /// Rounds a number to between 1/1000 and 1/100 of an interval of this length.
 fn between(value: f64, length: f64) -> String {
     let unit = 10_f64.powf((length / 100.0).log10().floor());
-    // The interval may have length 0.
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };
     decimal(rounded)
 }

@@ -10,7 +10,6 @@ use kahan_study::{Costs, Listing, Planned};
 use crate::printing::page::{Page, paragraph};
 
 const NAMES: usize = 23;
-/// The columns of numbers: headings and widths.
 const COLUMNS: [(&str, usize); 6] =
     [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7)];
 
@@ -22,7 +21,6 @@ pub(super) fn text(planned: &Planned) -> String {
     page.line(&row("object", &titles));
     for costs in &planned.objects {
         let label = label(planned, &costs.object);
-        // A long name is above its numbers.
         if label.chars().count() < NAMES {
             page.line(&row(&label, &cells(costs)));
         } else {
@@ -62,7 +60,6 @@ pub(super) fn text(planned: &Planned) -> String {
     page.text
 }
 
-/// Returns the name of an object, with the number of its constants.
 fn label(planned: &Planned, name: &str) -> String {
     let step = planned.derived.step();
     let counted = match name {
@@ -77,7 +74,6 @@ const GENERAL: &str = "This step is divided by the time step, which shortens the
     it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general step, which divides by no eps: \
     exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 
-/// Appends the three parts of a step, and the step sizes for which it is accurate.
 fn step_section(page: &mut Page, name: &str, step: &Listing) {
     if step.constants.is_empty() {
         page.section(&format!("constants of the {name}"), ["none"]);
@@ -107,7 +103,6 @@ const ALONG_COUPLINGS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination a
     beforehand; where a pivot is small, with pivoting. What it does depends on the numbers that it meets, so nothing is counted here. \
     det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
 
-/// Explains the columns.
 fn notes() -> Vec<String> {
     let [a, b] = [Node(0), Node(1)];
     let cycles = [
@@ -141,7 +136,6 @@ fn cells(costs: &Costs) -> [String; 6] {
         .map(|count| count.map_or_else(|| "-".to_owned(), |count| count.to_string()))
 }
 
-/// Formats a row of the table, with numbers right-aligned.
 fn row(name: &str, cells: &[String; 6]) -> String {
     let mut line = format!("{name:<NAMES$}");
     for (cell, (_, width)) in cells.iter().zip(COLUMNS) {

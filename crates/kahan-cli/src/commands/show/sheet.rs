@@ -56,10 +56,8 @@ pub(super) fn text(sheet: &Sheet) -> String {
     page.text
 }
 
-/// The map if N and D are not expanded.
 const MINORS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole";
 
-/// Returns a claim with its notes.
 fn claim(claim: &ClaimShown) -> String {
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];
     let notes: Vec<&str> = notes.into_iter().filter(|note| !note.is_empty()).collect();

@@ -22,7 +22,6 @@ fn wave<'a>(further: &[&'a str]) -> Vec<&'a str> {
     chain(WAVE, &[&given, further].concat())
 }
 
-/// Returns the rows of a table.
 fn numbers(table: &str) -> Vec<Vec<f64>> {
     table
         .lines()
@@ -31,7 +30,6 @@ fn numbers(table: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Returns the header of an array and its numbers.
 fn array(file: &Path) -> (String, Vec<f64>) {
     let bytes = fs::read(file).expect("the file");
     let (header, data) = bytes.split_at(128);
@@ -179,12 +177,10 @@ fn mistakes_are_told() {
     }
 }
 
-/// Writes a file of NumPy with doubles in this shape.
 pub(super) fn numpy(file: &Path, shape: &str, values: &[f64]) {
     numpy_of(file, "'<f8'", shape, values);
 }
 
-/// Writes a file of NumPy with floats of this type and shape.
 pub(super) fn numpy_of(file: &Path, descr: &str, shape: &str, values: &[f64]) {
     let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
     let mut bytes = [b"\x93NUMPY\x01\x00\x76\x00".as_slice(), format!("{header:<117}\n").as_bytes()].concat();

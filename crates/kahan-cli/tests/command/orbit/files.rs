@@ -71,12 +71,10 @@ fn places_without_a_file_are_refused() {
     }
 }
 
-/// A run that ends with the test.
 struct Endless(Child);
 
 impl Drop for Endless {
     fn drop(&mut self) {
-        // Fails if the run has ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

@@ -40,7 +40,6 @@ fn answer(arguments: &[&str]) -> String {
     text(&output.stdout)
 }
 
-/// Returns the heading of a table and its cells.
 fn table(csv: &str) -> (Vec<String>, Vec<Vec<String>>) {
     assert!(csv.ends_with('\n'), "{csv}");
     let mut lines = csv.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
@@ -54,7 +53,6 @@ fn folder() -> TempDir {
     tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder")
 }
 
-/// Returns the names of the files in a folder.
 fn contents(folder: &TempDir) -> Vec<String> {
     let entries = fs::read_dir(folder.path()).expect("the folder can be read");
     let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("UTF-8");
@@ -75,7 +73,6 @@ fn vectors(system: &str) -> Value {
     serde_json::from_str(&fs::read_to_string(path).expect("the vectors are there")).expect("JSON")
 }
 
-/// Returns an exact number; `p/1` becomes `p`.
 fn exact(value: &Value) -> String {
     let text = value.as_str().expect("a string");
     text.strip_suffix("/1").unwrap_or(text).to_owned()

@@ -19,7 +19,6 @@ fn exact_orbits_are_those_of_the_vectors() {
             assert_eq!(rows.len(), iterates.len() + 1);
             for (row, expected) in rows.iter().zip(std::iter::once(&orbit["x0"]).chain(iterates)) {
                 assert_eq!(row[2..2 + states].join(","), point(expected), "{system}");
-                // Integrals are conserved exactly.
                 assert_eq!(row[2 + states..], rows[0][2 + states..], "{system}");
                 seen += 1;
             }

@@ -4,7 +4,6 @@ use super::chains::{numpy, numpy_of};
 use super::*;
 use crate::running;
 
-/// Writes a file with this text.
 fn file(folder: &TempDir, text: &str) -> String {
     let path = folder.path().join("starts.csv");
     fs::write(&path, text).expect("a file");
@@ -264,7 +263,6 @@ fn ranges_give_an_orbit_for_each_value_and_start() {
         }
         assert_eq!(rows, expected, "{further:?}");
     }
-    // A range of a coordinate, in JSON.
     let line = [&field[..], &["--at", "1,2", "--param", "a=1", "--param", "b=1", "--eps", "1/8", "--json"]];
     let object = |more: &[&str]| -> Value {
         serde_json::from_str(&answer(&[&line.concat(), more].concat())).expect("JSON")
