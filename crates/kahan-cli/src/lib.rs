@@ -38,7 +38,6 @@ struct Cli {
     command: Option<Command>,
 }
 
-/// The output of `kahan` without arguments.
 const BEGINNING: &str = "\
 Kahan's method turns a quadratic differential equation into a rational map over the time 2 eps.
 
@@ -149,7 +148,6 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     Err(Refusal::new(format!("{said}{meant}; `{call}` shows examples")))
 }
 
-/// Says which argument was probably meant.
 fn meant(error: &clap::Error) -> Option<&'static str> {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return None };
     let is_number = argument.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit() || c == '.');

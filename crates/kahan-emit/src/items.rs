@@ -58,7 +58,6 @@ impl<'a> Type<'a> {
         quote!(#name #generics)
     }
 
-    /// Returns `<T>` behind an `impl`, or nothing without parameters.
     pub(super) fn generics(&self) -> Option<TokenStream> {
         let scalar = &self.scalar;
         self.has_parameters().then(|| quote!(<#scalar>))

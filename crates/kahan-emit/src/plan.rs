@@ -143,7 +143,6 @@ impl<'a> Emitter<'a> {
         operation.operands().skip(written)
     }
 
-    /// Returns d if a kernel computes 1/d.
     fn reciprocal_of(&self, operation: &Operation) -> Option<Node> {
         match *operation {
             Operation::Divide(a, b) if self.constants.is_some() => {

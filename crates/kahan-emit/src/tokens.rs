@@ -25,7 +25,6 @@ pub(crate) struct Flat {
     pub(crate) source: Option<Source>,
 }
 
-/// Lexes a text. All tokens have the place `span`.
 pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
     let Lexed { tokens, ranges, .. } = lex(&text);
     let spans = vec![span; tokens.len()];

@@ -18,12 +18,10 @@ const BLOCKS: [(&str, &[&str]); 7] = [
     ("e3", &[]),
     ("parameters", &[]),
     ("anonymous", &["quotients", "prepare", "extend_scalars"]),
-    // Mistakes, and a stand-in type.
     ("broken", &["integrals", "prepare"]),
     // More than eight variables: elimination along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
-    // A lift: initial values of its new variables.
     ("lifted", &["embed", "project", "field", "E"]),
 ];
 

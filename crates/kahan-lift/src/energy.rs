@@ -59,7 +59,6 @@ impl Mechanical {
 
 type Matrix = Vec<Vec<RationalFunction>>;
 
-/// Returns A⁻ᵀ, or `None` if A is singular.
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {

@@ -379,7 +379,6 @@ impl Reader {
         }
     }
 
-    /// Returns sin u and cos u, or sinh u and cosh u.
     fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> Read<[Laurent; 2]> {
         let one = Laurent::number(Rational::one());
         if argument.is_zero() {

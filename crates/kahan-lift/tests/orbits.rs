@@ -159,7 +159,6 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
 
 type Energy = fn(&[f64]) -> f64;
 
-/// Returns systems with their energies p·p/2 + V.
 fn energies() -> [(System, Energy); 4] {
     [
         (PENDULUM, |x| x[1] * x[1] / 2.0 - x[0].cos()),

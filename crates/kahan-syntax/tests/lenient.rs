@@ -250,7 +250,6 @@ fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     Some((lines[..first].join("\n"), equations, lines[last..].join("\n")))
 }
 
-/// Writes the equations in one of ten notations.
 fn written(manner: usize, equations: &[(String, String)]) -> String {
     let each = |left: &dyn Fn(&str) -> String, right: &dyn Fn(&str) -> String, between: &str| {
         let equations = equations.iter().map(|(state, value)| left(state) + &right(value));

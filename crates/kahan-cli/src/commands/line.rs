@@ -14,7 +14,6 @@ use crate::printing::{Answer, Refusal};
 pub(crate) trait Asking: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
-    /// Returns the question, and the field that it is about.
     fn asked(&self) -> Result<(Study, Self::Question), Refusal>;
 
     /// Appends the options that ask this question, without default values.
@@ -85,7 +84,6 @@ impl Line {
     }
 }
 
-/// Returns a value as an option takes it; lists have commas.
 fn words(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

@@ -74,7 +74,6 @@ pub(super) fn usual() -> Sheet {
 
 pub(super) struct OutFile {
     sink: Sink,
-    /// The format of a picture; `None` for a table.
     format: Option<Format>,
 }
 

@@ -93,7 +93,6 @@ fn table_within(rows: &[Vec<String>], keys: usize, width: usize) -> Vec<String> 
     below_each_other(parts)
 }
 
-/// Joins groups of lines with empty lines.
 fn below_each_other(groups: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
     groups.into_iter().collect::<Vec<_>>().join(&String::new())
 }

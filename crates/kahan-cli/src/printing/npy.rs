@@ -9,7 +9,6 @@ pub(crate) struct Npy {
 }
 
 impl Npy {
-    /// Begins an array whose rows have the shape `row`.
     pub(crate) fn new(mut sink: Sink, row: Vec<usize>) -> Result<Self, Broken> {
         sink.write(header(0, &row))?;
         Ok(Npy { sink, row, rows: 0 })

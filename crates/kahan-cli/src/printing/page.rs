@@ -60,12 +60,10 @@ pub(crate) fn singletons(entries: &[String]) -> MatrixText {
 
 const INDENT: usize = 2;
 
-/// Formats a matrix as lines of a section.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
     layout::matrix(rows, left, right, screen_width().saturating_sub(INDENT))
 }
 
-/// Breaks sentences into lines of a section.
 pub(crate) fn paragraph(text: &str) -> Vec<String> {
     lines(text, screen_width().saturating_sub(INDENT))
 }

@@ -18,7 +18,6 @@ pub(crate) struct Prompt {
     since: Instant,
     /// The time at which the work must stop.
     end: Option<Instant>,
-    /// The number of steps in finished parts of the work.
     done: AtomicU64,
 }
 

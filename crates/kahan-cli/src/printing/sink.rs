@@ -21,7 +21,6 @@ enum Place {
     File { writer: BufWriter<NamedTempFile>, path: PathBuf, unfinished: Unfinished },
 }
 
-/// The reason why no more output is possible.
 #[derive(Debug)]
 pub(crate) enum Broken {
     /// The reader of standard output has gone away, which is not an error.
@@ -142,7 +141,6 @@ impl Sink {
     }
 }
 
-/// Returns whether a file is a table, by its name.
 pub(crate) fn is_table(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }

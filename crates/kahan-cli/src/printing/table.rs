@@ -24,7 +24,6 @@ pub(crate) struct Table {
     place: Vec<Kept>,
     line: String,
     has_rows: bool,
-    /// The width of the terminal that shows the rows.
     width: Option<usize>,
     broken: Option<Broken>,
     /// Whether rows are computed even without a reader.

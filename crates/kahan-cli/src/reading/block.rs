@@ -26,17 +26,14 @@ thread_local! {
 /// Extensions of models that the Python package reads.
 const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
 
-/// A text that contains a field.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     pub(crate) entry: Option<&'static Entry>,
     text: FieldText,
-    /// Whether the block is in a call of the macro.
     is_rust: bool,
 }
 
 impl Block {
-    /// Returns a system or a family of the catalog.
     pub(super) fn named(name: &str) -> Option<Self> {
         let of = |entry, text: &str, name: &str| Block::new(entry, text.to_owned(), name.to_owned());
         let system = find(name).map(|entry| of(Some(entry), entry.text(), entry.command));

@@ -80,7 +80,6 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     Ok((name, (0..places).map(|site| value(&[site as f64])).collect()))
 }
 
-/// Reads the first state. All its numbers are finite.
 fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<Vec<f64>, Refusal> {
     let state = if is_number_file(start) {
         of_file(start, arrays, sites)?

@@ -61,7 +61,6 @@ pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<V
     names.iter().map(column).collect()
 }
 
-/// Reads columns of a Parquet file through kahan-sweep.
 fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> {
     let mut program = sweeper();
     program.arg("--read").arg(path).arg("--columns").arg(names.join(","));

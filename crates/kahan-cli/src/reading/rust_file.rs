@@ -22,7 +22,6 @@ pub(super) struct RustBlock {
     pub(super) name: Option<String>,
 }
 
-/// A token and its place.
 struct Piece<'a> {
     kind: TokenKind,
     text: &'a str,
@@ -94,7 +93,6 @@ fn length_inside(pieces: &[Piece<'_>]) -> usize {
     pieces.iter().position(is_last).unwrap_or(pieces.len())
 }
 
-/// Returns the name behind the first `struct` of a block.
 fn struct_name(block: &[Piece<'_>]) -> Option<String> {
     let named = block.windows(2).find(|pair| pair[0].text == "struct")?;
     (named[1].kind == TokenKind::Ident).then(|| named[1].text.to_owned())

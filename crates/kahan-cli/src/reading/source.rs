@@ -187,7 +187,6 @@ impl Source {
         (self, all)
     }
 
-    /// Asks for a lift, unless one was asked for.
     pub(crate) fn lifted(mut self) -> Self {
         self.lift.get_or_insert_default();
         self
@@ -217,7 +216,6 @@ impl Source {
         !self.parameters.is_empty()
     }
 
-    /// Returns the values of `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
             let (name, value) = named(given, "--param", "xi=1/2")?;

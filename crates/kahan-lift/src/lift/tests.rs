@@ -64,7 +64,6 @@ fn check_restriction(lift: &Lift, text: &str) {
     }
 }
 
-/// Systems with the largest allowed number of new variables.
 const ORDERS: [(&str, usize); 45] = [
     ("x' = p; p' = -x^3", 1),
     ("x' = y; y' = mu*(1 - x^2)*y - x", 1),

@@ -13,7 +13,6 @@ pub(super) struct Rows<'a> {
     /// Ranges, or names of columns, whose values are then the middles of the cells.
     pub(super) over: &'a [String],
     pub(super) column: String,
-    /// Conditions NAME=VALUE on rows.
     pub(super) chosen: &'a [String],
 }
 

@@ -24,7 +24,6 @@ pub(super) struct Field {
     pub(super) study: Study,
 }
 
-/// The answer to a question, and the command line that asks it.
 pub(super) struct Asked {
     line: Line,
     pub(super) answer: Result<Answer, StudyError>,
