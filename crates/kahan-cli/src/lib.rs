@@ -1,9 +1,9 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
 //! In: arguments. Out: text, JSON or files. The crate must not know mathematics: `reading` makes
-//! checked systems and numbers of arguments, a command of `commands` asks a library and makes an
-//! `Answer` or a `Refusal`, and only [`run`] prints. The exit status is 0, 1 for a failed check or
-//! a pole, or 2 for wrong usage or input. Only rows of long tables are printed before the answer is
+//! checked systems and numbers of arguments. A command of `commands` asks a library, and makes an
+//! `Answer` or a `Refusal`. Only [`run`] prints. The exit status is 0, 1 for a failed check or a
+//! pole, or 2 for wrong usage or input. Only rows of long tables are printed before the answer is
 //! complete; a `Sink` takes them.
 
 // Layers from bottom to top. Each uses only those above it in this list; `tests/tests/layers.rs`

@@ -1,8 +1,8 @@
 //! Accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME` and
 //! `drift_NAME`.
 //!
-//! A claim with `when` has an accessor of its own (`density_NAME` for a density), with values put
-//! in for the names for which the conditions are solved.
+//! A claim with `when` has an accessor of its own, `density_NAME` for a density. Its conditions are
+//! solved for some names, whose values are substituted.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;

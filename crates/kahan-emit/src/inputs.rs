@@ -49,8 +49,8 @@ pub(super) fn emit_bound_parameters(
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
 ///
-/// The pattern reads all states first. Read on first use, their order misleads compilers that pack
-/// scalar code into vectors, which slows large steps.
+/// All states are read first. Reading each on first use misleads compilers that pack scalar code
+/// into vectors, and slows large steps.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()

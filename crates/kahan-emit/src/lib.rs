@@ -10,15 +10,16 @@
 //!     use kahan_core::__private as __kahan;
 //!     impl<T> E7<T> { pub const VARIABLES: … }            // items
 //!     impl<T: Scalar> QuadraticField<T, 3> for E7<T> { … }  // field
-//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: what a state runs through
+//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: the kernel for a state
 //!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
 //!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
-//!     impl<T: EmbedScalar> E7<T> { fn embed … }             // lifted, where the block asks for it
+//!     impl<T: EmbedScalar> E7<T> { fn embed … }             // lifted, if the block asks for it
 //! };
 //! ```
 //!
 //! and without one to `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
-//! become `compile_error!` beside a stand-in type, so that its users compile.
+//! become `compile_error!` beside a stand-in type, so that code with this type has no further
+//! errors.
 //!
 //! Generated code names its items through `__kahan` and begins bindings with `__` (state `x` is
 //! `__s_x`, parameter `mu` is `__p_mu`), as a user's constant would capture a pattern of its name.

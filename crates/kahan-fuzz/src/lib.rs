@@ -26,7 +26,8 @@ pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
 pub use texts::read_text;
 
-/// Runs a program as machine code on slices beside inaccessible memory. The bytes choose both.
+/// Runs a program as machine code on slices beside inaccessible memory. The bytes choose the
+/// program and the way to run it.
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }

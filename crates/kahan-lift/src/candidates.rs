@@ -25,8 +25,8 @@ const MOST_SETS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
     pub(crate) nodes: usize,
-    /// Whether to search for sets of one variable more than the least number, too, and for sets in
-    /// which each variable has a defining relation.
+    /// Whether to search, too, for sets of one variable more, and for sets in which each variable
+    /// has a defining relation.
     pub(crate) surplus: bool,
 }
 

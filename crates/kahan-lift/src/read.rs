@@ -1,8 +1,8 @@
 //! Expressions to Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. Arguments that are rational multiples of each other share one
-//! coordinate, of their greatest common divisor, which is known after a pass over all equations. So
-//! passes are repeated until no divisor changes.
+//! Functions become coordinates. Arguments that are rational multiples of each other share the
+//! coordinate of their greatest common divisor. Passes over all equations are repeated until no
+//! divisor changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};

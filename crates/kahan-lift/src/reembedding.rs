@@ -5,7 +5,7 @@ use crate::embedding::{Called, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// The error of a relation that counts as rounding, in units of ε_machine times its terms.
+/// The error of a relation, relative to its terms, that counts as rounding, in units of 2⁻⁵².
 const ROUNDING: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto the relations.

@@ -1,9 +1,10 @@
 //! The search for a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in their derivatives is 1, a variable, a product
-//! of two variables, or follows from one by a relation of the ring. Iterative deepening branches
-//! over the ways to write one missing monomial. If its budget of nodes ends first, local changes
-//! improve a greedy closure. The search reads no clock, so its result is reproducible.
+//! A set of variables is closed if each monomial in their derivatives can be written: as 1, a
+//! variable, a product of two variables, or from a product by a relation of the ring. Iterative
+//! deepening branches over the ways to write one missing monomial. If its budget of nodes ends
+//! first, local changes improve a greedy closure. The search reads no clock, so its result is
+//! reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;

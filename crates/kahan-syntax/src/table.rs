@@ -1,8 +1,8 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the maps of the standard library are compiled anew for every type, and took a third
-//! of the code that each user of the macro compiles. Here entries are inserted in order, in a few
-//! lines of code and fast enough for short lists.
+//! The sort and the maps of the standard library are compiled anew for every type. They took a
+//! third of the code that each user of the macro compiles. Here entries are inserted in order, in a
+//! few lines of code and fast enough for short lists.
 
 use std::cmp::Ordering;
 use std::ops::Index;

@@ -2,7 +2,7 @@
 //! (`tokens.rs` of `kahan-emit`).
 //!
 //! Places are indices into the token list ([`Span`]). The maker of the list maps an index to a byte
-//! range or a compiler span, so that one parser and one set of messages serve both.
+//! range or a compiler span. So one parser and one set of messages serve both.
 
 use std::borrow::Cow;
 
@@ -63,7 +63,7 @@ impl TokenKind {
     }
 }
 
-/// The message for text that is no token of the language.
+/// The mistake in a text that begins no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
     /// The mistake, in one sentence.

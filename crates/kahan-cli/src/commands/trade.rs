@@ -146,7 +146,8 @@ impl Trade {
         Ok((study, asked))
     }
 
-    /// Returns the command line for the orbit of the choice, if `kahan orbit` has its scalar.
+    /// Returns the command line for the orbit of the choice. `kahan orbit` has no compensated steps
+    /// and no f32 through f64.
     fn orbit(&self, traded: &Traded, block: &Block) -> Option<Line> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();

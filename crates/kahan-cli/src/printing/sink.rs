@@ -1,8 +1,8 @@
 //! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
 //! A file is written under a temporary name in the same folder and renamed at the end; unfinished
-//! files are removed, also after a signal. Rows for standard output wait at most 0.1 s, so that a
-//! reader sees them early and a million rows do not need a million system calls.
+//! files are removed, also after a signal. Rows for standard output are buffered; a
+//! write 0.1 s after the last flush flushes them, so that a reader sees rows early.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -38,7 +38,7 @@ impl From<Broken> for Refusal {
     }
 }
 
-/// The longest time for which rows are buffered.
+/// The time after a flush from which the next write flushes.
 const PATIENCE: Duration = Duration::from_millis(100);
 
 impl Sink {

@@ -1,5 +1,5 @@
-//! Checks that every drawn element of an SVG has a colour, in an attribute of its own or of an
-//! ancestor, where every program finds it.
+//! Checks that every drawn element of an SVG has a colour in an attribute, its own or that of an
+//! ancestor.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};

@@ -96,8 +96,8 @@ impl Reader<'_> {
         end
     }
 
-    /// Returns the root of a number, such as `sqrt(2)`, as a number if it is exact, and otherwise
-    /// as a parameter with the nearest `f64` as its value.
+    /// Returns the root of a number, such as `sqrt(2)`. An irrational root becomes a parameter
+    /// whose value is the nearest `f64`.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);
