@@ -1,7 +1,7 @@
-//! The procedural macro behind `kahan_core::kahan!`.
+//! The procedural macros behind `kahan_core::kahan!` and `include_kahan!`.
 //!
-//! In: the compiler's tokens. Out: those that `kahan-emit` makes of them. It must not know anything
-//! else: a crate of this type can export only macros.
+//! In: tokens of the compiler. Out: tokens that `kahan-emit` makes of them. Nothing else is here,
+//! as a crate of this type exports only macros.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -10,9 +10,9 @@ use std::time::Instant;
 use kahan_emit::Expansion;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-/// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`;
-/// `kahan_core::kahan!` puts it there. With the environment variable `KAHAN_TIMING` set, the time
-/// of the expansion goes to standard error.
+/// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`,
+/// which `kahan_core::kahan!` inserts. With the environment variable `KAHAN_TIMING` set, the
+/// expansion time goes to standard error.
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {
@@ -31,8 +31,8 @@ fn timed(expand: impl FnOnce() -> Expansion) -> proc_macro::TokenStream {
     expansion.tokens.into()
 }
 
-/// Expands the block in a file: the tokens are `[path]`, as in [`kahan!`](macro@kahan), and a
-/// literal, the file's path from the file that the literal stands in.
+/// Expands the block in a file. The tokens are `[path]`, as in [`kahan!`](macro@kahan), and a
+/// literal: the path of the file, relative to the file that contains the literal.
 #[proc_macro]
 pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {
@@ -43,7 +43,6 @@ pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream 
     })
 }
 
-/// Splits off the leading `[path]`.
 fn split_path(input: TokenStream) -> (TokenStream, TokenStream) {
     let mut trees = input.into_iter();
     let path = match trees.next() {

@@ -1,16 +1,13 @@
-//! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages at a prompt.
+//! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
-//! In: arguments. Out: text, JSON or files. It must not know mathematics: each command reads its
-//! input, asks one of the libraries, and lays out the answer.
-//!
-//! Data flows one way: `reading` makes checked systems and numbers of arguments, a command of
-//! `commands` makes an `Answer` or a `Refusal` of them, and only [`run`] prints and chooses the
-//! exit status: 0, or 1 for a failed check or a pole, or 2 for bad usage or input. Nothing is
-//! printed before all of it is known, except the rows of a table that may be long: a `Sink` takes
-//! those while they are made.
+//! In: arguments. Out: text, JSON or files. The crate must not know mathematics: `reading` makes
+//! checked systems and numbers of arguments. A command of `commands` asks a library, and makes an
+//! `Answer` or a `Refusal`. Only [`run`] prints. The exit status is 0, 1 for a failed check or a
+//! pole, or 2 for wrong usage or input. Only rows of long tables are printed before the answer is
+//! complete; a `Sink` takes them.
 
-// The layers from the bottom to the top; each needs those before it only, which
-// `tests/tests/layers.rs` sees to.
+// Layers from bottom to top. Each uses only those above it in this list; `tests/tests/layers.rs`
+// checks that.
 
 mod printing;
 
@@ -41,7 +38,6 @@ struct Cli {
     command: Option<Command>,
 }
 
-/// What `kahan` alone says.
 const BEGINNING: &str = "\
 Kahan's method turns a quadratic differential equation into a rational map over the time 2 eps.
 
@@ -65,13 +61,13 @@ Examples:
 
 `kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
 
-/// Runs the command with these arguments, the program's name first; what it prints goes to standard
-/// output and standard error.
+/// Runs the command with these arguments, of which the first is the name of the program. Prints to
+/// standard output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(status(arguments))
 }
 
-/// The same for programs of other languages: the exit status as a number.
+/// Runs the command like [`run`], and returns the exit status as a number, for other languages.
 pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let named = arguments.get(1).and_then(|name| command().find_subcommand(name).cloned());
@@ -84,14 +80,14 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // Of refusals, those of a term may be about a name that was to be a variable.
+    // A refusal of a term may be caused by a name that was meant as a variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
     status
 }
 
-/// Notes on how the field is read, for every command that takes one.
+/// Returns notes on how the field was read, for commands that take one.
 fn notes(matches: &ArgMatches) -> Option<Vec<String>> {
     let (_, matches) = matches.subcommand()?;
     let takes_field = matches.try_contains_id("field").is_ok() && matches.try_contains_id("sites").is_ok();
@@ -100,7 +96,7 @@ fn notes(matches: &ArgMatches) -> Option<Vec<String>> {
     Some(source.notes(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>()))
 }
 
-/// The groups with what each command does: how its own help begins, up to a colon.
+/// Lists the groups of commands, each command with its description up to a colon.
 fn grouped(command: &clap::Command) -> String {
     let line = |name: &&str| {
         let about = command.find_subcommand(name)?.get_about()?.to_string();
@@ -112,7 +108,7 @@ fn grouped(command: &clap::Command) -> String {
     GROUPS.iter().map(group).collect()
 }
 
-/// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
+/// Builds the command line. `--help` fits a screen; `kahan help COMMAND` shows all.
 fn command() -> clap::Command {
     let cli = Cli::command();
     let groups = grouped(&cli);
@@ -123,7 +119,7 @@ fn command() -> clap::Command {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
         one.disable_help_flag(true).arg(help)
     };
-    // Who reads the help of a command has found it.
+    // The help of a command does not list `--help`.
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
     let names = GROUPS.iter().flat_map(|(_, names)| *names);
     names.fold(on_a_screen(cli.help_template(template)), |command, name| {
@@ -135,8 +131,7 @@ fn command() -> clap::Command {
     })
 }
 
-/// Help and version are answers; everything else that clap has to say of a command becomes one
-/// paragraph.
+/// Turns help and version into answers, and each other message of clap into one paragraph.
 fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
@@ -144,7 +139,7 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     }
     let is_end = |line: &str| line.starts_with("Usage:") || line.starts_with("For more");
     let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
-    // How to pass a flag as a value is never what was meant.
+    // Omit the tip on passing a flag as a value, which does not help here.
     let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
     let said = joined(said, " ").replace(" tip: ", "; ");
     let said = said.trim_start_matches("error: ");
@@ -153,7 +148,6 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     Err(Refusal::new(format!("{said}{meant}; `{call}` shows examples")))
 }
 
-/// What an argument that no command has was probably meant to be.
 fn meant(error: &clap::Error) -> Option<&'static str> {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return None };
     let is_number = argument.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit() || c == '.');

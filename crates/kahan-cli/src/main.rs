@@ -1,4 +1,4 @@
-//! The `kahan` command.
+//! The program `kahan`.
 
 use std::process::ExitCode;
 

@@ -1,8 +1,7 @@
 //! The examples of the README and of the book in `docs/`.
 //!
-//! A `console` block is run and must print what stands in it; a `sh` block is only shown.
-//! `docs/check` runs this with the release binary, and `TRYCMD=overwrite docs/check` writes what is
-//! printed now.
+//! A `console` block is run and must print its text; a `sh` block is only shown. `docs/check` runs
+//! this test with the release binary; `TRYCMD=overwrite docs/check` updates the texts.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,7 +13,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("a workspace")
 }
 
-/// The README and the pages of the book, seen from the root.
+/// Returns the README and the pages of the book, relative to the root.
 fn pages() -> Vec<PathBuf> {
     let mut pages = vec![PathBuf::from("README.md")];
     let mut folders = vec![PathBuf::from("docs")];
@@ -50,7 +49,7 @@ fn the_examples_print_what_stands_in_them() {
     cases.run();
 }
 
-/// Whoever writes an example says what is done with it: nothing is left out by a slip of the pen.
+/// Unknown kinds of blocks fail, so that no example is skipped by mistake.
 #[test]
 fn every_block_is_of_a_known_kind() {
     let doctests = read(Path::new("tests/src/readmes.rs"));
@@ -80,7 +79,7 @@ fn every_command_has_its_help_in_the_reference() {
     }
 }
 
-/// A row is a call, and the members of the object that it prints, in their order.
+/// Each row has a call and the members of the object that it prints, in their order.
 #[test]
 fn the_objects_have_the_members_that_the_reference_lists() {
     let reference = read(Path::new("docs/reference/commands.md"));

@@ -1,6 +1,8 @@
-//! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`,
-//! `drift_NAME`. A claim with `when` has an accessor of its own, `density_NAME` for a density, in
-//! which the names that the conditions are solved for have their values.
+//! Accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME` and
+//! `drift_NAME`.
+//!
+//! A claim with `when` has an accessor of its own, `density_NAME` for a density. Its conditions are
+//! solved for some names, whose values are substituted.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -11,19 +13,15 @@ use quote::{format_ident, quote};
 use super::field::{emit_body, emit_vector};
 use super::{Context, docs, items};
 
-/// What claims generate.
 #[derive(Default)]
 pub(super) struct EmittedClaims {
-    /// Constants of the type.
     pub(super) constants: TokenStream,
-    /// Methods of the type, over any scalar.
     pub(super) methods: TokenStream,
-    /// Traits of the type.
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. Where there are no integrals, or no density, rustc is told
-/// what a call lacks.
+/// Emits the accessors of all claims. A marker trait tells rustc about missing integrals or a
+/// missing density.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -50,8 +48,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// `pub fn …(&self, …)`, in an implementation for scalars where there are parameters, else with the
-/// scalar as its own.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`. Without parameters the method itself is generic.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -105,9 +102,9 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     }
 }
 
-/// The method of an integral: its name, or `integral_NAME` where that is something else already.
+/// Returns the name of an integral's method: its own, or `integral_NAME` if that is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
-    /// Methods of the traits that the macro implements or derives, and methods that every type has.
+    /// Methods of implemented and derived traits, and methods of every type.
     const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit extend_scalars carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
@@ -123,8 +120,8 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim: `density`, `bracket_NAME` or `drift_NAME`. A claim with `when`
-/// has `density_NAME`, or the name of its integral.
+/// Expands to the method of a claim. One with `when` is called `density_NAME`, or like its
+/// integral.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

@@ -1,4 +1,4 @@
-//! A field of many variables: its entries, where they stand in A(x,ε), and their elimination.
+//! A field of many variables: its entries, their places in A(x,ε), and their elimination.
 //!
 //! ```text
 //! pub struct __Coupled;
@@ -8,7 +8,7 @@
 //! }
 //! ```
 //!
-//! Nothing here grows faster than the couplings: no function holds a whole matrix.
+//! The code grows with the number of couplings: no function holds a whole matrix.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -23,8 +23,8 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits `__Coupled`, what [`emit_map`](super::map::emit_map) and
-/// [`emit_field`](super::field::emit_field) build on.
+/// Emits `__Coupled`, on which [`emit_map`](super::map::emit_map) and
+/// [`emit_field`](super::field::emit_field) build.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = sizes(context, couplings);
@@ -58,20 +58,20 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// Returns the numbers of parameters, of entries of f′, and of places.
+/// Returns the numbers of parameters, of entries of f′, and of nonzero places in A.
 pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
     let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
 }
 
-/// The number of parameters; ε is the last of them where coefficients depend on it.
+/// Returns the number of parameters, with ε if coefficients depend on it.
 fn parameters(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
 }
 
-/// Expands to the parameters in order, `[self.mu.clone()]`; the last is `eps` where coefficients
-/// depend on it.
+/// Expands to the parameters in order, `[self.mu.clone()]`, with `eps` last if coefficients depend
+/// on it.
 pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> TokenStream {
     let eps = context.system.field.depends_on_eps().then_some(eps);
     let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
@@ -82,11 +82,11 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The most operations in one function. Compilers take more than twice the time for one that is
-/// twice as long, above all over numbers that carry bounds.
+/// The largest number of operations in one function. Compile times grow faster than functions,
+/// above all over numbers that carry bounds.
 const MOST_OPERATIONS: usize = 160;
 
-/// The body of a function that returns a plan's results as an array: in parts where it is long.
+/// Emits the body of a function that returns a plan's results as an array, in parts if it is long.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
         let (bindings, results) = emit_part(context, plan);
@@ -125,8 +125,8 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// The bindings of a plan (`let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first), and its
-/// results.
+/// Returns the bindings of a plan, `let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first, and
+/// its results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = variables(plan);
@@ -140,7 +140,6 @@ fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStrea
     (quote! { #states #parameters #bindings }, results)
 }
 
-/// Expands to `Couplings { order: &[0, 2, …], … }`.
 fn emit_tables(couplings: &Couplings) -> TokenStream {
     let list = |numbers: &[usize]| {
         let numbers = numbers.iter().map(|number| Literal::usize_unsuffixed(*number));
@@ -163,7 +162,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`: the operations of the tables' loops, in
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`: the operations of the elimination loops in
 /// their order, without loops.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
@@ -196,12 +195,11 @@ fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// The entry at a place.
 fn entry(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// A = I − εf′, and which places are not zero.
+/// Emits A = I − εf′. Returns which places are not zero, too.
 fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();
@@ -221,7 +219,8 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Factors in place of the entries left of the diagonal, reciprocals in place of the pivots.
+/// Emits the elimination: multipliers replace the entries left of the diagonal, reciprocals the
+/// pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();
@@ -255,7 +254,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     lines
 }
 
-/// The solution in place of the right-hand side, block after block.
+/// Emits the substitutions, block by block: the solution replaces the right-hand side.
 fn emit_solution(couplings: &Couplings) -> TokenStream {
     let Couplings { order, rows, columns, .. } = couplings;
     let right = |turn: usize| format_ident!("__b{}", order[turn]);

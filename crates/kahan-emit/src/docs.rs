@@ -1,4 +1,4 @@
-//! Documentation of the generated items: the formulas themselves.
+//! Documentation of the generated items, with their formulas.
 
 use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
@@ -13,14 +13,13 @@ use quote::quote;
 use super::Context;
 use super::lifted::Lifted;
 
-/// Formulas longer than this are left to `kahan show`.
+/// The length in bytes above which formulas are left to `kahan show`.
 const LONGEST: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
     lines.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
-/// The documentation of all that stands in for a block with mistakes.
 pub(super) fn stand_in(follows: bool) -> TokenStream {
     let line = " The block has mistakes, which the compiler reports. This stands in for what it would be, \
                 and nothing that the block claims is proved.";
@@ -28,8 +27,8 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the
-/// user's own comes first.
+/// Returns the documentation of a system: field, A(x,ε), reduced map, claims. `follows` says that
+/// the user's documentation comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -77,7 +76,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     emit_lines(&lines)
 }
 
-/// The new variables of a lift, the relations between its variables, and what the map keeps.
+/// Appends the new variables of a lift, their relations, and the energy that the map keeps.
 fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
     let title = format!("Reason for this lift: {}. Its new variables:", lift.chosen);
     let new = lift.new.iter().map(|new| {
@@ -105,7 +104,6 @@ fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
     }
 }
 
-/// The documentation of `embed`.
 pub(super) fn embed(lifted: &Lifted) -> TokenStream {
     let mut lines = vec![
         " The point of the lift that belongs to the states `x`, with first values of the new variables."
@@ -120,19 +118,18 @@ pub(super) fn embed(lifted: &Lifted) -> TokenStream {
     emit_lines(&lines)
 }
 
-/// The documentation of `project`.
 pub(super) fn project() -> TokenStream {
     emit_lines(&[" The states of a point of the lift.".to_owned()])
 }
 
-/// A claim, with what is not 0 where it is made.
+/// Returns a claim with the divisors that must not vanish.
 fn proved(context: &Context<'_>, claim: &Claim) -> String {
     let note = condition_note(context.system, claim);
     let text = claim_text(context.system, claim);
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// A paragraph on how far a step holds, if that is not as far as the planner looks.
+/// Returns a paragraph on the step sizes up to which a step is accurate, if they are limited.
 fn domain(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();
@@ -158,9 +155,8 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
     push_formulas(lines, text);
 }
 
-/// Appends formulas as they fit a page of rustdoc: a long one is broken before its terms.
 fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
-    /// The characters that a page shows without a scroll bar, about.
+    /// The approximate number of characters that rustdoc shows without a scroll bar.
     const WIDTH: usize = 96;
     let folded = formulas.iter().map(|formula| folded(formula, WIDTH)).collect::<String>();
     lines.push(" ```text".to_owned());
@@ -168,7 +164,6 @@ fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
     lines.push(" ```".to_owned());
 }
 
-/// The documentation of `integrals`.
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     let mut lines =
         vec![" The integrals of motion of the map at `x`; `eps` is ε, half the time step.".to_owned()];
@@ -179,16 +174,15 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     emit_lines(&lines)
 }
 
-/// The documentation of an integral's own method.
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// What is read at a glance; `integrals` has the others.
+    /// The longest formula for this place; `integrals` has longer ones.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
 
-/// Documents the method of a claim. An integral without `when` has [its own](integral).
+/// Returns the documentation of a claim's method, except of an [integral](integral) without `when`.
 pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let (kind, name) = (claim.kind, &claim.name.text);
     let (introduction, title) = match kind {

@@ -1,4 +1,4 @@
-//! A family to Rust: the straight lines of one site, and the sums it claims.
+//! A family to Rust: the plans of one site, and the densities of claimed sums.
 //!
 //! ```text
 //! pub struct Volterra;
@@ -26,11 +26,11 @@ struct Context<'a> {
     family: &'a Family,
     lines: Lines,
     this: Type<'a>,
-    /// The scalar of the lines; that of the type is the one of the values.
+    /// The scalar type of the plans; the type itself has the scalar of its values.
     line_scalar: Ident,
 }
 
-/// The type of a family, its implementations, and for a block without a header its value.
+/// Emits the type of a family, its implementations, and its value if the block has no header.
 pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &Flat) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
@@ -41,7 +41,6 @@ pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &Flat) -> 
 }
 
 impl Context<'_> {
-    /// The equations and what is proved, as formulas.
     fn documentation(&self, follows: bool) -> TokenStream {
         let family = self.family;
         let chain = match family.boundary {
@@ -173,7 +172,7 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that writes the results of a plan to these places of these slices:
+    /// Expands to a function that writes the results of a plan to places of slices:
     /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
@@ -201,7 +200,6 @@ impl Context<'_> {
         }
     }
 
-    /// What a line reads, bound to names.
     fn emit_inputs(&self, plan: &Plan, symbols: &Symbols) -> TokenStream {
         let values = self.family.symbols.states.len();
         let (stencil, parameters) = (self.family.stencil(), self.family.site_parameters.len());
@@ -226,7 +224,7 @@ impl Context<'_> {
             .collect()
     }
 
-    /// Expands to the names of the sums that are claimed, and their densities.
+    /// Expands to the names of the claimed sums and their densities.
     fn emit_sums(&self) -> Option<TokenStream> {
         let family = self.family;
         let count = family.sums().count();

@@ -1,4 +1,4 @@
-//! `QuadraticField`: f, f′, the bilinear form and the polarised field.
+//! `QuadraticField`: f, f′, the symmetric bilinear form and the polarised field.
 
 use kahan_algebra::Derived;
 use kahan_algebra::plan::Plan;
@@ -15,7 +15,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived.at_eps_zero();
     let (value, slope) = emit_value_and_slope(context, derived, &quote!(__kahan::integer(0)));
     let bilinear = emit_vector(context, derived.bilinear());
-    // Without a linear and a constant part the two forms are one.
+    // A homogeneous quadratic field is polarised by its bilinear form.
     let polarized = if derived.polarized() == derived.bilinear() {
         quote!(__kahan::QuadraticField::bilinear(self, x, y))
     } else {
@@ -41,7 +41,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to the methods that evaluate the field at ε; `None` where coefficients are free of ε.
+/// Expands to the methods that evaluate the field at ε, if coefficients depend on ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     if !context.system.field.depends_on_eps() {
@@ -66,8 +66,8 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`: the plans, or calls of `__Coupled`'s methods,
-/// which take ε where coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`: plans, or calls of `__Coupled`'s methods,
+/// whose parameters include ε if coefficients depend on it.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,
@@ -91,20 +91,17 @@ fn emit_value_and_slope(
     (value, slope)
 }
 
-/// The body of a function that returns the plan's results as a vector.
 pub(super) fn emit_vector(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let (bindings, results) = emit_body(context, plan);
     quote! { #bindings __kahan::vector([#(#results),*]) }
 }
 
-/// The body of a function that returns the plan's results as a matrix, row by row.
 fn emit_matrix(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let (bindings, entries) = emit_body(context, plan);
     let rows = entries.chunks(context.system.field.dimension()).map(|row| quote!([#(#row),*]));
     quote! { #bindings __kahan::matrix([#(#rows),*]) }
 }
 
-/// Inputs and bindings of a plan, and its results.
 pub(super) fn emit_body(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = emit_inputs(plan, symbols);

@@ -1,10 +1,10 @@
-//! The results of plans as tables in postfix order.
+//! Plans as tables of operations in postfix order.
 //!
 //! ```text
 //! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
 //! ```
 //!
-//! A step that several results need is written for each of them.
+//! An operation that several results need is written for each of them.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -13,7 +13,6 @@ use quote::quote;
 
 use super::number::emit_exact;
 
-/// Expands to the table of a plan's results.
 pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let mut writer = PostfixWriter { plan, symbols, depths: depths(plan), steps: TokenStream::new() };
     for output in &plan.outputs {
@@ -24,12 +23,12 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// How many values the stack holds at most while two operands are computed, the deeper first.
+/// Returns the stack depth for two operands of depths a and b, the deeper one first.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
 
-/// How many values each step has on the stack at most, operands in the better order.
+/// Returns the stack depth of each operation, with operands in the better order.
 fn depths(plan: &Plan) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
@@ -65,7 +64,7 @@ impl PostfixWriter<'_> {
                 let (of, place) = match self.symbols.symbol(variable) {
                     Symbol::State(k) => (quote!(State), k),
                     Symbol::Parameter(k) => (quote!(Parameter), k),
-                    // ε follows the parameters where coefficients depend on it.
+                    // ε follows the parameters if coefficients depend on it.
                     Symbol::Epsilon => (quote!(Parameter), self.symbols.parameters.len()),
                     Symbol::SecondState(_) => unreachable!("a field has no such variable"),
                 };
@@ -97,7 +96,7 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes two operands, the deeper first; the name of what joins them, which depends on that.
+    /// Writes two operands, the deeper one first. Returns the name of the operation in that order.
     fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
@@ -125,7 +124,7 @@ impl PostfixWriter<'_> {
     }
 }
 
-/// An operand: a step, or a product that is not one by itself.
+/// An operand: an operation of the plan, or a product inside a fused operation.
 #[derive(Clone, Copy)]
 enum Part {
     Of(Node),

@@ -1,4 +1,4 @@
-//! The part of a header that only Rust understands: attributes, documentation, visibility.
+//! Attributes, documentation and visibility of a header, as Rust syntax.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,6 @@ use syn::{Attribute, Path, Token};
 
 use super::tokens::Flat;
 
-/// `attributes visibility struct Name { attributes param, … }` as Rust syntax.
 #[derive(Default)]
 pub(super) struct RustHeader {
     pub(super) attributes: Vec<Attribute>,
@@ -19,8 +18,8 @@ pub(super) struct RustHeader {
 }
 
 impl RustHeader {
-    /// That of a header, from the tokens that it was read from. What is no attribute has been
-    /// reported, and is left out.
+    /// Parses the tokens of a header. The front end has reported invalid attributes; they are left
+    /// out.
     pub(super) fn of(header: &Header, input: &Flat) -> Self {
         let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);
@@ -34,18 +33,16 @@ impl RustHeader {
         }
     }
 
-    /// The user's attributes of the parameter `name`.
     pub(super) fn attributes_of(&self, name: &str) -> &[Attribute] {
         self.parameters.get(name).map_or(&[], Vec::as_slice)
     }
 }
 
-/// Whether any of these attributes is documentation.
 pub(super) fn has_docs(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("doc"))
 }
 
-/// Takes the traits that the macro derives itself out of a `#[derive(…)]` of the user's.
+/// Removes the traits that the macro derives from a user's `#[derive(…)]`.
 fn without_our_derives(attribute: &mut Attribute) {
     const OURS: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
     if !attribute.path().is_ident("derive") {

@@ -1,4 +1,4 @@
-//! What a plan reads, bound to names.
+//! Binds the inputs of plans to names.
 
 use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::poly::Variable;
@@ -8,7 +8,6 @@ use quote::{format_ident, quote};
 
 use super::items::identifier;
 
-/// The name that a variable is bound to.
 pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     match symbols.symbol(variable) {
         Symbol::State(i) => format_ident!("__s_{}", symbols.states[i]),
@@ -18,8 +17,8 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     }
 }
 
-/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from
-/// `self`; ε stands in `eps`, the second point in `y`.
+/// Binds the inputs of a plan: `let [__s_x, _, __s_z] = __kahan::components(x);`, parameters from
+/// `self`. ε is `eps`, and the second point is `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
@@ -33,8 +32,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds the parameters among the `inputs`, which are in order, to what `read` makes of their
-/// fields.
+/// Binds the parameters among `inputs` to `read(field)`. `inputs` are sorted.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -51,16 +49,15 @@ pub(super) fn emit_bound_parameters(
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
 ///
-/// All are values before anything is computed. Read where they are used first, they come in an
-/// order in which compilers that pack scalar code into vectors pair them badly, at the cost of a
-/// tenth of a large step.
+/// All states are read first. Reading each on first use misleads compilers that pack scalar code
+/// into vectors, and slows large steps.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// A point's components, those without a name that are not among the `inputs`, which are in order;
-/// `None` if none is.
+/// Returns the pattern of a point's components among `inputs`, with `_` for others; `None` if it
+/// binds nothing. `inputs` are sorted.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

@@ -1,4 +1,4 @@
-//! The type itself, its names, and the value of a block without a header.
+//! The generated type, its constants of names, and the value of a block without a header.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// An identifier of the user's; `_` is what the front end has refused already.
+/// Returns a user's identifier. The front end has refused `_`, which gets a replacement.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -20,13 +20,12 @@ pub(super) fn identifier(name: &str, span: Span) -> Ident {
     }
 }
 
-/// The type that a block declares, or the anonymous one of a block without a header.
+/// The type that a block declares, or the anonymous type of a block without a header.
 pub(super) struct Type<'a> {
     pub(super) name: Ident,
-    /// The scalar type parameter, named so that it is not the type's name.
     pub(super) scalar: Ident,
     parameters: &'a [String],
-    /// The parameters that each site of a family has.
+    /// The parameters with one value for each site of a family.
     site_parameters: &'a [String],
     header: Option<RustHeader>,
 }
@@ -54,27 +53,25 @@ impl<'a> Type<'a> {
         !self.parameters.is_empty() || !self.site_parameters.is_empty()
     }
 
-    /// `E7<T>`, or `E6` where there are no parameters.
     pub(super) fn path(&self) -> TokenStream {
         let (name, generics) = (&self.name, self.generics());
         quote!(#name #generics)
     }
 
-    /// `<T>` behind an `impl` for the type, or nothing where there are no parameters.
     pub(super) fn generics(&self) -> Option<TokenStream> {
         let scalar = &self.scalar;
         self.has_parameters().then(|| quote!(<#scalar>))
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` is
-    /// told whether the user's own documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
+    /// returns the documentation, given whether the user's comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
         let header = self.header.as_ref().unwrap_or(&nothing);
         let (attributes, visibility) = (&header.attributes, &header.visibility);
         let formulas = formulas(has_docs(attributes));
-        // Values of sites stand in vectors, which are cloned.
+        // Parameters of sites are in vectors, which are not `Copy`.
         let copy = self.site_parameters.is_empty().then(|| quote!(::core::marker::Copy,));
         let derives = quote! {
             #[::core::prelude::v1::derive(
@@ -98,9 +95,10 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// The definition with its implementations and what rustc is to report; a block without a
-    /// header has a value, `Field { mu: Clone::clone(&mu) }`, and the names of the parameters in it
-    /// are the user's own tokens, so that they mean what they mean there.
+    /// Returns the items; without a header a block with a value, `Field { mu: Clone::clone(&mu) }`.
+    ///
+    /// The names of parameters in the value are tokens of the user, so that they resolve in the
+    /// user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
@@ -122,12 +120,12 @@ impl<'a> Type<'a> {
     }
 }
 
-/// The lists that are constants of a type.
 pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
-/// Expands to `impl E6 { pub const X: usize = 0; … }`, where each state stands in a point. Another
-/// constant of the type, a second state or an integral of that name takes it from a state. Of
-/// `E7<T>` one type has them, so that `E7::X` says all.
+/// Expands to `impl E6 { pub const X: usize = 0; … }`, the index of each state in a point.
+///
+/// A name that another constant, state or integral has gets no index. Only `E7<f64>` has the
+/// constants, so that `E7::X` needs no annotation.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
@@ -153,8 +151,8 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     quote! { impl #this { #(#places)* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }`, and what stands for it in the type itself: `pub
-/// const VARIABLES …`.
+/// Expands to `impl<T> Named for E7<T> { … }`, and to the constants of the type, `pub const
+/// VARIABLES …`.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());
@@ -179,7 +177,6 @@ pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     (named, quote! { #variables #parameters })
 }
 
-/// `pub const VARIABLES: [&'static str; 2] = ["x", "y"];`
 pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -> TokenStream {
     let constant = Ident::new(constant, Span::call_site());
     let length = Literal::usize_unsuffixed(names.len());

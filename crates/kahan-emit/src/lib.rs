@@ -1,10 +1,8 @@
 //! Kahan's map of a system as Rust.
 //!
-//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens, which
-//! is what the macro expands to, or as formatted text. It must not know mathematics: it decides
-//! nothing that a plan has not decided.
-//!
-//! With a header it expands to
+//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens, to
+//! which the macro expands, or as formatted text. This crate must not know mathematics: plans
+//! decide. With a header a block expands to
 //!
 //! ```text
 //! #[derive(Clone, Copy, Debug, PartialEq)] pub struct E7<T> { pub xi: T }
@@ -12,21 +10,20 @@
 //!     use kahan_core::__private as __kahan;
 //!     impl<T> E7<T> { pub const VARIABLES: … }            // items
 //!     impl<T: Scalar> QuadraticField<T, 3> for E7<T> { … }  // field
-//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: what a state runs through
+//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: the kernel for a state
 //!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
 //!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
-//!     impl<T: EmbedScalar> E7<T> { fn embed … }             // lifted, where the block asks for it
+//!     impl<T: EmbedScalar> E7<T> { fn embed … }             // lifted, if the block asks for it
 //! };
 //! ```
 //!
-//! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
-//! become `compile_error!` beside a type that stands in, so that code which uses it stays quiet.
+//! and without one to `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
+//! become `compile_error!` beside a stand-in type, so that code with this type has no further
+//! errors.
 //!
-//! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
-//! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
-//! scope would capture a pattern of its name. Only arguments, which rustdoc shows, have names for
-//! reading; a function of each name is imported, which hides the user's, and a pattern may have the
-//! name of a function.
+//! Generated code names its items through `__kahan` and begins bindings with `__` (state `x` is
+//! `__s_x`, parameter `mu` is `__p_mu`), as a user's constant would capture a pattern of its name.
+//! Arguments have readable names for rustdoc; imported functions of these names hide the user's.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -73,33 +70,29 @@ use lifted::Lifted;
 #[cfg(feature = "text")]
 pub use text::{NoText, text};
 
-/// The input of every part of the emitter.
 struct Context<'a> {
     system: &'a System,
-    /// The plans of what is emitted.
     derived: &'a Derived,
     this: Type<'a>,
-    /// Where the block asks for a lift.
     lifted: Option<&'a Lifted>,
-    /// The dimension as a literal.
     dimension: Literal,
-    /// Whether the claims are proved; if not, this stands in for a block with mistakes.
+    /// Whether the claims are proved; otherwise the code stands in for a block with mistakes.
     is_proved: bool,
 }
 
-/// A block in Rust.
+/// The expansion of a block.
 #[derive(Debug)]
 pub struct Expansion {
-    /// The system's name.
+    /// The name of the system.
     pub name: String,
-    /// The code that the block expands to.
+    /// The code.
     pub tokens: TokenStream,
 }
 
-/// Expands a block, the compiler's tokens between the brackets of `kahan!`; `core` is the path of
-/// the crate that holds `__private`.
+/// Expands a block, given the compiler's tokens between the brackets of `kahan!`. `core` is the
+/// path of the crate that holds `__private`.
 ///
-/// Mistakes become `compile_error!` at the places of the tokens.
+/// Mistakes become `compile_error!` at their tokens.
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
@@ -107,10 +100,8 @@ pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     Expansion { name: name(block.checked.header()), tokens: emit(core, block, &input) }
 }
 
-/// A block as it was read.
 struct Read {
     checked: Checked,
-    /// Where it asks for a lift.
     lifted: Option<Lifted>,
 }
 
@@ -122,8 +113,8 @@ fn read_block(input: &Flat) -> Read {
     Read { checked: kahan_algebra::read(&input.tokens), lifted: None }
 }
 
-/// Expands the block in a file, as `include_kahan!("FILE")` does: `file` is the literal, and
-/// `beside` the file that it stands in. The compiler reads the block anew when the file changes.
+/// Expands the block in a file, as `include_kahan!("FILE")` does. `file` is the literal, and
+/// `beside` the file that contains it. The compiler reads the block again when the file changes.
 ///
 /// Mistakes become one `compile_error!` at the literal, with a caret under each place in the file.
 #[must_use]
@@ -162,7 +153,6 @@ fn name(header: Option<&Header>) -> String {
     header.map_or("field", |header| header.name.text.as_str()).to_owned()
 }
 
-/// Emits a block: what the front end read, and the tokens that it read.
 fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
     let Read { checked, lifted } = block;
     let lifted = lifted.as_ref();
@@ -189,8 +179,8 @@ fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
     }
 }
 
-/// The errors of a block, and what rustc needs to report nothing else: where states were found, the
-/// type with methods that are 0; where there is a header, the type alone; else nothing.
+/// Emits the errors of a block and a stand-in, so that rustc reports nothing else: a type with
+/// methods that return 0 if states are known, otherwise the type of the header, otherwise nothing.
 fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, input: &Flat) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);
@@ -204,8 +194,7 @@ fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, inp
         };
     }
     if header.is_none() {
-        // A single `compile_error!` is right as an item and as an expression; there is no telling
-        // which is wanted.
+        // One `compile_error!` is valid as an item and as an expression; either may be needed.
         return if diagnostics.len() <= 1 {
             errors
         } else {
@@ -217,7 +206,7 @@ fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, inp
     quote! { #errors #definition }
 }
 
-/// The type of a system, its implementations, and for a block without a header its value.
+/// Emits the type of a system, its implementations, and its value if the block has no header.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,
@@ -266,7 +255,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// One `compile_error!` a mistake, over its tokens; for all mistakes of a text one.
+/// Returns a `compile_error!` for each mistake at its tokens, or one for all mistakes of a file.
 fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
@@ -281,7 +270,7 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // Two tokens carry the first and the last place; syn spans the error over both.
+            // Two tokens at the first and the last place; syn spans the error over both.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()
@@ -290,13 +279,11 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
 }
 
 impl Context<'_> {
-    /// `__kahan::SVector<T, 3>`
     fn vector(&self) -> TokenStream {
         let (scalar, n) = (&self.this.scalar, &self.dimension);
         quote!(__kahan::SVector<#scalar, #n>)
     }
 
-    /// `__kahan::SMatrix<T, 3, 3>`
     fn matrix(&self) -> TokenStream {
         let (scalar, n) = (&self.this.scalar, &self.dimension);
         quote!(__kahan::SMatrix<#scalar, #n, #n>)

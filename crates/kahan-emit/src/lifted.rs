@@ -1,5 +1,5 @@
-//! Blocks that ask for a lift: their equations become a quadratic field, which the rest of the
-//! emitter takes like any other, and their type has first values of the new variables.
+//! Blocks that ask for a lift: the lifted field goes through the rest of the emitter, and the type
+//! gets methods that compute the initial values of new variables.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -22,23 +22,21 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The nodes of a search: few enough for an unoptimised macro, and the same in every build.
+/// The budget of a search, small enough for an unoptimised macro and equal in every build.
 const NODES: usize = 200;
 
-/// The facts on a lifted block beside its system.
 pub(super) struct Lifted {
-    /// The number of original states, a lifted `t` among them.
+    /// The number of original states, with `t` if the time occurs.
     pub(super) states: usize,
-    /// The lift; none of a block with mistakes.
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
 }
 
-/// Lifts the equations of a block and proves its claims for the lift.
+/// Lifts the equations of a block and proves its claims for the lifted field.
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // Whoever lifts the block reports them.
+    // `lift` reports these mistakes.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
@@ -63,7 +61,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// A search that ended at its limit is told of the command, which has none.
+/// Refers a search beyond the macro's budget to the command, whose budget is larger.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -72,7 +70,7 @@ fn name_command(mistake: &mut Diagnostic, place: Span) {
     }
 }
 
-/// The stand-in of a block that is not lifted: its states alone, as if none were missing.
+/// Returns a stand-in with the states of a block that is not lifted.
 fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Lifted) {
     let mut states: Vec<String> = Vec::new();
     for equation in block.equations {
@@ -89,8 +87,8 @@ fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Li
     (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
 }
 
-/// The block with the equations of the lift. Without a header its parameters are those of the
-/// original equations all the same: some may stand in first values alone.
+/// Returns the block with lifted equations. Without a header it declares the parameters of the
+/// original equations, some of which may occur only in initial values.
 fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
     let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
@@ -125,7 +123,7 @@ fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: S
     }
 }
 
-/// The system if its claims hold.
+/// Returns the system if its claims hold, otherwise a stand-in with the mistakes.
 fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     check_claims(&system, seed(tokens), &mut diagnostics);
@@ -152,8 +150,8 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Whether floats find a false integral constant where the new variables have their first values:
-/// a step then changes it by a small part of what it does beside the relations.
+/// Returns whether a false integral is constant on the relations, in floats: a step from embedded
+/// points changes it by less than 1e-9 of its change elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -176,7 +174,7 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
         Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
     };
     let changes = (1..=6).filter_map(|place| {
-        // Between 0.3 and 0.8, where functions such as logarithms have values.
+        // Between 0.3 and 0.8, where logarithms and similar functions are defined.
         let spread = |index: usize| 0.3 + ((7 + place) * (3 + index) % 11) as f64 / 20.0;
         let states: Vec<f64> = (0..lift.states.len()).map(spread).collect();
         let parameters: Vec<f64> = (0..lift.parameters.len()).map(|k| spread(k + states.len())).collect();
@@ -190,16 +188,13 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
 }
 
 impl Lifted {
-    /// The names of the new variables.
     fn new_variables(&self) -> Vec<String> {
         self.lift.iter().flat_map(|lift| &lift.new).map(|new| new.name.clone()).collect()
     }
 }
 
-/// The lists that are constants of the type of a lift.
 pub(super) const LISTS: [&str; 2] = ["NEW_VARIABLES", "RELATIONS"];
 
-/// `NEW_VARIABLES` and `RELATIONS`.
 pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     let relations = lifted.lift.iter().flat_map(|lift| &lift.relations);
     let relations: Vec<String> = relations.map(|relation| relation.text.clone()).collect();
@@ -210,8 +205,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to the methods `embed` and `project`. Their bounds stand at the methods, so that rustc
-/// tells which scalars they have.
+/// Expands to `embed` and `project`, with bounds at the methods, so that rustc names the scalars.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
@@ -240,7 +234,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// The body of `embed`: each operation is a binding, in `f64`.
+/// Emits the body of `embed`: one binding for each operation, in `f64`.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;
@@ -304,7 +298,6 @@ fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     }
 }
 
-/// A float with all its bits.
 fn emit_float(value: f64) -> TokenStream {
     if value.is_finite() {
         let literal = Literal::f64_suffixed(value.abs());

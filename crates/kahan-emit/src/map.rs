@@ -1,5 +1,4 @@
-//! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the
-//! budget.
+//! `KahanMap`: the prepared step, and the closed forms of N and D if they are within the budget.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -15,8 +14,8 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not
-/// written here, is a default method.
+/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`. Other methods
+/// have defaults.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {
@@ -57,8 +56,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// The step of a plan, and what follows from running it over other scalars: the Jacobian and the
-/// step with a promise.
+/// Emits the step of a plan, and the Jacobian, which runs the step over dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -73,7 +71,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// The step that eliminates along the couplings, and the Jacobian by the same elimination.
+/// Emits the step that eliminates along the couplings, and the Jacobian by that elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
@@ -90,7 +88,6 @@ fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStrea
     }
 }
 
-/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { … }`.
 fn emit_extension(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.this.path(), &context.this.name, &context.this.scalar, &context.dimension);
@@ -120,7 +117,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// How a tangent vector v is carried from x to x̃, which is `y`, where that has a form of its own.
+/// Emits the map of a tangent vector v from x to x̃, called `y`, if the plans have a form for it.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.carry()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -152,7 +149,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// D, (N, D) and the reduced (N, D), without a division by anything that depends on the state.
+/// Emits det A, (N, D) and the reduced (N, D), without divisions by functions of the state.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
@@ -170,8 +167,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and a
-/// denominator.
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and denominator.
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

@@ -1,11 +1,11 @@
-//! Names for the steps of a plan as Rust's.
+//! Names for the values of a plan.
 
 use kahan_algebra::derived::{ValueName, ValueNames};
 use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
 
-/// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short
-/// description.
+/// Returns a name: `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1` and `__sum_1` for
+/// values without a short description.
 pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation) -> Ident {
     let ratio = match operation {
         Operation::Constant(value) => value.as_small_ratio(),
@@ -32,7 +32,6 @@ mod tests {
 
     use crate::expand;
 
-    /// Numbers of this size make a plan with −2 among its constants, which is used twice.
     #[test]
     fn a_negative_constant_has_a_name() {
         let block = "xdot = 1e1500*x; ydot = 1e-1500*y;".parse().expect("tokens");

@@ -4,8 +4,8 @@ use kahan_algebra::rational::Rational;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// A constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its
-/// digits.
+/// Emits a constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or
+/// all its digits.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     if let Some((kind, parts)) = short(value) {
         return quote!(__kahan::#kind::<#scalar>(#parts));
@@ -14,7 +14,6 @@ pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     quote!(<#scalar as __kahan::Scalar>::constant(&#exact))
 }
 
-/// Returns the name and the arguments of a constant that is an integer or a short ratio.
 fn short(value: &Rational) -> Option<(Ident, TokenStream)> {
     if let Some(integer) = value.as_i64() {
         let integer = Literal::i64_unsuffixed(integer);
@@ -24,7 +23,6 @@ fn short(value: &Rational) -> Option<(Ident, TokenStream)> {
     Some((format_ident!("ratio"), quote!(#above, #below)))
 }
 
-/// A constant as data: `__kahan::Constant::integer(3)`.
 pub(super) fn emit_exact(value: &Rational) -> TokenStream {
     if let Some((kind, parts)) = short(value) {
         return quote!(__kahan::Constant::#kind(#parts));

@@ -1,15 +1,13 @@
-//! A plan as Rust: one `let` for each step that is used more than once, everything else nested
-//! where it is used.
+//! A plan as Rust: one `let` for each value that is used more than once; others are nested.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's
-//! states, is moved where it is used last and cloned before; other inputs and prepared constants
-//! are borrowed, so they are cloned: free for floats, and little beside an operation for big
-//! rationals.
+//! Operations keep the order of the plan. Values with a `let`, and the states of a kernel, are
+//! moved on last use and cloned before. Other inputs and prepared constants are borrowed, hence
+//! cloned, which costs floats nothing and big rationals little.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
@@ -21,16 +19,15 @@ use super::inputs::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// Nested operations beyond this depth get a `let`, for readers and for rustc's stack.
+/// The nesting depth beyond which an operation gets a `let`, for readers and rustc's stack.
 const DEEPEST: usize = 24;
 
-/// A plan's Rust: the bindings, and one expression a result, to be used in this order.
+/// The Rust of a plan: bindings, then one expression for each result, to be used in this order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
 }
 
-/// How tightly an expression binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Level {
     Sum,
@@ -48,26 +45,24 @@ impl Expression {
         Expression { tokens, level: Level::Atom }
     }
 
-    /// In parentheses, unless it binds at least as tightly as `level`.
+    /// Returns the tokens, in parentheses unless the expression binds at least as tightly as
+    /// `level`.
     fn grouped(self, level: Level) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
 }
 
-/// The tokens in parentheses. Expressions are nested deeply, and `quote!` would copy all that is in
-/// them at each level.
+/// Puts tokens into parentheses. `quote!` would copy deeply nested tokens at each level.
 fn parenthesised(tokens: TokenStream) -> TokenStream {
     TokenTree::from(Group::new(Delimiter::Parenthesis, tokens)).into()
 }
 
-/// `left ∘ right`, whose tokens are appended to those of `left`.
 fn infix(mut left: TokenStream, operator: char, right: TokenStream) -> TokenStream {
     left.extend([TokenTree::from(Punct::new(operator, Spacing::Alone))]);
     left.extend([right]);
     left
 }
 
-/// `value.method(arguments)`
 fn call(mut value: TokenStream, method: &str, arguments: TokenStream) -> TokenStream {
     let name = Ident::new(method, Span::call_site());
     let dot = Punct::new('.', Spacing::Alone);
@@ -80,27 +75,27 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants; `None` outside a kernel, where a division by zero is
-    /// the scalar's business rather than a pole.
+    /// The names of the prepared constants. `None` outside of kernels, where a division by zero is
+    /// left to the scalar.
     constants: Option<&'a [String]>,
-    /// Whether what has a `let` is kept from being packed into vectors with its neighbours.
+    /// Whether `let`s are fenced against packing into vectors.
     has_fences: bool,
-    /// How many uses of each step have not been written yet.
+    /// The number of uses of each value that are not written yet.
     uses: Vec<usize>,
-    /// How deeply each step is nested from its nearest `let`s.
+    /// The nesting depth of each value, counted from its nearest `let`s.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
     bindings: TokenStream,
 }
 
-/// Emits a plan. Inputs are the bindings of [`emit_inputs`](super::inputs::emit_inputs).
+/// Emits a plan, whose inputs are bound by [`emit_inputs`](super::inputs::emit_inputs).
 pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitted {
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step: its prepared constants have these names, with `__e_` before them,
-/// and a pole returns `None`.
+/// Emits the kernel of a step, which returns `None` at a pole. Its prepared constants have the
+/// names `constants`, preceded by `__e_`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -142,13 +137,12 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// The operands that are written: the 1 of a reciprocal is not.
+    /// Returns the operands that are written, without the 1 of a reciprocal.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)
     }
 
-    /// d where a kernel computes 1/d.
     fn reciprocal_of(&self, operation: &Operation) -> Option<Node> {
         match *operation {
             Operation::Divide(a, b) if self.constants.is_some() => {
@@ -160,14 +154,12 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Binds a step, or leaves it to be nested where it is used.
     fn step(&mut self, index: usize) {
         let operation = &self.plan.operations[index];
         let nested = self.operands(operation).filter(|operand| self.lets[operand.0].is_none());
         let depth = nested.map(|operand| self.depths[operand.0] + 1).max().unwrap_or(0);
         self.depths.push(depth);
         if let (Operation::Input(Input::Variable(variable)), Some(_)) = (operation, self.constants) {
-            // A kernel has the states as values.
             self.lets[index] = Some(binding(self.symbols, *variable));
             return;
         }
@@ -185,7 +177,6 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// A use of a step.
     fn operand(&mut self, node: Node) -> Expression {
         let Some(name) = &self.lets[node.0] else { return self.operation(node.0) };
         self.uses[node.0] -= 1;
@@ -220,8 +211,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Rust's operators group to the left, so only the right operand needs parentheses at its own
-    /// level.
+    /// Writes a binary operation. Operators group to the left, so only a right operand of equal
+    /// precedence needs parentheses.
     fn binary(&mut self, a: Node, b: Node, level: Level, operator: char) -> Expression {
         let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
@@ -233,7 +224,7 @@ impl<'a> Emitter<'a> {
         Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
-    /// `a / b`, or in a kernel, where a pole must be told, `b.reciprocal()?` or `a.quotient(b)?`.
+    /// Writes `a / b`, or in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
             return self.binary(a, b, Level::Product, '/');

@@ -1,13 +1,12 @@
-//! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state
-//! runs through.
+//! The prepared step: constants that ε and the parameters fix, and the kernel for a state.
 //!
 //! ```text
 //! pub struct __Step;
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! Where the plan has a general form besides, that is the kernel `__General`, and a type of the
-//! core chooses between the two.
+//! A plan with a second, general form has a kernel `__General`, too. A type of `kahan-core` chooses
+//! between the two.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -18,17 +17,12 @@ use super::inputs::{emit_inputs, emit_owned_states};
 use super::plan::{Emitted, emit_kernel, emit_plan};
 use kahan_algebra::derived::constant_names;
 
-/// The parts of a prepared step.
 pub(super) struct EmittedStep {
-    /// The kernels.
     pub(super) items: TokenStream,
-    /// The type of the prepared step.
     pub(super) prepared: TokenStream,
-    /// The body of `prepare(&self, eps: &T)`.
     pub(super) prepare: TokenStream,
 }
 
-/// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
     let scalar = &context.this.scalar;
     let step = NamedStep::of(context, plan, "__Step");
@@ -56,12 +50,10 @@ pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
     }
 }
 
-/// One straight-line form of a step.
 struct NamedStep<'a> {
     context: &'a Context<'a>,
     plan: &'a StepPlan,
     name: Ident,
-    /// The names of the constants.
     names: Vec<String>,
 }
 
@@ -71,12 +63,11 @@ impl<'a> NamedStep<'a> {
         NamedStep { context, plan, name: format_ident!("{name}"), names }
     }
 
-    /// The number of constants.
     fn count(&self) -> Literal {
         Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Expands to the constants in order, `[eps.clone(), …]`, or to a block that ends so.
+    /// Expands to the constants in order, `[eps.clone(), …]`, or to a block that ends with them.
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
@@ -90,7 +81,6 @@ impl<'a> NamedStep<'a> {
         }
     }
 
-    /// Expands to `pub struct __Step;` and `impl Kernel<3, 2> for __Step`.
     fn emit_kernel(&self) -> TokenStream {
         let NamedStep { context, plan, name, names } = self;
         let (scalar, dimension, count) = (&context.this.scalar, &context.dimension, self.count());
@@ -98,7 +88,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // One result for each use: what is used last is moved.
+        // One result for each use, so that the last use moves it.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {
@@ -148,7 +138,6 @@ impl<'a> NamedStep<'a> {
     }
 }
 
-/// Expands to `const COST: StepCost = StepCost::of(operations, divisions, critical_path);`.
 pub(super) fn emit_cost(cost: StepCost) -> TokenStream {
     let StepCost { operations, divisions, critical_path } = cost;
     let [operations, divisions, critical_path] =

@@ -1,4 +1,4 @@
-//! The expansion as text that one reads.
+//! The expansion as formatted text.
 
 use std::error::Error;
 use std::fmt;
@@ -8,19 +8,18 @@ use quote::quote;
 
 use super::expand;
 
-/// The most tokens that are formatted.
 const MOST_TOKENS: usize = 500_000;
 
-/// Why an expansion has no text.
+/// The reason for which an expansion has no text.
 #[derive(Debug)]
 pub enum NoText {
-    /// The block is not made of Rust tokens, as `x²` is not.
+    /// The block is not made of Rust tokens; `x²` is an example.
     NotRust(LexError),
     /// The expansion has too many tokens to be formatted.
     TooLong {
         /// The number of its tokens.
         tokens: usize,
-        /// The most that are formatted.
+        /// The largest number that is formatted.
         most: usize,
     },
 }
@@ -40,8 +39,8 @@ impl fmt::Display for NoText {
 
 impl Error for NoText {}
 
-/// What `kahan! { block }` expands to, formatted; a block without a header stands where an
-/// expression may.
+/// Returns the expansion of `kahan! { block }` as formatted text. A block without a header stands
+/// in a function.
 ///
 /// # Errors
 /// [`NoText`]: the block is not made of Rust tokens, or the expansion is too long.
@@ -54,7 +53,6 @@ pub fn text(core: &TokenStream, block: &str) -> Result<String, NoText> {
     Ok(formatted(&expansion.tokens))
 }
 
-/// The number of tokens, a pair of brackets being one.
 fn count(tokens: &TokenStream) -> usize {
     let inside = |token| match token {
         TokenTree::Group(group) => 1 + count(&group.stream()),
@@ -63,7 +61,6 @@ fn count(tokens: &TokenStream) -> usize {
     tokens.clone().into_iter().map(inside).sum()
 }
 
-/// Items as a file; a value stands in a function.
 fn formatted(tokens: &TokenStream) -> String {
     let file = syn::parse2(tokens.clone())
         .or_else(|_| syn::parse2(quote! { fn scope() { let value = #tokens; } }))

@@ -1,5 +1,5 @@
-//! Compiler tokens, or a text, to the front end's tokens, groups flattened, with the compiler's
-//! span of each.
+//! Tokens of the compiler, or a text, to tokens of the front end, without groups. Each keeps its
+//! span of the compiler.
 
 use std::ops::Range;
 
@@ -8,34 +8,30 @@ use kahan_algebra::syntax::Written;
 use kahan_algebra::token::{Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
 
-/// A text that tokens were read from, which has no places that the compiler knows.
+/// The text from which tokens were read; the compiler knows no places in it.
 pub(crate) struct Source {
     pub(crate) text: String,
-    /// The byte range of each token.
     pub(crate) ranges: Vec<Range<usize>>,
-    /// What reports call it.
     pub(crate) origin: String,
 }
 
-/// The tokens of a block and where they stand.
 pub(crate) struct Flat {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
-    /// The compiler's tree that begins with each token, and the number of its last token; a closing
-    /// bracket begins none.
+    /// The compiler's token tree that begins with each token, and the index of its last token. No
+    /// tree begins with a closing bracket.
     trees: Vec<Option<(TokenTree, usize)>>,
-    /// Where the tokens are those of a text.
+    /// The text, if the tokens are those of one.
     pub(crate) source: Option<Source>,
 }
 
-/// The tokens of a text; all of them stand where `span` is.
 pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
     let Lexed { tokens, ranges, .. } = lex(&text);
     let spans = vec![span; tokens.len()];
     Flat { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }
 
-/// Flattens a token stream. Nesting costs no stack: open groups wait in a list.
+/// Flattens a token stream, with a list of open groups instead of recursion.
 pub(crate) fn flatten(stream: TokenStream) -> Flat {
     let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
     let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
@@ -65,7 +61,7 @@ pub(crate) fn flatten(stream: TokenStream) -> Flat {
     flat
 }
 
-/// The brackets of a group; one without any (a captured `$e:expr`) binds like parentheses.
+/// Returns the brackets of a group. One without, as a captured `$e:expr`, gets parentheses.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
@@ -75,7 +71,7 @@ fn brackets(group: &Group) -> (char, char) {
 }
 
 impl Flat {
-    /// What only Rust understands, as the compiler's tokens.
+    /// Returns the parts that only Rust understands, as the compiler's tokens.
     pub(crate) fn rust(&self, written: &Written) -> TokenStream {
         match (&self.source, written.span) {
             (Some(_), _) => written.lines.join("\n").parse().unwrap_or_default(),
@@ -84,7 +80,7 @@ impl Flat {
         }
     }
 
-    /// The compiler's tokens of a run that cuts no group.
+    /// Returns the compiler's tokens of a span that cuts no group.
     fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
         let mut next = span.first;
         let trees = core::iter::from_fn(|| {

@@ -1,9 +1,8 @@
-//! Golden expansions: a block and the Rust that it becomes, to be read in review like any code.
+//! Golden expansions: blocks and their Rust, to be read in review like any code.
 //!
-//! The first file shows a whole expansion. Each later one leaves out the functions that differ from
-//! one in an earlier file in the name of the type and the dimension alone.
-//!
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit` writes the files anew.
+//! The first file shows a whole expansion. Later ones leave out functions that an earlier file has,
+//! up to the name of the type and the dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit`
+//! writes the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,31 +13,23 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 
-/// The blocks, each with the functions that it is there to show, where these are not all.
+/// The blocks, each with the functions that it shows; an empty list means all.
 const BLOCKS: [(&str, &[&str]); 7] = [
-    // A system with claims.
     ("e3", &[]),
-    // Parameters and what is divided by them.
     ("parameters", &[]),
-    // Without a header, so that it becomes a value.
     ("anonymous", &["quotients", "prepare", "extend_scalars"]),
-    // Broken, and a type all the same.
     ("broken", &["integrals", "prepare"]),
-    // Beyond the budget of terms: it steps by elimination.
-    // Of more than eight variables: it eliminates along the couplings.
+    // More than eight variables: elimination along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
-    // A family: the lines of one site.
     ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
-    // A lift: first values of its new variables, from the states.
     ("lifted", &["embed", "project", "field", "E"]),
 ];
 
-/// What was shown so far.
 #[derive(Default)]
 struct Shown(BTreeSet<String>);
 
 impl Shown {
-    /// The expansion without what was shown; all of it is shown from now on.
+    /// Returns the expansion without earlier functions, and notes the functions that it shows.
     fn rest(&mut self, block: &str, functions: &[&str]) -> String {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {
@@ -51,7 +42,7 @@ impl Shown {
         formatted(&quote!(#(#items)*))
     }
 
-    /// Leaves out what was shown of the implementations, which stand in a constant.
+    /// Removes earlier functions from the implementations, which are in a constant.
     fn take(&mut self, block: &mut Block, functions: &[&str]) {
         for statement in &mut block.stmts {
             if let Stmt::Item(Item::Const(constant)) = statement
@@ -65,7 +56,7 @@ impl Shown {
         }
     }
 
-    /// Reduces an implementation to what is new in it; whether there is anything.
+    /// Reduces an implementation to its new functions. Returns whether any is left.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();
@@ -91,12 +82,11 @@ impl Shown {
     }
 }
 
-/// Rust as a file.
 fn formatted(tokens: &TokenStream) -> String {
     prettyplease::unparse(&syn::parse2(tokens.clone()).expect("what the macro expands to is Rust"))
 }
 
-/// The text with n for the dimension in the types of vectors and matrices.
+/// Replaces the dimension in the types of vectors and matrices by n.
 fn without_dimension(text: &str) -> String {
     (1..10).fold(text.to_owned(), |text, n| {
         text.replace(&format!("SVector < T , {n} >"), "SVector < T , n >")
@@ -154,8 +144,7 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
-/// Of systems, families and blocks with another mistake: rustc would overflow its stack instead of
-/// telling it.
+/// Beyond the limit rustc would overflow its stack, so every kind of block reports it.
 #[test]
 fn a_block_of_too_many_parameters_is_told_so() {
     for (count, is_refused) in [(2000, false), (2001, true)] {

@@ -1,4 +1,4 @@
-//! Tables of numbers.
+//! Reads tables of numbers.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::read_csv(bytes));

@@ -1,4 +1,4 @@
-//! Arrays of NumPy's.
+//! Reads arrays of NumPy.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::read_npy(bytes));

@@ -1,4 +1,4 @@
-//! Equations as people write them.
+//! Reads equations in many notations.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::read_text(bytes));

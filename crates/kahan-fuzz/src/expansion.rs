@@ -1,5 +1,4 @@
-//! Text to expansion: a block is read, its plans are derived, and it is written as Rust, whatever
-//! is wrong with it.
+//! Blocks: reads a text, derives its plans and writes them as Rust.
 
 use kahan_runtime::FieldText;
 use proc_macro2::TokenStream;
@@ -118,7 +117,7 @@ pub fn expand(bytes: &[u8]) {
     if let Err(mistakes) = FieldText::new(text.clone(), "field".to_owned()).system() {
         assert!(!mistakes.to_string().is_empty());
     }
-    // Text that Rust has no tokens for never comes to the macro.
+    // A text without Rust tokens never reaches the macro.
     let core: TokenStream = "::kahan_core".parse().expect("a path");
     if let Ok(rust) = kahan_emit::text(&core, &text) {
         assert!(rust.is_empty() == text.trim().is_empty(), "{rust}");

@@ -1,5 +1,5 @@
-//! What the targets run: inputs from bytes, and what must hold of whatever becomes of them. Parts
-//! of our crates that are private there are compiled once more.
+//! The bodies of the fuzz targets: inputs from bytes, and checks of every result. Private modules
+//! of `kahan-jit` are compiled here again.
 
 #[path = "../../kahan-jit/src/tests/draw.rs"]
 #[expect(dead_code, reason = "the crate has tests that draw programs in another way")]
@@ -15,7 +15,7 @@ mod run;
 mod texts;
 mod words;
 
-// The files of `kahan-jit` name what they use by `crate`.
+// The files of `kahan-jit` refer to these names by `crate`.
 use kahan_jit::{
     Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
     Program, Refusal, Shape, Sweep,
@@ -26,8 +26,8 @@ pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
 pub use texts::read_text;
 
-/// Runs a program for machine code on slices at the edge of forbidden memory, in the way that the
-/// bytes say.
+/// Runs a program as machine code on slices beside inaccessible memory. The bytes choose the
+/// program and the way to run it.
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }

@@ -1,10 +1,9 @@
-//! Files of numbers, from their bytes.
+//! Files of numbers from bytes.
 
 use kahan_study::number_file::Numbers;
 
 use crate::words::text;
 
-/// What the header of an array is made of.
 const WORDS: &[&str] = &[
     "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }",
     "{",
@@ -29,7 +28,7 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// Reads an array of NumPy's: the bytes as they stand, and numbers behind a header of words.
+/// Reads an array of NumPy: the bytes themselves, then numbers behind a header made of words.
 pub fn read_npy(bytes: &[u8]) {
     read(bytes, ".npy");
     let (numbers, header) = bytes.split_at(bytes.len().min(32));
@@ -41,13 +40,12 @@ pub fn read_npy(bytes: &[u8]) {
     }
 }
 
-/// Reads a table.
+/// Reads a table of numbers.
 pub fn read_csv(bytes: &[u8]) {
     read(bytes, ".csv");
 }
 
-/// Reads a file with these bytes and this ending; what is accepted has as many numbers and names as
-/// its sizes say.
+/// Reads a file of this type. Checks that the numbers of values and names agree with the sizes.
 fn read(bytes: &[u8], ending: &str) {
     match Numbers::<f64>::of(ending, bytes) {
         Ok(Numbers { names, sizes, values }) => {

@@ -1,4 +1,4 @@
-//! Equations as people write them, from their text to a field.
+//! Texts in many notations, read as fields.
 
 use kahan_runtime::FieldText;
 
@@ -83,7 +83,7 @@ const WORDS: &[&str] = &[
     "=",
 ];
 
-/// Reads a text; where it has no mistake, its form in the language of `kahan!` is the same field.
+/// Reads a text. Checks that its form in the language of `kahan!` is read as an equal field.
 pub fn read_text(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     let given = FieldText::new(text, "field".to_owned());

@@ -1,9 +1,8 @@
 //! Text from bytes.
 
-/// A text for a parser: either the bytes as they stand, or each of them a word of its language.
+/// Returns a text for a parser: the bytes themselves, or one word of its language for each byte.
 ///
-/// From words the fuzzer finds texts that are nearly right, which bytes alone take very long to
-/// become; only bytes hold what is no word.
+/// Words lead to texts that are nearly correct; bytes contain characters that no word has.
 pub(crate) fn text(bytes: &[u8], words: &[&str]) -> Option<String> {
     let (&first, rest) = bytes.split_first()?;
     if first % 2 == 0 {

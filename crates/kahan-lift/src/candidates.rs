@@ -1,7 +1,7 @@
-//! The lifts between which is chosen.
+//! Candidates for a lift.
 //!
-//! In: checked equations and a budget of nodes. Out: sets of new variables that make them
-//! quadratic, each with the forms of its equations and the relations between its variables.
+//! In: checked equations and a limit for the search. Out: sets of new variables that make the
+//! equations quadratic, each with the forms of its equations and the relations of its variables.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -19,35 +19,32 @@ use crate::quadratic::{Products, Quadratic, component, times};
 use crate::ring::Ring;
 use crate::search::{MOST_VARIABLES, Problem, founded, search};
 
-/// The most sets of new variables of one size that are judged.
+/// The largest number of sets of one size that become candidates.
 const MOST_SETS: usize = 8;
 
-/// How far a search goes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// The most nodes.
     pub(crate) nodes: usize,
-    /// Whether lifts of one more variable than the least number are wanted, and lifts in which each
-    /// variable has a relation of its own.
+    /// Whether to search, too, for sets of one variable more, and for sets in which each variable
+    /// has a defining relation.
     pub(crate) surplus: bool,
 }
 
-/// A set of new variables with the forms of its equations.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The values of the new variables; 0 is the work done since the start.
+    /// The new variables as functions of the states. 0 stands for the work done since the start.
     pub(crate) new: Vec<Laurent>,
-    /// Forms of the field, the preferred one first.
+    /// Forms of the quadratic field, the preferred one first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
-    /// Relations between the variables.
+    /// Polynomials that vanish where the new variables have their values.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
-    /// The energy of the flow.
+    /// The energy of the flow, which the map keeps in a modified form.
     pub(crate) energy: Option<Quadratic>,
 }
 
-/// The lifts of the least order and of one more.
+/// Returns the lifts with the fewest new variables found, and with one more.
 pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let surplus = usize::from(effort.surplus);
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
@@ -85,8 +82,7 @@ fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Cand
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
 
-/// Lifts of a mechanical system whose map keeps an energy: of the least order and, where more than
-/// that is wanted, of one more, and lifts in which each variable has a relation of its own.
+/// Returns the lifts of a mechanical system whose map keeps an energy; none for other systems.
 pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
@@ -94,7 +90,7 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Ca
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // With sums that occur often as coordinates sets are small: they limit those without.
+    // Sums as coordinates give small sets, whose size limits the search without these sums.
     let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);
@@ -103,8 +99,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Ca
     candidates
 }
 
-/// The energy lifts in which the components of the force are variables, each as a sum or each of
-/// its monomials. `least` is the order of another lift.
+/// Returns the energy lifts in which the nonlinear parts of the forces are variables: each as one
+/// sum if `as_sums`, otherwise its monomials. `least` is the size of a known lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -145,7 +141,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum that is affine in the other variables is no variable.
+        // A sum that is affine in the other variables needs no variable.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -163,7 +159,7 @@ fn energy_lifts(
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
-/// Adds the variable for the potential where it is needed, and the equations that keep the energy.
+/// Adds a variable for the potential if needed, and fixes the equations that keep the energy.
 fn with_potential(
     ring: &Rc<Ring>,
     mechanical: &Mechanical,
@@ -176,7 +172,7 @@ fn with_potential(
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
-        // A sum is written by its variable.
+        // This variable stands for the nonlinear part of the force.
         let sum = new.iter().position(|one| {
             one.len() > 1 && {
                 let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());
@@ -195,7 +191,7 @@ fn with_potential(
         })?;
         fixed.insert(momentum, equation);
     }
-    // ½ pᵀSp and, of V, the part that is quadratic in the positions.
+    // ½ pᵀSp, plus the terms of V that are quadratic in the positions.
     let half = RationalFunction::constant(Rational::new(1, 2));
     let mut energy = Quadratic::default();
     let mut power = Quadratic::default();
@@ -210,7 +206,7 @@ fn with_potential(
     if let Some(potential) = &potential {
         let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
+        // d(x y)/dt = x′y + x y′
         for state in 0..states {
             let velocity = products.affine(&ring.field[state]);
             for (monomial, factor) in plain.partial(state).terms() {
@@ -239,13 +235,12 @@ fn with_potential(
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
-/// Returns the function that the map keeps in the place of a quadratic integral.
+/// Returns the modified integral of Kahan's map that belongs to a quadratic integral of the field.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())
 }
 
-/// The field of a form, with numbers for names.
 pub(crate) fn field_of(ring: &Ring, form: &[Quadratic]) -> Field {
     let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
     let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", ring.parameters) };

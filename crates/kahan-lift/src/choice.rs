@@ -1,4 +1,4 @@
-//! Which of the candidates is taken, and in which form.
+//! Chooses one of the candidates, and one of its forms.
 
 use std::collections::BTreeSet;
 
@@ -12,35 +12,35 @@ use crate::quadratic::Quadratic;
 use crate::ring::{Function, Meaning};
 use crate::stability::{Growth, Orbit};
 
-/// Which lift is wanted.
+/// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Which {
-    /// The energy lift of a mechanical system; else one whose relations are kept exactly; else one
-    /// whose relations do not grow; else one of the least order.
+    /// The first that exists: an energy lift; a lift whose relations are kept exactly; one whose
+    /// relations do not grow along the orbit; one with the fewest new variables.
     #[default]
     Automatic,
-    /// The energy lift of a mechanical system.
+    /// An energy lift of a mechanical system.
     Energy,
-    /// A lift with as many relations kept exactly as can be.
+    /// A lift with the largest number of relations that the map keeps exactly.
     Relations,
     /// A lift whose relations do not grow along the orbit.
     Stable,
-    /// A lift of the least order.
+    /// A lift with the fewest new variables.
     Smallest,
 }
 
 impl Which {
-    /// All of them.
+    /// All criteria.
     pub const ALL: [Which; 5] =
         [Which::Automatic, Which::Energy, Which::Relations, Which::Stable, Which::Smallest];
 
-    /// Its name, as `--lift=NAME` has it.
+    /// Returns the name, as in `--lift=NAME`.
     #[must_use]
     pub fn name(self) -> &'static str {
         ["automatic", "energy", "relations", "stable", "smallest"][self as usize]
     }
 
-    /// The lift that it asks for.
+    /// Returns a description of the lift.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         [
@@ -53,10 +53,10 @@ impl Which {
     }
 }
 
-/// The most pairs of a lift and a form that are followed along an orbit.
+/// The largest number of pairs of a candidate and a form that are evaluated.
 const MOST_FOLLOWED: usize = 32;
 
-/// A candidate with one form, and what is known of it.
+/// A candidate with one form, the relations that the map keeps, and the growth of their errors.
 #[derive(Debug)]
 pub(crate) struct Judged<'a> {
     pub(crate) candidate: &'a Candidate,
@@ -65,14 +65,14 @@ pub(crate) struct Judged<'a> {
     pub(crate) growth: Option<Growth>,
 }
 
-/// The best candidate with its best form, and why it is.
+/// Returns the best candidate with its best form, and the reason for the choice.
 pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
     which: Which,
     orbit: Option<&Orbit>,
 ) -> Option<(Judged<'a>, String)> {
     let mut judged: Vec<Judged<'_>> = Vec::new();
-    // Preferred forms come before others, so that a limit leaves out the others.
+    // The limit leaves out the least preferred forms.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -83,7 +83,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // x² before x·p: functions of fewer variables.
+    // Prefer x² to x·p: functions of fewer variables.
     let spread = |one: &Judged<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
@@ -144,8 +144,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Follows lifts along the orbit, those with the fewest new variables first. Once one of them is
-/// stable, lifts with more variables are left out.
+/// Computes the growth along the orbit, in order of the number of new variables. Stops after the
+/// first number with a stable lift, and drops the lifts that remain.
 fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();
@@ -171,10 +171,9 @@ impl<'a> Judged<'a> {
         Judged { candidate, form, kept, growth: None }
     }
 
-    /// Finds out how errors of the relations grow along an orbit.
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The work done since the start, which is last, has no relation.
+        // The last variable may be the work done since the start, which has no relation.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }
@@ -187,8 +186,9 @@ impl<'a> Judged<'a> {
         self.growth.is_some_and(|growth| growth.is_stable())
     }
 
-    /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
-    /// holds w linearly. κ exceeds the rate at which errors grow.
+    /// Returns forms with damping: w′ −= κ R, where the relation R contains w linearly.
+    ///
+    /// κ exceeds the rate at which errors grow, so that they should decay.
     fn damped(&self, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
@@ -202,7 +202,7 @@ impl<'a> Judged<'a> {
                     relation.terms().filter(|(monomial, _)| monomial.powers().any(new)).count()
                 };
                 let relations = self.candidate.relations.iter().filter(|one| one.contains(&own));
-                // Functions without an algebraic relation stay as they are.
+                // A function without an algebraic relation keeps its equation.
                 let Some(relation) = relations.min_by_key(|relation| others(relation)) else { continue };
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
@@ -214,8 +214,8 @@ impl<'a> Judged<'a> {
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
-    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine
-    /// and a cosine.
+    /// Returns whether the map keeps one relation for each new variable; a sine and its cosine
+    /// share one.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);

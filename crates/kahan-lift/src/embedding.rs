@@ -1,7 +1,8 @@
-//! The first values of new variables as a straight-line program.
+//! The initial values of new variables as a straight-line program.
 //!
-//! `Lift::embed` runs the program in `f64`, and generated code is written from it, so that both
-//! have the same bits: every operation rounds once, or is a function of `libm`.
+//! `Lift::embed` runs the program in `f64`, and generated code is written from it, so both have
+//! equal bits. An operation is correctly rounded, an integer power by repeated squaring, or a
+//! function of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::poly::Polynomial;
@@ -12,19 +13,19 @@ use kahan_program::{Calls, Node, Program};
 use crate::laurent::Laurent;
 use crate::ring::{Function, Meaning, Ring};
 
-/// A number that first values depend on.
+/// An input of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A state, by its place in a point; the lifted time is the last one.
+    /// A state, by its index in a point; the lifted time is the last one.
     State(usize),
-    /// A parameter, by its place.
+    /// A parameter, by its index.
     Parameter(usize),
 }
 
-/// A function that first values call.
+/// A function that the program calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// aⁿ by repeated squaring, and 1/a⁻ⁿ where n is negative.
+    /// aⁿ by repeated squaring; 1/a⁻ⁿ for negative n.
     Power(i32),
     /// a^b by `libm::pow`.
     RealPower,
@@ -37,8 +38,7 @@ pub enum Called {
 }
 
 impl Called {
-    /// Returns the name by which generated code calls the function; `libm` has all but the first
-    /// one by these names.
+    /// Returns the name of the function in generated code. All but `power` are names of `libm`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -57,7 +57,7 @@ impl kahan_program::Function for Called {
     }
 }
 
-/// One operation of first values.
+/// An instruction of the program.
 pub type Operation = kahan_program::Operation<Input, Rational, Called>;
 
 impl Calls<Called> for Float64 {
@@ -84,12 +84,12 @@ impl Calls<Called> for Exact {
     }
 }
 
-/// The first values of new variables as functions of the states and the parameters.
+/// The new variables as functions of the states and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Embedding {
-    /// The program; its outputs are the new variables' values.
+    /// The program; its outputs are the values of the new variables.
     pub program: Program<Vec<Operation>>,
-    /// A workspace with the constants in their places.
+    /// A workspace with one register for each instruction, which holds the constants.
     constants: Vec<f64>,
 }
 
@@ -100,15 +100,15 @@ impl Embedding {
         Embedding { program, constants }
     }
 
-    /// The values at a point, with these values of the parameters.
+    /// Returns the new variables at a point.
     #[must_use]
     pub fn values(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let found = self.run(states, parameters);
         self.program.outputs.iter().map(|value| found[value.0]).collect()
     }
 
-    /// The values at a point: exact for rational functions of the states, else those of floats.
-    /// Returns `None` if one has no finite value.
+    /// Returns the new variables at a point: exactly for rational functions of the states,
+    /// otherwise with calls of `libm` in floats. Returns `None` if a value is infinite.
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());
@@ -128,7 +128,6 @@ impl Embedding {
         program.evaluate(&Exact, input).into_iter().collect()
     }
 
-    /// The values of all operations.
     fn run(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut found = self.constants.clone();
         for (value, operation) in found.iter_mut().zip(&self.program.operations) {
@@ -143,7 +142,6 @@ impl Embedding {
     }
 }
 
-/// Writes the program of first values.
 pub(crate) struct Builder<'a> {
     ring: &'a Ring,
     program: kahan_program::Builder<Input, Rational, Called>,
@@ -151,7 +149,6 @@ pub(crate) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    /// The embedding by these values.
     pub(crate) fn embedding<'b>(ring: &'a Ring, values: impl IntoIterator<Item = &'b Laurent>) -> Embedding {
         let (program, coordinates) = (kahan_program::Builder::default(), vec![None; ring.coordinates.len()]);
         let mut builder = Builder { ring, program, coordinates };
@@ -175,7 +172,7 @@ impl<'a> Builder<'a> {
         if exponent == 1 { base } else { self.call(Called::Power(exponent), base) }
     }
 
-    /// number·factors from left to right, without a factor that is 1.
+    /// Returns number·factors from left to right, without a factor ±1.
     fn product(&mut self, number: &Rational, factors: Vec<Node>) -> Node {
         let mut factors = factors.into_iter();
         let first = if number.abs().is_one() { factors.next() } else { None };
@@ -191,7 +188,6 @@ impl<'a> Builder<'a> {
         sum.unwrap_or_else(|| self.number(&Rational::zero()))
     }
 
-    /// A polynomial in the parameters.
     fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         let mut terms = Vec::new();
         for (monomial, number) in polynomial.terms() {
@@ -205,7 +201,7 @@ impl<'a> Builder<'a> {
         self.sum(terms)
     }
 
-    /// A coefficient as a number and, unless that is all of it, a factor.
+    /// Returns a coefficient as a number and, if it depends on parameters, a factor.
     fn coefficient(&mut self, value: &RationalFunction) -> (Rational, Option<Node>) {
         if let Some(number) = value.as_polynomial().and_then(Polynomial::as_constant) {
             return (number, None);
@@ -272,7 +268,6 @@ mod tests {
 
     use crate::{Options, lift};
 
-    /// The program against values in rational numbers, which go another way.
     #[test]
     fn programs_have_the_exact_values_to_rounding() {
         for text in [

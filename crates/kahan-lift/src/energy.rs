@@ -1,12 +1,10 @@
 //! Mechanical systems: x′ = A p, p′ = G(x) with a potential.
 //!
-//! If S is a constant symmetric matrix and V(x) a function with ∇V = −A⁻ᵀ S G, then
-//! ½ pᵀSp + V is constant along solutions. A lift in which the components of G are affine in the
-//! variables, and a variable W stands for V with W′ = −pᵀS G, has a map that keeps
+//! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is
+//! constant along solutions. Let the components of G be affine in the variables of a lift, and let
+//! W stand for V with W′ = −pᵀS G. By the rule of polarisation with y = p, Kahan's map then keeps
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
-//!
-//! exactly, whatever the other equations are: the rule of polarisation with y = p.
 
 use std::collections::BTreeSet;
 
@@ -17,25 +15,23 @@ use crate::laurent::{Laurent, Monomial};
 use crate::linear::null_space;
 use crate::ring::{Function, Meaning, Ring};
 
-/// A mechanical system.
 #[derive(Clone, Debug)]
 pub(crate) struct Mechanical {
-    /// The states that are momenta.
+    /// The indices of the momenta.
     pub momenta: Vec<usize>,
-    /// S: ½ pᵀSp is the kinetic energy.
+    /// S; ½ pᵀSp is the kinetic energy.
     pub kinetic: Vec<Vec<RationalFunction>>,
-    /// V, where an antiderivative was found.
+    /// V, if an antiderivative was found.
     pub potential: Option<Laurent>,
 }
 
-/// The most monomials that an antiderivative is made of.
 const MOST_CANDIDATES: usize = 120;
 
 impl Mechanical {
-    /// Recognises a mechanical system; its curl is tested exactly.
+    /// Recognises a mechanical system. The curl is tested exactly.
     pub(crate) fn recognise(ring: &Ring) -> Option<Self> {
         let [positions, momenta] = positions_and_momenta(ring)?;
-        // The partial derivatives by the positions are derivatives along constant fields.
+        // A partial derivative is the derivative along a constant field.
         let partials: Vec<Ring> = positions.iter().map(|&position| along(ring, position)).collect();
         let velocity = |position: usize, momentum: usize| {
             ring.field[position].coefficient(&Monomial::power(momentum, 1))
@@ -46,7 +42,6 @@ impl Mechanical {
             .collect();
         let inverse = inverse_transpose(&moves)?;
         let kinetic = kinetic_energy(ring, &partials, &momenta, &moves, &inverse)?;
-        // ∇V = −A⁻ᵀ S G.
         let slope = |row: &Vec<RationalFunction>| {
             let mut slope = Laurent::zero();
             for (factor, kinetic) in row.iter().zip(&kinetic) {
@@ -62,14 +57,12 @@ impl Mechanical {
     }
 }
 
-/// A matrix, row by row.
 type Matrix = Vec<Vec<RationalFunction>>;
 
-/// A⁻ᵀ; `None` if A is singular.
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // A row b of A⁻ᵀ has A b = e_i.
+        // A row b of A⁻ᵀ solves A b = e_i.
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -80,7 +73,7 @@ fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     (0..n).map(rows).collect()
 }
 
-/// The states that a polynomial depends on, also through functions.
+/// Collects the states on which a polynomial depends, also through functions.
 fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     for (monomial, _) in polynomial.terms() {
         for (coordinate, _) in monomial.powers() {
@@ -94,8 +87,8 @@ fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     }
 }
 
-/// Positions, whose derivatives are linear in momenta, and as many momenta, whose derivatives
-/// depend on positions only.
+/// Splits the states into positions, whose derivatives are linear in momenta, and equally many
+/// momenta, whose derivatives depend only on positions.
 fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     let states = ring.field.len();
     let uses = |state: usize| {
@@ -109,7 +102,7 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
         });
         terms.rev().collect::<Option<Vec<usize>>>().filter(|by| !by.is_empty())
     };
-    // A state that moves by momenta is a position unless it is a momentum itself.
+    // A state that moves linearly is a position unless it is a momentum already.
     let mut positions: Vec<usize> = Vec::new();
     let mut momenta: Vec<usize> = Vec::new();
     for state in 0..states {
@@ -128,7 +121,6 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     is_mechanical.then_some([positions, momenta])
 }
 
-/// The ring with the field that moves one state at unit speed.
 fn along(ring: &Ring, state: usize) -> Ring {
     let mut ring = ring.clone();
     let unit = |other| if other == state { Laurent::number(Rational::one()) } else { Laurent::zero() };
@@ -136,7 +128,7 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// The derivatives of polynomials by the first `states` coordinates, polynomial after polynomial.
+/// Returns the partial derivatives of each polynomial by the first `states` coordinates.
 pub(crate) fn slopes<'a>(
     ring: &Ring,
     states: usize,
@@ -146,8 +138,8 @@ pub(crate) fn slopes<'a>(
     polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
-/// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a
-/// diagonal matrix, else any.
+/// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient: A if it is symmetric, otherwise a
+/// diagonal matrix, otherwise any. No diagonal entry is 0.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],
@@ -156,7 +148,7 @@ fn kinetic_energy(
     inverse: &Matrix,
 ) -> Option<Matrix> {
     let n = momenta.len();
-    // slopes[k][l] = ∂G_k/∂x_l.
+    // slopes[k][l] = ∂G_k/∂x_l
     let slopes: Vec<Vec<Laurent>> = momenta
         .iter()
         .map(|&momentum| partials.iter().map(|along| along.derivative(&ring.field[momentum])).collect())
@@ -207,7 +199,7 @@ fn kinetic_energy(
     None
 }
 
-/// One row of coefficients a monomial that occurs in the columns.
+/// Returns one row of coefficients for each monomial that occurs in a column.
 fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     let monomials: BTreeSet<&Monomial> =
         columns.iter().flat_map(|column| column.terms().map(|(monomial, _)| monomial)).collect();
@@ -215,7 +207,7 @@ fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     monomials.into_iter().map(row).collect()
 }
 
-/// V with these partial derivatives, as a combination of monomials whose derivatives resemble them.
+/// Returns V with these partial derivatives, from an ansatz of related monomials.
 fn antiderivative(
     ring: &Ring,
     partials: &[Ring],
@@ -260,7 +252,7 @@ fn antiderivative(
     Some(potential)
 }
 
-/// Monomials whose derivative by a position may contain `monomial`.
+/// Returns monomials whose derivative by a position may contain `monomial`.
 fn integrals(ring: &Ring, monomial: &Monomial, position: usize) -> Vec<Monomial> {
     let x = Monomial::power(position, 1);
     let mut integrals = vec![monomial.times(&x), monomial.clone()];

@@ -1,4 +1,4 @@
-//! The equations of a block that is to be lifted, checked and in coordinates.
+//! The equations of a block to be lifted, checked and expressed in coordinates.
 
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;
@@ -10,42 +10,36 @@ use crate::read::Reader;
 use crate::ring::Ring;
 use crate::search::Problem;
 
-/// Checked equations.
 #[derive(Debug)]
 pub(crate) struct Equations {
-    /// The header, where the block has one.
+    /// The header, if the block has one.
     pub header: Option<Header>,
-    /// The names.
     pub stated: Stated,
-    /// The coordinates, their relations and derivatives.
     pub ring: Ring,
 }
 
-/// The names of equations that are to be lifted.
+/// The names in the equations of a block to be lifted.
 #[derive(Clone, Debug)]
 pub struct Stated {
-    /// The states in the order of their equations; `t` last where it is lifted.
+    /// The states in the order of their equations, then `t` if the time occurs.
     pub states: Vec<String>,
-    /// The parameters in the order of the header, or in which they occur.
+    /// The parameters in the order of the header, otherwise in order of occurrence.
     pub parameters: Vec<String>,
     /// Whether the last state is the time.
     pub has_time: bool,
 }
 
-/// Reads the names of a block that is to be lifted: the order of first values and of parameters
-/// that [`Options::orbit`](crate::Options::orbit) has.
+/// Reads the names of a block to be lifted. [`Options::orbit`](crate::Options::orbit) takes initial
+/// values and parameters in their order.
 ///
 /// # Errors
-/// Every mistake, each with its place and the way out.
+/// All mistakes, each with its place and a remedy.
 pub fn stated(tokens: &[Token]) -> Result<Stated, Vec<Diagnostic>> {
     Ok(Equations::read(tokens)?.stated)
 }
 
 impl Equations {
-    /// Reads the tokens of a block.
-    ///
-    /// # Errors
-    /// Every mistake, each with its place and the way out.
+    /// Reads and checks a block; fails with all mistakes.
     pub(crate) fn read(tokens: &[Token]) -> Result<Self, Vec<Diagnostic>> {
         let mut diagnostics = Diagnostics::default();
         let block = parse_lifted(tokens, &mut diagnostics);
@@ -54,13 +48,13 @@ impl Equations {
         equations.filter(|_| diagnostics.is_empty()).ok_or(diagnostics)
     }
 
-    /// The search for monomials that close the equations, in a ring with their coordinates.
+    /// Returns the search for monomials that close the equations in a ring.
     pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
         let given: Vec<Monomial> =
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
-        // Negative powers occur in the equations, and in derivatives of functions: log u has u′/u.
+        // Negative powers occur in the equations and in derivatives of functions: (log u)′ = u′/u.
         let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
         let negative = required
             .iter()
@@ -72,7 +66,7 @@ impl Equations {
     }
 }
 
-/// The names that an expression uses, as they occur.
+/// Calls `visit` with the names in an expression, in order of occurrence.
 fn names(expr: &Expr<InFormula>, visit: &mut dyn FnMut(&str)) {
     match &expr.kind {
         ExprKind::Number(_) => {}

@@ -1,13 +1,13 @@
-//! Lifting: from any analytic ordinary differential equation to an equivalent quadratic one.
+//! Lifting: from an analytic ordinary differential equation to an equivalent quadratic one.
 //!
 //! In: a block of equations with functions, quotients and powers. Out: a [`Lift`], a quadratic
-//! field in the states and in new variables that stand for functions of them. All formulas are
-//! exact; floats serve the choice between lifts and the first values of new variables. The crate
-//! must not know Kahan's map: what a map keeps is found by its rules in `kahan-algebra`.
+//! field in the states and in new variables, which stand for functions of the states. Formulas are
+//! exact; floats serve only to choose a lift and to compute initial values. The crate must not know
+//! Kahan's map: rules of `kahan-algebra` say which functions a map keeps.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each needs those before it only, which a test guards.
+// A module uses only modules above it; a test checks the order.
 mod laurent;
 
 mod ring;

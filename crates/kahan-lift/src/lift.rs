@@ -1,4 +1,4 @@
-//! Which lift is chosen, and what is said of it.
+//! Finds, chooses and describes a lift.
 
 #[cfg(test)]
 mod tests;
@@ -24,19 +24,18 @@ use crate::quadratic::component;
 use crate::ring::{Function, Meaning, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
-/// The wish, the orbit and the budget from which a lift is chosen.
+/// The criterion, orbit and budget for the choice of a lift.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Which lift is wanted.
+    /// The criterion.
     pub which: Which,
-    /// The start of an orbit and the values of the parameters, in their order. Without them no
-    /// lift is judged by its orbit.
+    /// Initial values and parameters, in the order of [`Stated`]. Without them the choice follows
+    /// no orbit.
     pub orbit: Option<(Vec<f64>, Vec<f64>)>,
-    /// The most nodes of the search; 0 for the number that suits a command.
+    /// The largest number of nodes of a search; 0 means 20 000.
     pub budget: usize,
 }
 
-/// The nodes of a search where none are given.
 const NODES: usize = 20_000;
 
 /// A variable of a lift beyond the states.
@@ -44,21 +43,21 @@ const NODES: usize = 20_000;
 pub struct NewVariable {
     /// Its name.
     pub name: String,
-    /// The function of the states that it stands for, as text; none for the work done since the
-    /// start, which is 0 there.
+    /// The function of the states for which it stands, as text. `None` for the work done since the
+    /// start, whose initial value is 0.
     pub expression: Option<String>,
-    /// The function; 0 for the work done.
+    /// The function, or 0 for the work done.
     value: Laurent,
 }
 
-/// The fate of a relation along an orbit of the map.
+/// The behaviour of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// The map keeps a formula exactly.
+    /// The map keeps a modified relation exactly.
     Kept,
     /// Its error stays bounded.
     Bounded,
-    /// Its error decays but for what each step adds.
+    /// Its error decays, up to the contribution of each step.
     Decays,
     /// Its error grows in proportion to time.
     Drifts,
@@ -69,27 +68,25 @@ pub enum Along {
 /// A relation between the variables of a lift.
 #[derive(Clone, Debug)]
 pub struct Relation {
-    /// The function that is 0 where the relation holds, as text.
+    /// The function that vanishes where the relation holds, as text.
     pub text: String,
-    /// Its fate along the orbit that was given; without an orbit, `Kept` or nothing.
+    /// The behaviour along the given orbit. Without an orbit, `Kept` or `None`.
     pub along: Option<Along>,
-    /// The function that the map keeps exactly, as text.
+    /// The modified function that the map keeps exactly, as text.
     pub formula: Option<String>,
-    /// The largest exponent of the linearised errors of all relations along the orbit, per unit of
-    /// time.
+    /// The largest growth exponent of the linearised errors of all relations, per unit of time.
     pub rate: Option<f64>,
-    /// The place among the new variables of the one that the relation defines, where it defines
-    /// one.
+    /// The index of the new variable that the relation defines, if it defines one.
     pub defines: Option<usize>,
 }
 
-/// A quadratic field that is equivalent to the equations where its new variables have the values
-/// that their expressions say.
+/// A quadratic field that is equivalent to the original equations where its new variables have the
+/// values of their expressions.
 #[derive(Clone, Debug)]
 pub struct Lift {
-    /// The header, where the block has one.
+    /// The header, if the block has one.
     pub header: Option<Header>,
-    /// The states as written, then `t` where it was lifted.
+    /// The states as written, then `t` if the time occurs.
     pub states: Vec<String>,
     /// Whether the last state is the time.
     pub has_time: bool,
@@ -97,19 +94,19 @@ pub struct Lift {
     pub parameters: Vec<String>,
     /// The new variables.
     pub new: Vec<NewVariable>,
-    /// The quadratic field, in the states and the new variables.
+    /// The quadratic field in the states and the new variables.
     pub field: Field,
-    /// Whether the search for a smaller set of monomials was complete and found none. It covers
-    /// sets in which each missing monomial is a product of two variables.
+    /// Whether a complete search proved the number of monomials minimal, among sets in which each
+    /// missing monomial is a product of two variables.
     pub is_optimal: bool,
-    /// The reason for the choice of this lift.
+    /// The reason for the choice.
     pub chosen: String,
-    /// The relations between the variables.
+    /// The relations of the variables.
     pub relations: Vec<Relation>,
     /// The energy that the map keeps exactly.
     pub energy: Option<String>,
-    /// Warnings: points where a new variable is infinite though the equations are
-    /// not, and errors of the phases of periodic forces.
+    /// Warnings: points where a new variable is infinite though the equations are finite, and phase
+    /// errors of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,
@@ -118,8 +115,7 @@ pub struct Lift {
 /// Finds a quadratic lift of the equations of a block.
 ///
 /// # Errors
-/// Mistakes in the text, what cannot be lifted, with its reason, and that no lift was found within
-/// the budget.
+/// Mistakes in the text, functions that cannot be lifted, or no lift within the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let nodes = if options.budget == 0 { NODES } else { options.budget };
@@ -156,16 +152,16 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     Ok(described(&equations, &judged, chosen))
 }
 
-/// The orbit along which lifts are judged.
 fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
     let (start, parameters) = options.orbit.as_ref()?;
     Some(Orbit::new(&equations.ring, start, parameters))
 }
 
-/// Returns all lifts and forms between which [`lift`] chooses, with no reason for a choice.
+/// Returns all lifts and forms among which [`lift`] chooses with its default budget. Of `options`
+/// it uses the orbit.
 ///
 /// # Errors
-/// Mistakes in the text, and what cannot be lifted, with its reason.
+/// Mistakes in the text, and functions that cannot be lifted.
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let orbit = followed(&equations, options);
@@ -183,7 +179,6 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
     Ok(lifts)
 }
 
-/// The answer: names, texts and the field.
 fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift {
     let Stated { states, parameters, has_time } = equations.stated.clone();
     let ring = &judged.candidate.ring;
@@ -264,7 +259,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
 }
 
-/// Where an affine function of one state is 0, such as `v = -40`.
+/// Returns the point where an affine function of one state vanishes, such as `v = -40`.
 fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     let mut linear = argument.terms().filter(|(monomial, _)| !monomial.is_one());
     let (monomial, slope) = linear.next().filter(|_| argument.len() <= 2)?;
@@ -274,7 +269,6 @@ fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     Some(format!("{name} = {}", writer.polynomial(&Laurent::constant(value), &Text)))
 }
 
-/// Returns the warnings on the new variables.
 fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let occurs = |index: usize, sign: i16| {
         let mut monomials = new.iter().flat_map(Laurent::terms);
@@ -283,7 +277,8 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
-            // 1 − exp u vanishes where u does, and the equations may hold u/(1 − exp u).
+            // 1/(1 − exp u) is infinite at u = 0, where the equations may hold the finite u/(1 −
+            // exp u).
             Meaning::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
                 let Some((monomial, value)) = slope else { continue };
@@ -317,14 +312,14 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
 }
 
 impl Lift {
-    /// The number of new variables; `t` is not counted.
+    /// Returns the number of new variables, without `t`.
     #[must_use]
     pub fn order(&self) -> usize {
         self.new.len()
     }
 
-    /// That orbits are wrong after some time, where errors of the relations grow along the orbit
-    /// that was followed.
+    /// Returns a warning if errors of the relations grow along the orbit, so that orbits become
+    /// wrong.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let growing = |relation: &&Relation| relation.along == Some(Along::Grows);
@@ -335,19 +330,19 @@ impl Lift {
         ))
     }
 
-    /// The names of the states, then of the new variables.
+    /// Returns the names of the states, then of the new variables.
     #[must_use]
     pub fn variables(&self) -> &[String] {
         &self.field.symbols.states
     }
 
-    /// The equations of the quadratic field, one a line, in the language of `kahan!`.
+    /// Returns the quadratic equations, one a line, in the language of `kahan!`.
     #[must_use]
     pub fn text(&self) -> String {
         equation_lines(&self.field).collect::<Vec<_>>().join("\n")
     }
 
-    /// The expressions of the new variables in a notation; none for the work done since the start.
+    /// Returns the expressions of the new variables; `None` for the work done since the start.
     #[must_use]
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
         let writer = Writer::new(&self.ring, &self.states, &self.parameters);
@@ -355,35 +350,35 @@ impl Lift {
         self.new.iter().map(|one| written(&one.value)).collect()
     }
 
-    /// The values of the new variables at these states, with these values of the parameters.
+    /// Returns the values of the new variables at a point.
     ///
     /// # Panics
-    /// If there are fewer states or parameters than the lift has.
+    /// If there are fewer values than states or parameters.
     #[must_use]
     pub fn embed(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         self.embedding.values(states, parameters)
     }
 
-    /// The values of the new variables as a program.
+    /// Returns the program that computes the new variables.
     #[must_use]
     pub fn embedding(&self) -> &Embedding {
         &self.embedding
     }
 
-    /// The program that computes the derivatives of the new variables by the states without `t`,
-    /// one variable after the other. The work done since the start has the derivatives 0.
+    /// Returns the program for the derivatives of the new variables by the states except `t`,
+    /// variable by variable. The work done since the start has derivatives 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);
         Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
-    /// The values of the new variables at these states, with these values of the parameters: exact
-    /// where they are rational functions of the states, else from [`embed`](Self::embed)'s floats.
-    /// `None` where one has no finite value.
+    /// Returns the values of the new variables at a point: exact for rational functions of the
+    /// states, otherwise the floats of [`embed`](Self::embed). Returns `None` if a value is
+    /// infinite.
     ///
     /// # Panics
-    /// If there are fewer states or parameters than the lift has.
+    /// If there are fewer values than states or parameters.
     #[must_use]
     pub fn embed_exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         self.embedding.exact(states, parameters)

@@ -2,8 +2,8 @@
 
 use kahan_algebra::rational_function::RationalFunction;
 
-/// A basis of the vectors v with M v = 0, from the reduced echelon form of M: the free entries of
-/// each are one 1 and else 0.
+/// Returns a basis of the null vectors of M, from its reduced row echelon form: in each vector one
+/// free entry is 1 and the others are 0.
 pub(crate) fn null_space(mut rows: Vec<Vec<RationalFunction>>, columns: usize) -> Vec<Vec<RationalFunction>> {
     let mut pivots: Vec<usize> = Vec::new();
     for column in 0..columns {

@@ -1,4 +1,4 @@
-//! Names and expressions of monomials in coordinates.
+//! Writes polynomials in coordinates as expressions, and names new variables.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
@@ -9,12 +9,11 @@ use kahan_algebra::symbols::Symbols;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::{Function, Meaning, Ring};
 
-/// Writes coordinates and monomials, as names and as expressions.
 #[derive(Debug)]
 pub(crate) struct Writer<'a> {
     ring: &'a Ring,
     pub(crate) states: &'a [String],
-    /// No states, and the parameters.
+    /// The names of the parameters, without states.
     parameters: Symbols,
 }
 
@@ -24,7 +23,6 @@ impl<'a> Writer<'a> {
         Writer { ring, states, parameters }
     }
 
-    /// A polynomial as an expression.
     pub(crate) fn polynomial(&self, polynomial: &Laurent, notation: &dyn Notation) -> String {
         let mut text = String::new();
         for (monomial, coefficient) in polynomial.terms().rev() {
@@ -34,7 +32,7 @@ impl<'a> Writer<'a> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// coefficient·monomial; negative powers stand below a line, exponentials are one.
+    /// Writes coefficient·monomial, with negative powers in the denominator and one exponential.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
@@ -52,7 +50,7 @@ impl<'a> Writer<'a> {
         if below.is_empty() {
             return notation.product(&above);
         }
-        // A quotient puts its own parentheses around a sum.
+        // A quotient adds its own parentheses around a sum.
         let side = |factors: &[String]| match factors {
             [sum] if sum.starts_with('(') && sum.find(')') == Some(sum.len() - 1) => {
                 sum[1..sum.len() - 1].to_owned()
@@ -62,7 +60,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// The exponent of the exponentials in a monomial, and its other powers.
+    /// Returns the exponent of the product of all exponentials, and the other powers.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();
@@ -78,7 +76,6 @@ impl<'a> Writer<'a> {
         (sum, rest)
     }
 
-    /// The factors of a coefficient's numerator or denominator; none for 1.
     fn factors(&self, polynomial: &Polynomial, notation: &dyn Notation) -> Vec<String> {
         if polynomial.is_one() {
             return Vec::new();
@@ -114,7 +111,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A name for the variable that stands for a monomial: `x2`, `sin_x`, `inv_P`, `x_y`.
+    /// Returns a name for a new variable: `x2`, `sin_x`, `inv_P`, `x_y`.
     pub(crate) fn name(&self, monomial: &Monomial) -> String {
         let mut above = Vec::new();
         let mut below = Vec::new();
@@ -181,7 +178,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A short name of an argument with one term: `x`, `2x`, `wt`.
+    /// Returns a short name of an argument with one term: `x`, `2x`, `wt`.
     fn short(&self, argument: &Laurent) -> Option<String> {
         let (monomial, coefficient) = argument.terms().next().filter(|_| argument.len() == 1)?;
         let (_, number) = coefficient.numerator().leading_term()?;
@@ -208,13 +205,12 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// `x2` for x², `x1_2` for x1².
 fn raised(name: &str, exponent: u16) -> String {
     let gap = if name.ends_with(|last: char| last.is_ascii_digit()) { "_" } else { "" };
     format!("{name}{gap}{exponent}")
 }
 
-/// Whether a coefficient is written with a minus sign, and the coefficient without it.
+/// Splits off a minus sign, if the numerator is one negative term.
 pub(crate) fn signed(coefficient: &RationalFunction) -> (bool, RationalFunction) {
     let negative = coefficient.numerator().len() == 1
         && coefficient.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());

@@ -1,8 +1,7 @@
-//! The equations of a lift: derivatives as quadratic polynomials in the lifted variables.
+//! Derivatives as quadratic polynomials in the lifted variables.
 //!
-//! A monomial such as x² can often be written in several ways, as x·x or as the variable that
-//! stands for it. Every way is right on the relations between the variables, but beside them the
-//! fields differ, so all ways are listed, up to a limit.
+//! A monomial often has several forms: x² is x·x or the variable that stands for it. All forms
+//! agree where the relations hold, but the fields differ elsewhere. All are listed, up to a limit.
 
 use std::collections::BTreeMap;
 
@@ -12,17 +11,17 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-/// A polynomial of degree at most two in the lifted variables, by number: states, then new ones.
+/// A polynomial of degree at most 2 in the lifted variables: states first, then new variables.
 pub(crate) type Quadratic = Laurent;
 
-/// The product of an affine polynomial with a variable.
+/// Multiplies an affine polynomial by a variable; `None` if it is not affine.
 pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
     let is_affine = affine.terms().all(|(monomial, _)| monomial.size() <= 1);
     is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
 }
 
-/// The polynomial over its common denominator, variable i of the lift being `Variable(i)` and
-/// parameter k `Variable(variables + k)`.
+/// Returns the polynomial over a common denominator. Variable i of the lift becomes `Variable(i)`,
+/// parameter k becomes `Variable(variables + k)`.
 pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
     let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
     let shift = |polynomial: &Polynomial| {
@@ -39,21 +38,21 @@ pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFun
     sum
 }
 
-/// The products of variables, by the monomial that they are.
+/// The products of at most two variables, by the monomial in coordinates that they equal.
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
     /// The values of the states, then of the new variables.
     variables: Vec<Laurent>,
-    /// In order, as relations are numbered in answers.
+    /// Products that are one monomial. The order numbers the relations in answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
-    /// Polynomials between the variables that are 0.
+    /// Polynomials in the variables that vanish identically in the states.
     pub relations: Vec<Quadratic>,
 }
 
 impl<'a> Products<'a> {
-    /// All products of at most two variables: of states and new ones.
+    /// Forms all products of at most two variables.
     pub(crate) fn new(ring: &'a Ring, new: &[Laurent]) -> Self {
         let states = (0..ring.field.len()).map(Laurent::coordinate);
         let variables: Vec<Laurent> = states.chain(new.iter().cloned()).collect();
@@ -78,8 +77,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// Finds the monomials that follow from a product with no other unknown monomial, and the
-    /// relations that products without an unknown monomial are.
+    /// Solves products with one unknown monomial for it, as long as there are any. Products without
+    /// an unknown monomial are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -127,7 +126,7 @@ impl<'a> Products<'a> {
         direct.or_else(|| self.derived.get(monomial).cloned())
     }
 
-    /// The polynomial as an affine polynomial in the variables.
+    /// Writes a polynomial as an affine polynomial in the variables, if possible.
     pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
@@ -137,19 +136,19 @@ impl<'a> Products<'a> {
         Some(sum)
     }
 
-    /// The ways to write the derivative of a variable, the preferred one first.
+    /// Returns the forms of a variable's derivative, the preferred one first.
     fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
         let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // A decay of the variable itself keeps its relation; otherwise original states do.
+            // Prefer a decay term of the variable itself, which damps errors; then original states.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // The equation of a state stays as it is written where it is quadratic already.
+            // The equation of a state that is quadratic already stays as it was written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
@@ -169,8 +168,8 @@ impl<'a> Products<'a> {
         Some(ways)
     }
 
-    /// The forms of the field: lists of equations, one a variable, the preferred form first.
-    /// `fixed` holds equations that have one form.
+    /// Returns forms of the field, the preferred one first. Each is one equation a variable;
+    /// `fixed` prescribes some of them.
     pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {
@@ -180,7 +179,6 @@ impl<'a> Products<'a> {
             });
         }
         self.add_product_rules(&mut ways);
-        // Each choice has a way for each equation.
         let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
         let mut left: usize = MOST_FORMS;
         for ways in &ways {
@@ -195,9 +193,9 @@ impl<'a> Products<'a> {
         Some(choices.into_iter().map(form).collect())
     }
 
-    /// Puts the product rule (uv)′ = u′v + uv′ first among the ways of a variable that is a product
-    /// of variables whose equations are affine: the lifted field then keeps its relation. States
-    /// keep their equations.
+    /// Puts the product rule (uv)′ = u′v + uv′ first for a variable that is a product of variables
+    /// with affine equations. The lifted field then keeps its relation. States keep their
+    /// equations.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };
@@ -216,7 +214,5 @@ impl<'a> Products<'a> {
     }
 }
 
-/// The most ways to write one equation that are looked at.
 const MOST_WAYS: usize = 16;
-/// The most forms of a field that are looked at.
 const MOST_FORMS: usize = 128;

@@ -1,8 +1,8 @@
-//! Equations as they are written, as Laurent polynomials in coordinates.
+//! Expressions to Laurent polynomials in coordinates.
 //!
-//! Functions that occur become coordinates, one for arguments that are rational multiples of each
-//! other. How fine these must be is known once all equations are read, so they are read until
-//! nothing changes.
+//! Functions become coordinates. Arguments that are rational multiples of each other share the
+//! coordinate of their greatest common divisor. Passes over all equations are repeated until no
+//! divisor changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -15,37 +15,30 @@ use kahan_algebra::token::Span;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::{Function, Meaning, Ring};
 
-/// The largest power that is multiplied out.
 const LARGEST_POWER: i64 = 64;
-/// The most terms of a polynomial.
 const MOST_TERMS: usize = 20_000;
 
 type Read<T> = Result<T, Diagnostic>;
 
-/// Names, and how finely the functions of each argument must be divided.
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
-    /// The states; `t` is the last one where it was lifted.
+    /// The states, with `t` last if the time occurs.
     pub states: Vec<String>,
-    /// The parameters.
     pub parameters: Vec<String>,
-    /// Whether a header declares them.
     pub is_declared: bool,
-    /// Constants that were read, with their values.
     constants: Vec<(String, Laurent)>,
-    /// The coordinates and relations so far.
     pub ring: Ring,
-    /// Arguments up to rational multiples, and the greatest common divisor of the multiples.
+    /// Arguments up to rational multiples, each with the greatest common divisor of its multiples.
     units: Vec<(Family, Laurent, Rational)>,
 }
 
-/// Functions whose values at multiples of an argument are polynomials in each other.
+/// Functions whose values at the multiples of an argument are polynomials in each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     Exponential,
     Circular,
     Hyperbolic,
-    /// The multiple is the inverse of a root's index.
+    /// Roots, where the multiple is 1/index.
     Root,
 }
 
@@ -54,10 +47,7 @@ fn refuse<T>(span: Span, message: impl Into<String>, help: impl Into<String>) ->
 }
 
 impl Reader {
-    /// Reads the right-hand sides.
-    ///
-    /// # Errors
-    /// The first expression that cannot be lifted.
+    /// Reads the right-hand sides; fails at the first expression that cannot be lifted.
     pub(crate) fn field(
         &mut self,
         sides: &[&Expr<InFormula>],
@@ -88,13 +78,12 @@ impl Reader {
         }
     }
 
-    /// Reads an expression.
     pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
         self.signed(expr, 1)
     }
 
-    /// Reads the power of an expression with the exponent 1 or −1. Each factor of a product is
-    /// inverted alone, so that 1/P² and 1/P³ become powers of one variable 1/P.
+    /// Reads expr^sign, sign = ±1. Factors of a product are inverted one by one, so that 1/P² and
+    /// 1/P³ are powers of one coordinate 1/P.
     fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> Read<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
@@ -207,7 +196,6 @@ impl Reader {
         Ok(power)
     }
 
-    /// base^exponent.
     fn power(&mut self, base: &Laurent, exponent: &Rational, span: Span) -> Read<Laurent> {
         let Some((numerator, denominator)) = exponent
             .as_small_ratio()
@@ -243,13 +231,11 @@ impl Reader {
         Ok(self.ring.normal(&power))
     }
 
-    /// The monomial base^(exponent/index).
     fn root(&mut self, base: &Laurent, index: i16, exponent: i16) -> Monomial {
         let unit = self.unit(Family::Root, base, &Rational::new(1, i64::from(index)));
         let finest = small(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
         let meaning = Meaning::Root(base.clone(), finest);
         let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
-            // d(P^(1/q)) = P^(1/q − 1) dP/q.
             let coordinate = self.ring.coordinates.len();
             let factor = RationalFunction::constant(Rational::new(1, i64::from(finest)));
             let slope = Laurent::term(Monomial::power(coordinate, 1 - finest), factor);
@@ -260,7 +246,7 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// The greatest common divisor of the multiples of an argument so far and this one.
+    /// Includes a multiple of an argument in the greatest common divisor, and returns it.
     fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -288,7 +274,7 @@ impl Reader {
         if base.is_zero() {
             return refuse(span, "a power of 0 whose exponent is a parameter", "write a number");
         }
-        // b^(n + 2) = b^n b²: the number in the exponent stands apart.
+        // b^(n + 2) = b^n b²: the number in the exponent is split off.
         let constant = exponent.as_polynomial().map_or_else(Rational::zero, |sum| {
             sum.terms().find(|(one, _)| one.is_one()).map_or_else(Rational::zero, |(_, value)| value.clone())
         });
@@ -322,7 +308,7 @@ impl Reader {
             "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            // tan′ = 1 + tan², tanh′ = 1 − tanh²: one variable, where sine and cosine are two.
+            // tan′ = 1 + tan², tanh′ = 1 − tanh²: one variable instead of sine and cosine.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
@@ -332,7 +318,7 @@ impl Reader {
                 Ok(self.function(Function::Log, argument, slope))
             }
             _ => {
-                // `arctan` is `atan`.
+                // `arctan` means `atan`.
                 let name = function.replace("arc", "a");
                 let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
                 let Some(&(function, [constant, square], [above, below])) = found else {
@@ -351,7 +337,7 @@ impl Reader {
         Laurent::coordinate(self.ring.coordinate(meaning, |_| slope))
     }
 
-    /// A function T with the slope 1 ± T².
+    /// Returns the coordinate of a function T with T′ = 1 ± T².
     fn tangent(&mut self, function: Function, argument: &Laurent, sign: i64) -> Laurent {
         let own = Monomial::power(self.ring.coordinates.len(), 2);
         let mut slope = Laurent::number(Rational::one());
@@ -359,7 +345,7 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// exp u, as a product over the terms of u unless one of them is constant.
+    /// Returns exp u, as a product over the terms of u unless u has a constant term.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> Read<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));
@@ -393,7 +379,6 @@ impl Reader {
         }
     }
 
-    /// sin and cos, or sinh and cosh.
     fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> Read<[Laurent; 2]> {
         let one = Laurent::number(Rational::one());
         if argument.is_zero() {
@@ -402,7 +387,7 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // cos′ = sign·sin, and sin² = 1 − cos², cosh² = 1 + sinh².
+        // cos′ = sign·sin; sin² = 1 − cos², cosh² = 1 + sinh²
         let (functions, sign) = match family {
             Family::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
@@ -437,7 +422,6 @@ impl Reader {
     }
 }
 
-/// Functions that are quotients of two others, or inverses of one.
 const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("cot", Some("cos"), "sin"),
     ("sec", None, "cos"),
@@ -447,7 +431,7 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("csch", None, "sinh"),
 ];
 
-/// Functions of u with the slopes (a + b u²)^e: \[a, b\], and e as a ratio.
+/// Functions of u with derivatives (a + b u²)^e: \[a, b\], and e as a ratio.
 const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atan, [1, 1], [-1, 1]),
     (Function::Asin, [1, -1], [-1, 2]),
@@ -459,7 +443,7 @@ const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
 
-/// The reason for which a function is not lifted, and what to write instead.
+/// Returns why a function is not lifted, and how to replace it.
 fn reason(function: &str) -> Option<(String, &'static str)> {
     let help = match function {
         "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",
@@ -509,7 +493,7 @@ fn small(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 
-/// The rational content of a coefficient, with its sign, and the coefficient over it.
+/// Splits a coefficient into its rational content with sign and the rest.
 fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
     let content = value.numerator().content();
     let inverse = content.recip().expect("not 0");

@@ -1,30 +1,30 @@
-//! Symmetric projection onto the relations (E. Hairer, "Symmetric projection methods for
-//! differential equations on manifolds", BIT 40, 2000), and the signs that new variables have.
+//! Symmetric projection onto the relations of a lift (E. Hairer, "Symmetric projection methods for
+//! differential equations on manifolds", BIT 40, 2000), and the signs of new variables.
 
 use crate::embedding::{Called, Embedding, Operation};
 use crate::ring::Function;
 
-/// How often the image of a point is computed for one step, at most.
 const MOST_EVALUATIONS: usize = 40;
-/// The error of a relation that counts as rounding, in units in the last place of its terms.
+/// The error of a relation, relative to its terms, that counts as rounding, in units of 2⁻⁵².
 const ROUNDING: f64 = 8.0;
 
-/// Steps of a map after which the relations of a lift hold again.
+/// Steps of a lifted map with symmetric projection onto the relations.
 ///
-/// A step begins at (x, g(x) + μ), and μ is such that its image (x̃, w̃) has w̃ + μ = g(x̃). Steps
-/// of a reversible map stay reversible, so that energies do not drift, and the order of a composed
-/// map is kept.
+/// A step begins at (x, g(x) + μ) with μ such that its image (x̃, w̃) satisfies w̃ + μ = g(x̃).
+/// Steps of a reversible map stay reversible, and a composed map keeps its order.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
-    /// μ of the step before, where the iteration starts.
+    /// μ of the last step, the initial guess of the next one.
     shift: Vec<f64>,
     image: Vec<f64>,
 }
 
 impl Reembedding {
-    /// Advances the states by one step of `step`, which takes all variables to their image; `embed`
-    /// gives the new variables at states. Whether the iteration converged: the states stay as they
-    /// are if it did not. It takes 2 to 16 steps of the map, most often.
+    /// Advances `states` by one step. Returns whether the iteration converged; if not, the states
+    /// do not change.
+    ///
+    /// `step` maps all variables to their image; `embed` returns the new variables at given states.
+    /// A step usually takes 2 to 16 calls of `step`.
     pub fn step(
         &mut self,
         states: &mut [f64],
@@ -41,7 +41,7 @@ impl Reembedding {
             step(&mut self.image);
             let (reached, lifted) = self.image.split_at(states.len());
             let wanted = embed(reached);
-            // The largest error, relative to rounding in the terms of its relation.
+            // The largest error of a relation, relative to its terms.
             let mut error = 0.0_f64;
             for (((new, wanted), value), shift) in new.iter().zip(&wanted).zip(lifted).zip(&mut self.shift) {
                 let difference = wanted - value - *shift;
@@ -52,7 +52,7 @@ impl Reembedding {
             if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
                 break;
             }
-            // Beyond rounding the error does not decrease any more.
+            // Stop at rounding level, or just above it when the error stops decreasing.
             let is_rounding = error <= ROUNDING * f64::EPSILON;
             if is_rounding || (error >= before && before <= 1e3 * f64::EPSILON) {
                 states.copy_from_slice(reached);
@@ -66,9 +66,8 @@ impl Reembedding {
 }
 
 impl Embedding {
-    /// The places of the new variables that are positive by their definitions: even roots, powers
-    /// with exponents that are no integers, exponentials, and what is made of these by +, ·, / and
-    /// powers.
+    /// Returns the indices of the new variables that are positive by definition: even roots, powers
+    /// with non-integer exponents, exponentials, and sums, products, quotients and powers of these.
     #[must_use]
     pub fn positive(&self) -> Vec<usize> {
         let operations = &self.program.operations;
@@ -77,7 +76,7 @@ impl Embedding {
             positive.push(match operation {
                 Operation::Call(function, a, exponent) => match function {
                     Called::SquareRoot | Called::Elementary(Function::Exp | Function::Cosh) => true,
-                    // Odd roots have the sign of what they are of.
+                    // Odd roots have the sign of their argument.
                     Called::RealPower => !matches!(
                         &operations[exponent.0],
                         Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0

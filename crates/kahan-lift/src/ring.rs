@@ -1,8 +1,8 @@
-//! The differential ring that the equations span: coordinates, their derivatives along the field,
-//! and the algebraic relations between them.
+//! The differential ring of the equations.
 //!
-//! Coordinates are the states and the functions that occur. The derivative of each is a Laurent
-//! polynomial in the coordinates; relations rewrite monomials, such as sin² to 1 − cos².
+//! Coordinates are the states and the functions that occur. The derivative of a coordinate along
+//! the field is a Laurent polynomial in coordinates. Relations rewrite monomials to a normal form,
+//! such as sin² to 1 − cos².
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -43,10 +43,8 @@ pub enum Function {
     Atanh,
 }
 
-/// A function of floats.
 type Value = fn(f64) -> f64;
 
-/// Names and values of the functions, in the order of [`Function`].
 const FUNCTIONS: [(&str, Value); 13] = [
     ("exp", libm::exp),
     ("log", libm::log),
@@ -64,35 +62,33 @@ const FUNCTIONS: [(&str, Value); 13] = [
 ];
 
 impl Function {
-    /// The name by which it is called.
+    /// Returns the name of the function in expressions.
     #[must_use]
     pub fn name(self) -> &'static str {
         FUNCTIONS[self as usize].0
     }
 
-    /// The value at an argument.
     pub(crate) fn at(self, argument: f64) -> f64 {
         FUNCTIONS[self as usize].1(argument)
     }
 }
 
-/// The function that a coordinate stands for.
+/// The function of the states that is a coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
-    /// The state with this index.
     State(usize),
-    /// A function of a polynomial in coordinates.
+    /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),
-    /// The root of a polynomial with this index; the polynomial itself where the index is 1.
+    /// The root of a polynomial with this index; index 1 is the polynomial itself.
     Root(Laurent, i16),
-    /// A power of a polynomial whose exponent depends on parameters.
+    /// A power of a polynomial with an exponent that depends on parameters.
     Power(Laurent, RationalFunction),
-    /// A sum that occurs often.
+    /// A polynomial that occurs often.
     Sum(Laurent),
 }
 
 impl Meaning {
-    /// The polynomial that the function is applied to; none for a state.
+    /// Returns the polynomial to which the function is applied, `None` for a state.
     pub(crate) fn argument(&self) -> Option<&Laurent> {
         match self {
             Meaning::State(_) => None,
@@ -104,42 +100,36 @@ impl Meaning {
     }
 }
 
-/// A coordinate z = F(u).
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
-    /// Its meaning.
     pub meaning: Meaning,
-    /// F′(u) as a polynomial in coordinates; 1 for a state.
+    /// F′(u) as a polynomial in coordinates, 1 for a state.
     pub slope: Laurent,
 }
 
-/// A relation between coordinates, as a rule that rewrites monomials.
+/// A relation between coordinates, as a rewriting rule.
 #[derive(Clone, Debug)]
 enum Rule {
-    /// Multiples of the monomial are multiples of the polynomial.
+    /// The monomial equals the polynomial.
     Replace(Monomial, Laurent),
-    /// b^index = base, where `leading` of base, with the coefficient 1, is the first field: powers
-    /// of b stay below the index, and beside negative powers of b no multiple of the leading
-    /// monomial stands.
+    /// b^index = base, where `instead` equals the leading monomial of `base`. Powers of b are
+    /// reduced below the index; beside negative powers of b the leading monomial is replaced.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
-/// Coordinates with their relations. Products of polynomials are in normal form.
+/// Coordinates with their relations and derivatives. Products are in normal form.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ring {
-    /// The coordinates; each argument contains earlier ones only. States come first.
+    /// States first; the argument of each coordinate contains only earlier ones.
     pub coordinates: Vec<Coordinate>,
     rules: Vec<Rule>,
-    /// The derivatives of the states.
     pub field: Vec<Laurent>,
-    /// The number of parameters.
     pub parameters: usize,
     derivatives: Memory,
     normal: Memory,
 }
 
-/// Polynomials of monomials that were computed before. Rings are shared between threads; a clone
-/// begins empty, since most clones need few of them.
+/// A cache of polynomials by monomial, behind a mutex, as threads share rings. A clone is empty.
 #[derive(Debug, Default)]
 struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -155,7 +145,7 @@ impl Clone for Memory {
     }
 }
 
-/// The leading monomial of a polynomial with this value, and the polynomial that equals it.
+/// Solves polynomial = value for the leading monomial of the polynomial.
 fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
     let (leading, factor) = polynomial.leading_term().expect("roots and sums have terms");
     let mut instead = Laurent::from(value);
@@ -164,18 +154,17 @@ fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
 }
 
 impl Ring {
-    /// Adds a coordinate.
     pub(crate) fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
         self.coordinates.push(Coordinate { meaning, slope });
         self.coordinates.len() - 1
     }
 
-    /// The coordinate with this meaning.
     pub(crate) fn find(&self, meaning: &Meaning) -> Option<usize> {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
-    /// The coordinate with this meaning. Where it is new, `slope` gives F′(u) by its number.
+    /// Returns the coordinate with this meaning. A new one gets F′(u) from `slope`, called with its
+    /// index.
     pub(crate) fn coordinate(&mut self, meaning: Meaning, slope: impl FnOnce(usize) -> Laurent) -> usize {
         self.find(&meaning).unwrap_or_else(|| {
             let slope = slope(self.coordinates.len());
@@ -183,28 +172,26 @@ impl Ring {
         })
     }
 
-    /// Adds the relation monomial = polynomial.
     pub(crate) fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
         self.rules.push(Rule::Replace(monomial, polynomial));
         self.forget();
     }
 
-    /// Adds the relation b^index = base.
     pub(crate) fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
         let (leading, instead) = solved(base, Monomial::power(coordinate, index));
         self.rules.push(Rule::Root { coordinate, index, base: base.clone(), leading, instead });
         self.forget();
     }
 
-    /// Sets the derivatives of the states.
     pub(crate) fn set_field(&mut self, field: Vec<Laurent>) {
         self.field = field;
         self.derivatives.known().clear();
     }
 
-    /// The ring with sums that occur in derivatives as coordinates: for the base P of each root,
-    /// the parts of P′, P″ and P‴ that are polynomials in the states. Kepler's problem becomes one
-    /// in r, x·p and p·p. `None` if no derivative has such a part.
+    /// Returns the ring with frequent sums as further coordinates: the polynomial parts of P′, P″
+    /// and P‴ for the base P of each root. `None` if no derivative has one.
+    ///
+    /// Kepler's problem becomes one in r, x·p and p·p.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
@@ -235,7 +222,7 @@ impl Ring {
         self.normal.known().clear();
     }
 
-    /// Whether no relation rewrites the monomial.
+    /// Returns whether no relation rewrites the monomial.
     pub(crate) fn is_normal(&self, monomial: &Monomial) -> bool {
         self.rewritten(monomial).is_none()
     }
@@ -270,7 +257,6 @@ impl Ring {
         })
     }
 
-    /// The normal form of a monomial.
     pub(crate) fn normal(&self, monomial: &Monomial) -> Laurent {
         if let Some(known) = self.normal.known().get(monomial) {
             return known.clone();
@@ -283,7 +269,6 @@ impl Ring {
         normal
     }
 
-    /// The normal form of a polynomial.
     pub(crate) fn normalised(&self, polynomial: &Laurent) -> Laurent {
         let mut sum = Laurent::zero();
         for (monomial, coefficient) in polynomial.terms() {
@@ -292,7 +277,7 @@ impl Ring {
         sum
     }
 
-    /// The product, in normal form.
+    /// Returns the product in normal form.
     pub(crate) fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
         let mut product = Laurent::zero();
         for (monomial, coefficient) in left.terms() {
@@ -301,7 +286,6 @@ impl Ring {
         product
     }
 
-    /// The derivative of a coordinate along the field.
     fn derivative_of_coordinate(&self, index: usize) -> Laurent {
         let Coordinate { meaning, slope } = &self.coordinates[index];
         match meaning.argument() {
@@ -310,7 +294,7 @@ impl Ring {
         }
     }
 
-    /// The derivative of a monomial along the field, in normal form.
+    /// Returns the derivative of a monomial along the field, in normal form.
     pub(crate) fn derivative_of(&self, monomial: &Monomial) -> Laurent {
         if let Some(known) = self.derivatives.known().get(monomial) {
             return known.clone();
@@ -330,7 +314,7 @@ impl Ring {
         derivative
     }
 
-    /// The derivative of a polynomial along the field, in normal form.
+    /// Returns the derivative of a polynomial along the field, in normal form.
     pub(crate) fn derivative(&self, polynomial: &Laurent) -> Laurent {
         let mut derivative = Laurent::zero();
         for (monomial, coefficient) in polynomial.terms() {

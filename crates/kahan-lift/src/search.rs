@@ -1,9 +1,10 @@
 //! The search for a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in the derivative of a variable is 1, a variable,
-//! a product of two variables, or follows from such a product by a relation of the ring. An
-//! iterative-deepening search branches over the ways to write one missing monomial; where its
-//! budget of nodes ends first, a greedy closure is improved by local changes. No clock is read.
+//! A set of variables is closed if each monomial in their derivatives can be written: as 1, a
+//! variable, a product of two variables, or from a product by a relation of the ring. Iterative
+//! deepening branches over the ways to write one missing monomial. If its budget of nodes ends
+//! first, local changes improve a greedy closure. The search reads no clock, so its result is
+//! reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -16,44 +17,39 @@ use crate::laurent::{Laurent, Monomial};
 use crate::ring::{Meaning, Ring};
 use crate::table::{Id, Table};
 
-/// The variables and the monomials from which the search starts.
+/// The task of a search: given variables and monomials to be written.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Problem {
-    /// Monomials that are variables already: the states.
+    /// Monomials that are variables already.
     pub given: Vec<Monomial>,
     /// Polynomials that are variables already.
     pub sums: Vec<Laurent>,
-    /// The monomials that must be written as products, beside those of the derivatives of new
-    /// variables.
+    /// Monomials to be written as products, besides those in derivatives of new variables.
     pub required: Vec<Monomial>,
-    /// The coordinates whose powers in new variables may be negative.
+    /// Coordinates that may have negative powers in new variables.
     pub negative: BTreeSet<usize>,
 }
 
-/// Sets of new variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
-    /// Sets in ascending order: of the least size that was found, then larger ones.
+    /// Sets of new variables: those of the smallest size found, then larger ones.
     pub sets: Vec<Vec<Laurent>>,
-    /// Whether all smaller sets were tried in which each missing monomial is a product of two
-    /// variables.
+    /// Whether all smaller sets were excluded, among those in which each missing monomial is a
+    /// product of two variables.
     pub is_optimal: bool,
 }
 
-/// How many sets of one size are kept.
 const MOST_SETS: usize = 24;
-/// The most new variables of an answer.
 pub(crate) const MOST_VARIABLES: usize = 60;
-/// The nodes of the search that take as long as a local change.
+/// The number of search nodes that take the time of one local change.
 const NODES_A_CHANGE: usize = 20;
-/// How many local changes are tried for each variable of a set that is not proved to be optimal.
 const LOCAL_CHANGES: usize = 40;
 
-/// The monomials that products of variables stand for.
+/// The monomials that can be written in some variables.
 #[derive(Clone, Debug, Default)]
 struct Cover {
     covered: FxHashSet<Id>,
-    /// The supports of products from which more than one monomial is not covered.
+    /// The supports of products with more than one monomial that is not covered.
     composite: Vec<Rc<[Id]>>,
 }
 
@@ -69,7 +65,7 @@ impl Cover {
         }
     }
 
-    /// A product with one monomial that nothing else stands for stands for that monomial.
+    /// Covers the only missing monomial of a product, as long as there is such a product.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -96,8 +92,8 @@ struct Search<'a> {
     sets: Vec<Vec<Id>>,
 }
 
-/// Returns the smallest closed sets of at most `most` variables that a search of at most `budget`
-/// nodes finds, or `None`. Sets of `surplus` more variables are found as well.
+/// Returns the smallest closed sets of at most `most` variables that are found within `budget`
+/// nodes, and sets of `surplus` more. Returns `None` if no set is found.
 pub(crate) fn search(
     ring: &Ring,
     problem: &Problem,
@@ -107,7 +103,7 @@ pub(crate) fn search(
 ) -> Option<Found> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // A set below a limit that comes from another ring is unlikely where none is found at once.
+    // `most` comes from another ring. After a failed greedy closure success is unlikely.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -133,9 +129,8 @@ pub(crate) fn search(
     Some(Found { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
-/// Finds a closed set, not always a smallest one, in which each variable has a quadratic relation
-/// of its own: it is the product of two others, or the inverse of a polynomial whose product with
-/// it can be written.
+/// Finds a closed set, not always a smallest one, in which each variable has a defining quadratic
+/// relation: it is a product of two others, or the inverse of a polynomial.
 pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<Id> = Vec::new();
@@ -177,7 +172,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Whether a monomial is a coordinate, the inverse of one, or the product of two variables.
+    /// Returns whether a monomial is a coordinate, the inverse of one, or a product of two
+    /// variables.
     fn is_founded(&mut self, id: Id, new: &[Id]) -> bool {
         if !self.founded || self.table.monomial(id).size() == 1 {
             return true;
@@ -186,7 +182,6 @@ impl<'a> Search<'a> {
         self.is_product(&monomial, new)
     }
 
-    /// Whether a monomial is the product of two variables other than itself.
     fn is_product(&mut self, monomial: &Monomial, new: &[Id]) -> bool {
         let own = self.table.id(monomial);
         let variables: Vec<Id> = self.given.iter().chain(new).copied().filter(|&one| one != own).collect();
@@ -196,7 +191,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether each variable has a quadratic relation of its own.
+    /// Returns whether each variable has a defining quadratic relation.
     fn are_founded(&mut self, set: &[Id]) -> bool {
         set.iter().all(|&id| {
             let monomial = self.table.monomial(id).clone();
@@ -226,7 +221,7 @@ impl<'a> Search<'a> {
         self.extend(&mut Vec::new(), &cover, size);
     }
 
-    /// The monomials that products of two variables, or of one and 1, stand for.
+    /// Returns the cover of `new`: the monomials of products of at most two variables.
     fn cover(&mut self, new: &[Id]) -> Cover {
         let mut cover = Cover::default();
         cover.covered.insert(Table::ONE);
@@ -264,7 +259,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The cover of `new` and one more variable.
     fn joined(&mut self, cover: &Cover, new: &[Id], variable: Id) -> Cover {
         let mut joined = cover.clone();
         let others: Vec<Id> = self.given.iter().chain(new).copied().collect();
@@ -273,7 +267,7 @@ impl<'a> Search<'a> {
         joined
     }
 
-    /// The monomials that must be written and cannot be, in ascending order.
+    /// Returns the monomials that are required but not covered, in ascending order.
     fn missing(&mut self, cover: &Cover, new: &[Id]) -> Vec<Id> {
         let mut missing = self.required.clone();
         new.iter().for_each(|&variable| missing.extend(self.table.derivative(variable).iter()));
@@ -283,7 +277,6 @@ impl<'a> Search<'a> {
         missing
     }
 
-    /// Whether a monomial may become a variable.
     fn is_allowed(&self, id: Id) -> bool {
         let monomial = self.table.monomial(id);
         let negative = &self.problem.negative;
@@ -294,7 +287,7 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// The monomials each of which, as the only new variable, would make `target` a product.
+    /// Returns the monomials that, as single new variables, make `target` a product.
     fn singles(&mut self, target: Id, new: &[Id]) -> Vec<Id> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<Id> = self.given.iter().chain(new).copied().collect();
@@ -307,7 +300,8 @@ impl<'a> Search<'a> {
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
     }
 
-    /// The pairs of monomials with product `target` whose exponents lie between 0 and its own.
+    /// Returns pairs of new monomials with product `target`, with exponents between 0 and those of
+    /// it.
     fn pairs(&mut self, target: Id) -> Vec<[Id; 2]> {
         let target = self.table.monomial(target).clone();
         let mut halves = vec![Monomial::one()];
@@ -330,7 +324,6 @@ impl<'a> Search<'a> {
         pairs
     }
 
-    /// Collects the closed sets that extend `new` by at most `more` variables.
     fn extend(&mut self, new: &mut Vec<Id>, cover: &Cover, more: usize) {
         if self.nodes == 0 || self.sets.len() >= MOST_SETS {
             return;
@@ -362,7 +355,6 @@ impl<'a> Search<'a> {
         let (singles, target) = options.expect("something is missing");
         for single in singles {
             let joined = self.joined(cover, new, single);
-            // With one variable to go, all that is missing now must follow from it.
             if more > 1 || missing.iter().all(|one| joined.covered.contains(one)) {
                 new.push(single);
                 self.extend(new, &joined, more - 1);
@@ -384,14 +376,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A closed set by adding, again and again, the variable that leaves least to be written; then
-    /// reduced.
+    /// Returns a closed set: adds the variable that leaves the fewest monomials missing, step by
+    /// step, then removes unnecessary ones.
     fn greedy(&mut self, most: usize) -> Option<Vec<Id>> {
         let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.reduced(closed))
     }
 
-    /// A closed set without each variable that a new closure can do without.
+    /// Removes variables without which a closure is smaller, one by one.
     fn reduced(&mut self, mut best: Vec<Id>) -> Vec<Id> {
         let mut at = 0;
         while at < best.len() {
@@ -406,8 +398,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// A closed set of at most `most` variables that extends `new`. `twist` chooses between
-    /// variables that leave equally much to be written, and at times the second best.
+    /// Extends `new` to a closed set of at most `most` variables. A nonzero `twist` breaks ties at
+    /// random, and sometimes takes the second best variable.
     fn closure(&mut self, mut new: Vec<Id>, most: usize, twist: u64) -> Option<Vec<Id>> {
         let mut cover = self.cover(&new);
         loop {
@@ -434,7 +426,7 @@ impl<'a> Search<'a> {
             ranked.sort_by_key(|&(left, turn, single, _)| (left, turn, single));
             let second = twist != 0 && ranked.len() > 1 && turn(target) % 4 == 0;
             let Some((_, _, next, joined)) = ranked.into_iter().nth(usize::from(second)) else {
-                // A factor of the target that is founded leads on.
+                // No single variable helps; continue with a factor of the target.
                 let pairs = self.pairs(target).into_iter().flatten();
                 let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<Id>>();
                 let next = next.into_iter().find(|&one| self.is_founded(one, &new))?;
@@ -446,7 +438,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The smallest closed set by removing up to four variables at a time and closing again.
+    /// Improves a closed set: removes up to four variables at random and closes again.
     fn improved(&mut self, mut best: Vec<Id>, most: usize) -> Vec<Id> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;

@@ -1,10 +1,10 @@
-//! Whether the relations between the variables of a lift stay small along an orbit.
+//! The growth of errors of the relations of a lift along an orbit.
 //!
-//! The error r = w − g(x) of the relations obeys r′ = Λ r + …, where
+//! The error r = w − g(x) satisfies r′ = Λ r + … along the orbit with
 //!
 //!   Λ = ∂F_w/∂w − Dg · ∂F_x/∂w
 //!
-//! along the orbit. A lift is usable where the solutions of r′ = Λ r stay bounded.
+//! A lift is usable if the solutions of r′ = Λ r stay bounded.
 
 use crate::embedding::Builder;
 use crate::energy::slopes;
@@ -12,29 +12,26 @@ use crate::laurent::Laurent;
 use crate::quadratic::Quadratic;
 use crate::ring::Ring;
 
-/// The time over which orbits are followed.
 const HORIZON: f64 = 100.0;
-/// The largest exponent of a lift that counts as stable.
+/// The largest growth exponent that counts as stable.
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
-/// The largest amplification of a lift that counts as stable.
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
-/// The amplification at which a lift is given up before the horizon, where it grows fast.
+/// The amplification at which a fast growth ends the computation.
 const HOPELESS: f64 = 1e8;
-/// The most points of an orbit.
 const MOST_POINTS: usize = 20_000;
-/// The most parts of a step in which the errors of the relations are advanced.
+/// The largest number of substeps for the errors in one step of the orbit.
 const MOST_PARTS: f64 = 64.0;
-/// The error that a step of the orbit may have, relative to the state's own size.
+/// The error tolerance of a step of the orbit, relative to the largest component of the state.
 const TOLERANCE: f64 = 1e-6;
 
-/// How errors of the relations grow along an orbit.
+/// The growth of errors of the relations along an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Growth {
-    /// The mean rate over the horizon.
+    /// The mean rate, per unit of time.
     pub(crate) exponent: f64,
-    /// The largest factor at any time.
+    /// The largest amplification.
     pub(crate) amplification: f64,
-    /// The largest factor in the first half of the time.
+    /// The largest amplification in the first half of the time.
     half: f64,
 }
 
@@ -43,16 +40,16 @@ impl Growth {
         self.exponent <= LARGEST_EXPONENT && self.amplification <= LARGEST_AMPLIFICATION
     }
 
-    /// Whether the largest factor grows in proportion to time, and not faster.
+    /// Returns whether the amplification grows at most linearly in time.
     pub(crate) fn is_polynomial(&self) -> bool {
         self.amplification <= 3.0 * self.half
     }
 }
 
-/// An orbit of the original equations.
+/// An orbit of the original equations, computed in floats.
 #[derive(Clone, Debug)]
 pub(crate) struct Orbit {
-    /// Steps of time, and the states in their middle.
+    /// Step sizes, with the states in the middle of each step.
     points: Vec<(f64, Vec<f64>)>,
     parameters: Vec<f64>,
 }
@@ -61,7 +58,6 @@ fn advanced(x: &[f64], slope: &[f64], time: f64) -> Vec<f64> {
     x.iter().zip(slope).map(|(x, slope)| x + time * slope).collect()
 }
 
-/// A step of the classical Runge–Kutta method.
 fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64> {
     let a = field(x);
     let b = field(&advanced(x, &a, h / 2.0));
@@ -70,7 +66,7 @@ fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64
     (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
 }
 
-/// The product of two square matrices, row by row. Most entries of the left one are 0.
+/// Multiplies square matrices in row-major order. Most entries of the left one are 0.
 fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
     product.fill(0.0);
     for (place, &factor) in left.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
@@ -82,7 +78,7 @@ fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
 }
 
 impl Orbit {
-    /// The orbit over the horizon, or as far as it is finite.
+    /// Computes the orbit over the horizon, or as far as it is finite.
     pub(crate) fn new(ring: &Ring, start: &[f64], parameters: &[f64]) -> Self {
         let field = Builder::embedding(ring, &ring.field);
         let field = |x: &[f64]| field.values(x, parameters);
@@ -111,14 +107,14 @@ impl Orbit {
         Orbit { points, parameters: parameters.to_vec() }
     }
 
-    /// How errors of the relations grow along the orbit; `new` are the new variables, `field` one
-    /// equation a variable, those of the states first.
+    /// Computes the growth of errors along the orbit. `field` has one equation a variable, states
+    /// first.
     pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> Growth {
         let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
             return Growth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // Dg, then ∂F/∂w with the values of the variables.
+        // Dg, then ∂F/∂w at the values of the variables.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -133,11 +129,10 @@ impl Orbit {
         }
         let entries = Builder::embedding(ring, &entries);
         let functions = Builder::embedding(ring, new);
-        // Matrices are row by row; this one is the identity.
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         let [mut first, mut second] = [matrix.clone(), matrix.clone()];
-        // Errors count relative to the size of their variable, so that units do not matter.
+        // Relative errors, independent of units.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
             let values = functions.values(x, &self.parameters);
@@ -160,7 +155,7 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // exp(hΛ) as a power of (1 + sΛ + (sΛ)²/2) with s ‖Λ‖ ≤ 1/2.
+            // exp(hΛ) ≈ (1 + sΛ + (sΛ)²/2)^(h/s) with s‖Λ‖ ≤ 1/2, up to the limit on substeps.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;
@@ -172,7 +167,7 @@ impl Orbit {
                 }
             }
             let norm = largest(&matrix);
-            // Errors below every float have died out.
+            // All errors have decayed below the smallest float.
             if norm == 0.0 {
                 break;
             }

@@ -1,4 +1,4 @@
-//! Monomials by number, with their products and the supports of their derivatives.
+//! Numbered monomials with cached products and derivatives.
 
 use std::rc::Rc;
 
@@ -7,20 +7,16 @@ use rustc_hash::FxHashMap;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-/// The number of a monomial.
 pub(crate) type Id = u32;
 
-/// A monomial with its normal form and its derivative.
 #[derive(Clone, Debug)]
 struct Entry {
     monomial: Monomial,
-    /// The monomials of its normal form, where it is not in normal form itself.
+    /// The monomials of its normal form; `None` if it is in normal form.
     rewritten: Option<Rc<[Id]>>,
-    /// The monomials of its derivative, once asked for.
     derivative: Option<Rc<[Id]>>,
 }
 
-/// Monomials that were met, by number.
 #[derive(Debug)]
 pub(crate) struct Table<'a> {
     ring: &'a Ring,
@@ -30,7 +26,6 @@ pub(crate) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The number of the empty product.
     pub(crate) const ONE: Id = 0;
 
     pub(crate) fn new(ring: &'a Ring) -> Self {
@@ -40,7 +35,7 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// The number of a monomial.
+    /// Returns the number of a monomial; a new one is added.
     pub(crate) fn id(&mut self, monomial: &Monomial) -> Id {
         if let Some(&id) = self.ids.get(monomial) {
             return id;
@@ -54,22 +49,19 @@ impl<'a> Table<'a> {
         id
     }
 
-    /// The numbers of the monomials of a polynomial.
     pub(crate) fn support(&mut self, polynomial: &Laurent) -> Rc<[Id]> {
         polynomial.terms().map(|(monomial, _)| self.id(monomial)).collect()
     }
 
-    /// The monomial with a number.
     pub(crate) fn monomial(&self, id: Id) -> &Monomial {
         &self.entries[id as usize].monomial
     }
 
-    /// The monomials of the normal form, where the monomial is not in normal form.
+    /// Returns the monomials of the normal form; `None` if the monomial is in normal form.
     pub(crate) fn rewritten(&self, id: Id) -> Option<&Rc<[Id]>> {
         self.entries[id as usize].rewritten.as_ref()
     }
 
-    /// The product of two monomials.
     pub(crate) fn product(&mut self, left: Id, right: Id) -> Id {
         let key = (left.min(right), left.max(right));
         if let Some(&known) = self.products.get(&key) {
@@ -81,7 +73,6 @@ impl<'a> Table<'a> {
         id
     }
 
-    /// The monomials of the derivative.
     pub(crate) fn derivative(&mut self, id: Id) -> Rc<[Id]> {
         if let Some(known) = &self.entries[id as usize].derivative {
             return Rc::clone(known);

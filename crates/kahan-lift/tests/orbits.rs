@@ -1,10 +1,9 @@
-//! Orbits of lifted fields against solutions of the original equations, and what their maps keep.
+//! Orbits of lifted fields: their accuracy, relations and energies.
 
 use kahan_algebra::lenient;
 use kahan_lift::{Lift, Options, Reembedding, lift};
 use kahan_runtime::{Field, Map};
 
-/// A system with a start and values of its parameters, and its field written by hand.
 struct System {
     text: &'static str,
     start: &'static [f64],
@@ -31,7 +30,6 @@ impl System {
         [self.start.to_vec(), lift.embed(self.start, self.parameters)].concat()
     }
 
-    /// The states at a time, by steps of this ε.
     fn states(&self, lift: &Lift, eps: f64, steps: u64) -> Vec<f64> {
         let mut point = self.embedded(lift);
         self.map(lift).at(eps).advance(&mut point, steps).expect("the dimension of the lift");
@@ -42,12 +40,11 @@ impl System {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    // `max` would forget what is not a number.
+    // `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() && b.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
-/// The solution at a time by the classical Runge–Kutta method.
 fn solution(system: &System, time: f64, steps: u32) -> Vec<f64> {
     let h = time / f64::from(steps);
     let field = system.field;
@@ -120,7 +117,7 @@ const QUARTIC: System = System {
     parameters: &[],
     field: |x| vec![x[1], -x[0].powi(3)],
 };
-/// The new variables x² and x³ come near 0, where rounding is large relative to them.
+/// The new variables x² and x³ come near 0, where rounding is relatively large.
 const DUFFING: System = System {
     text: "x' = p; p' = -x - x^3/2",
     start: &[1.0, 0.2],
@@ -134,7 +131,7 @@ const DISSIPATIVE: [System; 5] =
 fn default_lifts_solve_the_original_equations_to_order_two() {
     for system in DISSIPATIVE.into_iter().chain([PENDULUM, KEPLER, QUARTIC]) {
         let lift = system.lift();
-        // To the time 20. The error of the reference is below 1e-9, as halving its steps shows.
+        // Up to time 20. The reference has an error below 1e-9, as step halving shows.
         let reference = solution(&system, 20.0, 40_000);
         let error = |eps: f64, steps| distance(&system.states(&lift, eps, steps), &reference);
         let [coarse, middle, fine] = [error(0.01, 1000), error(0.005, 2000), error(0.0025, 4000)];
@@ -154,7 +151,7 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
             let (states, new) = point.split_at(system.start.len());
             distance(new, &lift.embed(states, system.parameters))
         };
-        // At the time 1000; errors are of the size ε², with factors that the stiffest of them has.
+        // At time 1000. Errors are O(ε²), with the factor of the stiffest system.
         let [coarse, fine] = [error(0.01, 50_000), error(0.0025, 200_000)];
         assert!(coarse < 2e-2 && fine < 2e-3, "{}: {coarse:e}, {fine:e}", system.text);
     }
@@ -162,7 +159,6 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
 
 type Energy = fn(&[f64]) -> f64;
 
-/// p·p/2 + V, by hand.
 fn energies() -> [(System, Energy); 4] {
     [
         (PENDULUM, |x| x[1] * x[1] / 2.0 - x[0].cos()),
@@ -181,7 +177,6 @@ fn symmetric_projection_lets_no_energy_drift() {
         let mut states = system.start.to_vec();
         let first = energy(&states);
         let mut errors = Vec::new();
-        // To the time 800.
         for _ in 0..20_000 {
             let converged = reembedding.step(
                 &mut states,

@@ -1,33 +1,33 @@
-//! Mistakes as data: what kind, where, what is wrong in the user's terms, what to write instead.
+//! Mistakes of the user as data: kind, place, message and help.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens, the command into a
-//! paragraph with a caret: the same text from the same place. [`Diagnostics`] collects them and
-//! cannot be forgotten.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens; the command prints a
+//! paragraph with a caret. Text and place are equal in both. [`Diagnostics`] collects mistakes and
+//! panics if it is dropped unread.
 
 use std::fmt;
 
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// What rule was broken; for tests and for tools, never shown.
+/// The rule that was broken. Tests and tools read it; no message shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
     /// Text or tokens that do not follow the grammar.
     Syntax,
-    /// A literal that is no exact decimal number.
+    /// A literal other than an exact decimal number.
     Number,
-    /// An exponent that is not allowed where it stands.
+    /// An exponent that is not allowed at its place.
     Exponent,
     /// A header that is not `struct Name;` or `struct Name { a, b }`.
     Header,
-    /// An identifier that nothing defines.
+    /// An identifier without a definition.
     UnknownName,
-    /// A name used twice, reserved, or otherwise not to be had.
+    /// A name that is used twice, reserved or otherwise refused.
     Name,
-    /// A parameter that nothing uses.
+    /// An unused parameter.
     UnusedParameter,
-    /// A term of degree three or more in the states.
+    /// A term of degree 3 or more in the states.
     Degree,
     /// A divisor that depends on a state.
     StateDivisor,
@@ -35,11 +35,11 @@ pub enum Kind {
     ZeroDivisor,
     /// A function call, a path or an index.
     NotAPolynomial,
-    /// A limit on size.
+    /// A size beyond a limit.
     TooLarge,
     /// A block without equations.
     Empty,
-    /// A claim that says nothing, is malformed, or cannot be evaluated.
+    /// A claim that is trivial or malformed, or that cannot be evaluated.
     Claim,
     /// A claim that is false.
     FalseClaim,
@@ -48,19 +48,18 @@ pub enum Kind {
 /// One mistake.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// The rule that was broken.
+    /// The broken rule.
     pub kind: Kind,
     /// The tokens to change.
     pub span: Span,
-    /// What is wrong.
+    /// The mistake, in one sentence.
     pub message: String,
-    /// What to write instead.
+    /// The text to write instead; may be empty.
     pub help: String,
 }
 
 impl Diagnostic {
-    /// A mistake of `kind` at `span`: what is wrong, and what to write instead, each made
-    /// [`brief`].
+    /// Returns a mistake at `span`. Message and help are shortened by [`brief`].
     #[must_use]
     pub fn new(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Self {
         Diagnostic { kind, span, message: brief(&message.into()), help: brief(&help.into()) }
@@ -77,8 +76,10 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// A message as it is, unless what it quotes is too long for one: then a word of more than 80
-/// characters keeps its beginning and its end, and so does the whole if it still has more than 700.
+/// Shortens a message that quotes long words.
+///
+/// Of a word of more than 80 characters the first 46 and the last 16 stay. Of a message that still
+/// has more than 700 characters the first 440 and the last 240 stay.
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
@@ -93,9 +94,7 @@ pub fn brief(message: &str) -> String {
     without_middle(&short, 700, 440, 240)
 }
 
-/// A text of at most `longest` characters as it is, of another the first and the last few.
 fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> String {
-    // So many bytes are that many characters at most.
     if text.len() <= longest {
         return text.to_owned();
     }
@@ -108,11 +107,12 @@ fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> Stri
     format!("{head}…{tail}")
 }
 
-/// The most mistakes that are kept; more than these are told after the first are corrected.
 const MOST_MISTAKES: usize = 200;
 
-/// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and
-/// panics.
+/// The mistakes found so far.
+///
+/// # Panics
+/// When dropped without [`Diagnostics::finish`].
 #[derive(Debug)]
 pub struct Diagnostics {
     list: Option<Vec<Diagnostic>>,
@@ -125,7 +125,7 @@ impl Default for Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake, unless the same message stands at the same place, or the list is full.
+    /// Adds a mistake, unless an equal one is in the list or the list is full.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if let Some(list) = &mut self.list
             && list.len() < MOST_MISTAKES
@@ -135,30 +135,30 @@ impl Diagnostics {
         }
     }
 
-    /// Adds a mistake from its parts.
+    /// Adds a mistake, given by its parts, as [`Diagnostics::push`] does.
     pub fn report(&mut self, kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) {
         self.push(Diagnostic::new(kind, span, message, help));
     }
 
-    /// Whether nothing was found so far.
+    /// Returns whether the list is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.as_ref().is_none_or(Vec::is_empty)
     }
 
-    /// Returns whether the list is full, so that no more mistakes are kept.
+    /// Returns whether the list is full; further mistakes are then dropped.
     #[must_use]
     pub fn is_full(&self) -> bool {
         self.len() >= MOST_MISTAKES
     }
 
-    /// How many mistakes were found so far.
+    /// Returns the number of mistakes found so far.
     #[must_use]
     pub fn len(&self) -> usize {
         self.list.as_ref().map_or(0, Vec::len)
     }
 
-    /// Hands the mistakes over, in the order of their places.
+    /// Returns the mistakes in the order of their places.
     #[must_use]
     pub fn finish(mut self) -> Vec<Diagnostic> {
         sorted_by_key(self.list.take().unwrap_or_default(), |diagnostic| diagnostic.span)

@@ -1,9 +1,8 @@
-//! Texts as people write them, in the tokens of the language.
+//! Texts in the notation of books and other programs, translated into tokens of the language.
 //!
 //! In: a text, such as `x' = y, y' = -x**2`. Out: the tokens of `xdot = y; ydot = -x^2;`, each with
-//! its place in the text, and what the language has no words for: values of parameters, first
-//! values of states, notes. The one parser reads these tokens, and what means nothing is left to
-//! it. A text in the language of `kahan!` keeps its tokens.
+//! its place in the text, values of parameters, initial values of states, and notes. Mistakes stay
+//! in the tokens for the parser to report. A text in the language of `kahan!` keeps its tokens.
 
 mod items;
 mod left;
@@ -24,23 +23,23 @@ use crate::token::{Token, TokenKind};
 use items::Item;
 use xpp::Function;
 
-/// A text in the tokens of the language, and what it says besides.
+/// A text as tokens of the language, with the values that it gives.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// The tokens of a block, and where each of them, or what it stands for, is in the text.
+    /// The tokens of a block; each range is that of the token or of the text that it replaces.
     pub lexed: Lexed,
-    /// Whether the text has these tokens itself, and Rust's comments.
+    /// Whether the tokens and comments are those of `kahan!`, without any translation.
     pub is_canonical: bool,
-    /// The values that the text gives to parameters.
+    /// Parameters with the values that the text gives them.
     pub parameters: Vec<(String, Rational)>,
-    /// The first values that the text gives to states.
+    /// States with the initial values that the text gives them.
     pub start: Vec<(String, Rational)>,
-    /// Notes on what was read in a way that its writer should know of.
+    /// Notes for the writer on unusual readings.
     pub notes: Vec<String>,
 }
 
 impl Reading {
-    /// The tokens as a text in the language of `kahan!`.
+    /// Returns the tokens as a text in the language of `kahan!`.
     #[must_use]
     pub fn canonical(&self) -> String {
         let mut text = String::new();
@@ -59,7 +58,7 @@ impl Reading {
     }
 }
 
-/// Reads a text leniently. Never fails: mistakes are left in the tokens, for the parser to report.
+/// Translates a text. Mistakes become tokens that the parser reports.
 ///
 /// ```
 /// let read = kahan_syntax::lenient::read("par a=2\nx' = a*y\ny' = -x**2");
@@ -71,7 +70,7 @@ pub fn read(text: &str) -> Reading {
     let Lexed { tokens, ranges, is_of_others } = lex(text);
     let count = tokens.len();
     let mut reader = Reader { text, given: tokens.into_iter().zip(ranges).collect(), ..Reader::default() };
-    // A list of equations, as SymPy prints it and Mathematica takes it.
+    // SymPy prints equations as a list, and Mathematica takes them as one.
     if matches!((reader.at(0), reader.at(count.saturating_sub(1))), ("[", "]") | ("{", "}")) {
         reader.given = reader.given[1..count - 1].to_vec();
     }
@@ -86,16 +85,14 @@ pub fn read(text: &str) -> Reading {
     read
 }
 
-/// A token, and where it, or what it stands for, is in the text.
+/// A token and the bytes of the text that it comes from.
 type Placed = (Token, Range<usize>);
 
-/// A token of the language.
 fn placed(text: &str, range: &Range<usize>) -> Placed {
     let kind = text.chars().next().map_or(TokenKind::Identifier, TokenKind::beginning_with);
     (Token { kind, text: text.to_owned().into(), touches_next: false, docs: Box::default() }, range.clone())
 }
 
-/// A token that is a mistake.
 fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Placed {
     let (token, range) = placed("", range);
     (Token { kind: TokenKind::unreadable(message, help), ..token }, range)
@@ -105,30 +102,25 @@ fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<Str
 struct Reader<'a> {
     text: &'a str,
     given: Vec<Placed>,
-    /// All names that stand in the text.
     names: OnceCell<HashSet<String>>,
-    /// The states, each with the names of its derivatives up to the order of its equation.
+    /// The states, each with the names of its derivatives below the order of its equation.
     states: HashMap<String, Vec<String>>,
-    /// Whether some of them have derivatives with names.
     has_derivatives: bool,
-    /// The tokens of quantities that are no states, by name.
+    /// The formulas of auxiliary quantities, by name.
     quantities: HashMap<String, Vec<Placed>>,
-    /// The functions that the text defines, by name.
     functions: HashMap<String, Function>,
-    /// The tokens of the arguments of the innermost call, by name.
+    /// The arguments of the innermost call, by name.
     arguments: HashMap<String, Vec<Placed>>,
-    /// The functions whose calls are being replaced, outermost first.
+    /// The functions whose calls are being expanded, outermost first.
     calls: Vec<String>,
-    /// The number of calls within calls.
     depth: usize,
-    /// How many tokens the quantities have added.
+    /// The number of tokens that expansions have added.
     added: usize,
     out: Vec<Placed>,
     read: Reading,
 }
 
 impl Reader<'_> {
-    /// The text of a token, empty behind the last.
     fn at(&self, place: usize) -> &str {
         self.given.get(place).map_or("", |(token, _)| &token.text)
     }
@@ -137,28 +129,24 @@ impl Reader<'_> {
         self.given.get(place).is_some_and(|(token, _)| token.kind == TokenKind::Identifier)
     }
 
-    /// The names among some tokens.
     fn names_in(&self, tokens: Range<usize>) -> impl Iterator<Item = &str> {
         tokens.filter(|place| self.is_name(*place)).map(|place| self.at(place))
     }
 
-    /// Whether a name stands anywhere in the text.
     fn mentions(&self, name: &str) -> bool {
         let all = || self.names_in(0..self.given.len()).map(str::to_owned).collect();
         self.names.get_or_init(all).contains(name)
     }
 
-    /// Whether the equations define a state, or a derivative, of this name.
+    /// Returns whether the equations define a state, or a derivative, of this name.
     fn is_state(&self, name: &str) -> bool {
         self.states.contains_key(name)
     }
 
-    /// The bytes of some tokens, at least one.
     fn bytes(&self, tokens: Range<usize>) -> Range<usize> {
         self.given[tokens.start].1.start..self.given[tokens.end - 1].1.end
     }
 
-    /// Whether the text has a header, or attributes, in the language of `kahan!`.
     fn has_header(&self) -> bool {
         matches!(self.at(0), "pub" | "struct" | "#")
     }
@@ -170,7 +158,6 @@ impl Reader<'_> {
         }
     }
 
-    /// The mistake of a text that holds reactions.
     fn reaction(&self) -> Option<Placed> {
         let is_arrow =
             |pair: &[Placed]| pair[0].0.text == "-" && pair[1].0.text == ">" && pair[0].0.touches_next;
@@ -192,7 +179,7 @@ impl Reader<'_> {
         self.give_pi();
     }
 
-    /// A parameter `pi` that has no value is the number.
+    /// Gives the parameter `pi` its value, unless the text defines it.
     fn give_pi(&mut self) {
         const PI: &str = "3.141592653589793";
         let is_read = self.is_state("pi") || self.quantities.contains_key("pi") || self.has_header();
@@ -204,7 +191,7 @@ impl Reader<'_> {
         self.read.parameters.push(("pi".to_owned(), value));
     }
 
-    /// Writes an item, or what stands in its place, and its end.
+    /// Writes an item, or its replacement, and a `;` behind it.
     fn write(&mut self, Item { tokens, left, is_ended }: &Item, instead: Option<Vec<Placed>>) {
         let is_bracket = self.at(tokens.start) == "bracket";
         let written = match (instead, left) {

@@ -1,9 +1,8 @@
-//! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a
-//! number). `.5` is one, too, which Rust does not have.
+//! Text to tokens, by Rust's rules for comments, raw identifiers and numbers.
 //!
-//! The macro never comes here: rustc has lexed its input already. So signs that stop rustc's lexer
-//! are read here: `**`, `x²`, `−`, `# comments`. Others, such as `x'`, become a token that
-//! carries its explanation, so that the command reports it like any other mistake.
+//! Only texts are lexed here; rustc lexes the input of the macro. The lexer therefore also reads
+//! signs that stop rustc's lexer: `.5`, `**`, `x²`, `−`, `# comments`. A sign without a meaning, as
+//! in `x'`, becomes a token that carries its explanation, and the parser reports it.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -11,18 +10,18 @@ use std::ops::Range;
 use crate::rational::numeral::Numeral;
 use crate::token::{Token, TokenKind};
 
-/// The tokens of a text and the byte range of each.
+/// The tokens of a text and their places.
 #[derive(Clone, Debug, Default)]
 pub struct Lexed {
     /// The tokens.
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether the text has comments `# …` or lines joined by `\`, which Rust does not have.
+    /// Whether the text has comments or line joins that Rust lacks: `# …`, `" …`, `\`.
     pub is_of_others: bool,
 }
 
-/// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
+/// Splits `text` into tokens. An unknown character becomes [`TokenKind::Unreadable`].
 #[must_use]
 pub fn lex(text: &str) -> Lexed {
     let mut lexer = Lexer { text, at: 0, docs: Vec::new(), out: Lexed::default() };
@@ -30,13 +29,11 @@ pub fn lex(text: &str) -> Lexed {
     lexer.out
 }
 
-/// The punctuation of the language and of Rust, and brackets.
 const SIGNS: &str = "+-*/^=;,.:<>!?&|%#@~$()[]{}";
 
 struct Lexer<'a> {
     text: &'a str,
     at: usize,
-    /// Lines of documentation before the next token.
     docs: Vec<String>,
     out: Lexed,
 }
@@ -46,7 +43,7 @@ impl Lexer<'_> {
         self.text[self.at..].chars().nth(ahead)
     }
 
-    /// The byte length of the longest prefix whose characters satisfy `keep`.
+    /// Returns the byte length of the longest run from `from` whose characters satisfy `keep`.
     fn run(&self, from: usize, keep: impl Fn(char) -> bool) -> usize {
         self.text[from..].chars().take_while(|&c| keep(c)).map(char::len_utf8).sum()
     }
@@ -55,7 +52,7 @@ impl Lexer<'_> {
         let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
         let text_of_sign = match kind {
-            // Half of the tokens of a field, none of which allocates.
+            // Half of the tokens of a field are signs; borrowed texts spare their allocation.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
                 SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
             }
@@ -65,7 +62,7 @@ impl Lexer<'_> {
         self.at += length;
     }
 
-    /// Writes a token for the next `length` bytes, and stays before them.
+    /// Adds a token for the next `length` bytes without moving on.
     fn put(&mut self, kind: TokenKind, text: Cow<'static, str>, length: usize) {
         let range = self.at..self.at + length;
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
@@ -76,7 +73,7 @@ impl Lexer<'_> {
         self.out.ranges.push(range);
     }
 
-    /// Reads one token or one stretch of white space; `false` at the end.
+    /// Reads one token, comment or white-space character. Returns `false` at the end.
     fn next_token(&mut self) -> bool {
         let Some(c) = self.peek(0) else { return false };
         if c.is_whitespace() {
@@ -137,20 +134,18 @@ impl Lexer<'_> {
         true
     }
 
-    /// Whether only white space stands before this place in its line.
     fn begins_line(&self) -> bool {
         let before = self.text[..self.at].trim_end_matches([' ', '\t']);
         before.is_empty() || before.ends_with('\n')
     }
 
-    /// Whether the point here begins a number, as in `.5`.
     fn begins_fraction(&self) -> bool {
         let before = self.text[..self.at].chars().next_back();
         self.peek(1).is_some_and(|c| c.is_ascii_digit())
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// The signs of the language that stand here in the spelling of others, and their length here.
+    /// Returns the signs of the language that the characters here mean, and their length in bytes.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
@@ -165,7 +160,7 @@ impl Lexer<'_> {
         Some((signs, c.len_utf8()))
     }
 
-    /// Skips `/* … */`, which nests in Rust; one that is not closed is a mistake at its beginning.
+    /// Skips a comment `/* … */`, which nests as in Rust. Reports an unclosed one at its beginning.
     fn block_comment(&mut self) {
         let mut depth = 0;
         let mut end = self.at;
@@ -189,7 +184,7 @@ impl Lexer<'_> {
         self.at = self.text.len();
     }
 
-    /// A number and whatever letters touch it: `1`, `1.`, `1.5e-3`, `0x1F`, `2x`, `3eps`.
+    /// Returns the length of a number and the letters that touch it: `1.5e-3`, `0x1F`, `2x`.
     fn number_length(&self) -> usize {
         let length = Numeral::length_in(&self.text[self.at..]);
         length + self.run(self.at + length, continues_identifier)
@@ -212,12 +207,12 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Marks above letters, such as Newton's dot, belong to the name, as in Rust.
+/// Returns whether `c` may continue a name. Combining marks, such as Newton's dot, may.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }
 
-/// How many derivatives a mark behind a name means elsewhere.
+/// Returns the order of the derivative that a prime behind a name marks.
 pub(crate) fn primes(c: char) -> Option<usize> {
     match c {
         '\'' | '’' | '′' => Some(1),

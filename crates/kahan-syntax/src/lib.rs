@@ -1,15 +1,13 @@
-//! The language of `kahan!`, as far as it is text.
+//! The language of `kahan!` as text.
 //!
-//! In: text, or the tokens of a macro. Out: the syntax tree of a block or of a formula, each part
-//! with its place and each number exact, and the mistakes that can be seen without knowing what a
-//! name means. The crate must not know polynomials: what is a vector field, and whether a claim
-//! holds, is decided by `kahan-algebra`.
-//!
-//! `kahan-algebra` shares the exact numbers ([`rational`]) and the short sorted lists ([`table`]).
+//! In: a text, or the tokens of a macro. Out: the syntax tree of a block or a formula, with places
+//! and exact numbers, and mistakes. No name has a meaning here. This crate must not know
+//! polynomials: `kahan-algebra` decides which blocks are fields and which claims hold. Exact
+//! numbers ([`rational`]) and short sorted lists ([`table`]) serve `kahan-algebra`, too.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each needs those before it only, which a test guards.
+// A module uses only modules above it; a test checks the order.
 pub mod rational;
 
 pub mod table;

@@ -1,10 +1,9 @@
-//! Exact rational numbers: the literals of the language, and the coefficients of every polynomial.
+//! Exact rational numbers: the literals of the language and the coefficients of polynomials.
 //!
-//! In come integers, decimals as written, and other rationals; out go sums, products, quotients and
-//! the one correctly rounded float. What holds: every value is in lowest terms with a positive
-//! denominator, and it lives in two machine words whenever it fits there, so equal numbers have
-//! equal representations. Absent on purpose: conversion *from* decimal text through floats, and a
-//! division operator, since [`Rational::checked_div`] makes the zero divisor visible.
+//! In: integers, decimals and floats. Out: sums, products, quotients, and correctly rounded floats.
+//! A value is in lowest terms with a positive denominator; it is small whenever both parts fit into
+//! an `i64`, so equal numbers have equal representations. Deliberately absent: decimals that pass
+//! through floats, and a division operator; [`Rational::checked_div`] shows the zero divisor.
 
 mod arithmetic;
 pub(crate) mod numeral;
@@ -24,13 +23,13 @@ pub(crate) use text::LARGEST_EXPONENT;
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Arithmetic on small values costs a few machine operations and never allocates; beyond 63 bits it
-/// moves to big integers, and back as soon as the value fits again.
+/// Values whose parts fit into 63 bits are two machine words without allocation; larger ones are
+/// big integers.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-/// Canonical: `Big` only where |p| or q exceeds `i64::MAX`, so the derived equality and hash are
-/// those of the numbers. `i64::MIN` counts as big, which makes negation total on the small case.
+/// The canonical representation: `Big` only if |p| or q exceeds `i64::MAX`, so the derived equality
+/// and hash are those of numbers. `i64::MIN` counts as big, so negation of `Small` never overflows.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },
@@ -43,7 +42,7 @@ impl Rational {
     /// The number 1.
     pub const ONE: Self = Self(Repr::Small { num: 1, den: 1 });
 
-    /// The fraction `num/den`, reduced.
+    /// Returns the fraction `num/den`, reduced.
     ///
     /// # Panics
     /// If `den` is zero.
@@ -60,24 +59,24 @@ impl Rational {
         )
     }
 
-    /// The number 0.
+    /// Returns 0.
     pub fn zero() -> Self {
         Self::ZERO
     }
 
-    /// The number 1.
+    /// Returns 1.
     pub fn one() -> Self {
         Self::ONE
     }
 
-    /// The exact value of a finite float; `None` for infinities and NaN.
+    /// Returns the exact value of a finite float, and `None` for infinities and NaN.
     pub fn from_f64(value: f64) -> Option<Self> {
         if !value.is_finite() {
             return None;
         }
         let (bits, sign) = (value.abs().to_bits(), if value < 0.0 { -1 } else { 1 });
         let (exponent, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
-        // |value| = significand·2^exponent, and the significand of 0 is 0.
+        // |value| = significand·2^exponent
         let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
         if significand == 0 {
             return Some(Self::ZERO);
@@ -92,7 +91,7 @@ impl Rational {
         })
     }
 
-    /// |p| and k where the value is ±p/2ᵏ and p has at most 64 bits.
+    /// Returns |p| and k if the value is ±p/2ᵏ and p has at most 64 bits.
     fn dyadic(&self) -> Option<(u64, u64)> {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -106,7 +105,7 @@ impl Rational {
         }
     }
 
-    /// The value as a big rational.
+    /// Converts the value to a big rational.
     pub fn to_big(&self) -> BigRational {
         match &self.0 {
             Repr::Small { num, den } => BigRational::new_raw(BigInt::from(*num), BigInt::from(*den)),
@@ -114,7 +113,7 @@ impl Rational {
         }
     }
 
-    /// The numerator p, with the sign of the number.
+    /// Returns the numerator p, which has the sign of the number.
     pub fn numerator(&self) -> BigInt {
         match &self.0 {
             Repr::Small { num, .. } => BigInt::from(*num),
@@ -122,7 +121,7 @@ impl Rational {
         }
     }
 
-    /// The denominator q > 0.
+    /// Returns the denominator q > 0.
     pub fn denominator(&self) -> BigInt {
         match &self.0 {
             Repr::Small { den, .. } => BigInt::from(*den),
@@ -130,7 +129,7 @@ impl Rational {
         }
     }
 
-    /// The value, if it is an integer that an `i64` holds.
+    /// Returns the value, if it is an integer that fits into an `i64`.
     pub fn as_i64(&self) -> Option<i64> {
         match &self.0 {
             Repr::Small { num, den: 1 } => Some(*num),
@@ -140,7 +139,7 @@ impl Rational {
         }
     }
 
-    /// Numerator and denominator, if both are at most `i64::MAX` in size.
+    /// Returns numerator and denominator, if both are at most `i64::MAX` in size.
     pub fn as_small_ratio(&self) -> Option<(i64, i64)> {
         match &self.0 {
             Repr::Small { num, den } => Some((*num, *den)),
@@ -148,24 +147,24 @@ impl Rational {
         }
     }
 
-    /// Numerator and denominator, if `f32` holds both, so that one division rounds the number
-    /// correctly in every float.
+    /// Returns numerator and denominator, if both are at most 2²⁴ in size. They are then exact in
+    /// `f32`, so one division rounds the number correctly in every float.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
     }
 
-    /// Whether the number is 0.
+    /// Returns whether the number is 0.
     pub fn is_zero(&self) -> bool {
         matches!(self.0, Repr::Small { num: 0, .. })
     }
 
-    /// Whether the number is 1.
+    /// Returns whether the number is 1.
     pub fn is_one(&self) -> bool {
         matches!(self.0, Repr::Small { num: 1, den: 1 })
     }
 
-    /// Whether the number is below 0.
+    /// Returns whether the number is negative.
     pub fn is_negative(&self) -> bool {
         match &self.0 {
             Repr::Small { num, .. } => *num < 0,
@@ -173,7 +172,7 @@ impl Rational {
         }
     }
 
-    /// Whether the denominator is 1.
+    /// Returns whether the denominator is 1.
     pub fn is_integer(&self) -> bool {
         match &self.0 {
             Repr::Small { den, .. } => *den == 1,
@@ -181,7 +180,7 @@ impl Rational {
         }
     }
 
-    /// The bit length of the larger of |p| and q; at least 1.
+    /// Returns the bit length of the larger of |p| and q, at least 1.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -191,7 +190,7 @@ impl Rational {
         }
     }
 
-    /// For a big rational that is already in lowest terms with a positive denominator.
+    /// Wraps a big rational in lowest terms with a positive denominator.
     fn from_normal(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
             (Some(num), Some(den)) if num != i64::MIN => Self(Repr::Small { num, den }),
@@ -199,7 +198,6 @@ impl Rational {
         }
     }
 
-    /// p/q for p and q coprime, q > 0.
     fn from_reduced(num: i128, den: i128) -> Self {
         const LIMIT: u128 = i64::MAX as u128;
         if num.unsigned_abs() <= LIMIT && den.unsigned_abs() <= LIMIT {
@@ -209,9 +207,9 @@ impl Rational {
     }
 }
 
-/// Greatest common divisor by Euclid; gcd(0, b) = b.
+/// Returns the greatest common divisor by Euclid's algorithm; gcd(0, b) = b.
 pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
-    // Fast path for floats, whose denominators are powers of two.
+    // Floats have powers of two as denominators.
     if a != 0 && b.is_power_of_two() {
         return b.min(1 << a.trailing_zeros());
     }
@@ -242,7 +240,7 @@ impl From<BigInt> for Rational {
     }
 }
 
-/// Takes any big rational with a non-zero denominator, reduced or not.
+/// Reduces the fraction, whose denominator must not be 0.
 impl From<BigRational> for Rational {
     fn from(value: BigRational) -> Self {
         Self::from_normal(value.reduced())

@@ -1,17 +1,16 @@
-//! Names as letters: which ones Rust keeps for itself, which are slips of others, which mark a
-//! derivative, and which a message may propose.
+//! Spelling of names: keywords of Rust, misspelt names, marks of derivatives, and names that a
+//! message may propose.
 
-/// The page on fields that are not quadratic, where help names it.
+/// The page on fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
-/// The way out of a field that is not quadratic, where help names it; the page has the calls of
-/// each front.
+/// The remedy for a field that is not quadratic, for help texts.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
-/// The page on texts as people write them, where help names it.
+/// The page on the notation of texts, for help texts.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";
 
-/// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
+/// Returns whether a name is a strict or reserved keyword of Rust, or `_`: no field of a struct.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
     const KEYWORDS: &str = "_ as async await break const continue crate dyn else enum extern false fn for if \
@@ -20,7 +19,7 @@ pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == name)
 }
 
-/// The way out where the name of a number stands: coefficients are exact, and π is a parameter.
+/// Returns advice for π, which is not rational and becomes a parameter; `None` for other names.
 #[must_use]
 pub fn number(name: &str) -> Option<String> {
     matches!(name, "pi" | "PI" | "π").then(|| {
@@ -28,8 +27,10 @@ pub fn number(name: &str) -> Option<String> {
     })
 }
 
-/// The name that `name` is a slip of, if one of them is close enough; of equals, the first. Two
-/// neighbours that changed places are one slip.
+/// Returns the known name closest to `name`, if it is close enough for a misspelling.
+///
+/// The distance counts changed letters and swaps of neighbours, without regard to case. Names of 1,
+/// 2 to 4, and more letters may differ by 0, 1 and 2. Of equal distances the first name wins.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
@@ -41,8 +42,8 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }
 
-/// A short name that is not taken, for what a message proposes: the first of `wanted` that is free,
-/// or else one of them with a number.
+/// Returns a free name for a message to propose: the first free one of `wanted`, otherwise the
+/// first free one with a number behind it.
 ///
 /// ```
 /// use kahan_syntax::spelling::fresh;
@@ -57,8 +58,8 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// What to write for the derivative of `state` of this order: `xdot = …`, or a chain of equations
-/// with names that are not taken.
+/// Returns how to write the derivative of `state` of this order: `xdot = …`, or a chain of
+/// equations with free names.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {
@@ -76,8 +77,9 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// The name without Newton's dots above its letters, and how many there are: `ẋ` is `x` with one,
-/// `ẍ` with two; `None` without dots.
+/// Removes Newton's dots above letters and counts them: `ẋ` is `x` with one dot, `ẍ` with two.
+///
+/// Returns `None` for a name without dots.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

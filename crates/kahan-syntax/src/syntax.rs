@@ -1,8 +1,7 @@
-//! What was written: a block of `kahan!`, item by item, with the place of everything.
+//! The syntax tree of a block, item by item, with all places.
 //!
-//! Nothing here is checked: names may be unknown, degrees too high, claims false. `kahan-algebra`
-//! turns a block into a field and claims about it. Sums and products are flat lists, so that a sum
-//! of 20 000 terms is as shallow as one of two.
+//! Nothing is checked here: names may be unknown, degrees too high, claims false. `kahan-algebra`
+//! turns a block into a field and claims. Sums and products are flat lists: long ones do not nest.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -13,32 +12,33 @@ use crate::token::Span;
 /// A name and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The identifier, a raw one without `r#`.
+    /// The identifier, without the `r#` of a raw one.
     pub text: String,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 
-/// `[header] (const | equation | family | claim)*`. `X` is what constants and the right-hand sides
-/// of equations have besides arithmetic: in a block that is to be lifted, functions and any powers.
+/// A block: `[header] (const | equation | family | claim)*`.
+///
+/// `X` is the syntax of constants and right-hand sides beyond arithmetic: [`InFamily`], or
+/// [`InFormula`] in a block that is to be lifted.
 #[derive(Clone, Debug)]
 pub struct Block<X = InFamily> {
-    /// `pub struct E7 { xi }`, where there is one.
+    /// `pub struct E7 { xi }`, if the block has a header.
     pub header: Option<Header>,
-    /// The `lift` of the header, or the one before the items: the equations are to be lifted.
+    /// The place of the keyword `lift`, if the equations are to be lifted.
     pub lift: Option<Span>,
     /// `const xi = 1/2;`
     pub constants: Vec<Constant<X>>,
-    /// `xdot = y*z;`, or the equations of the family, whose states are the names of its arrays.
+    /// `xdot = y*z;`. The states of a family are the names of its arrays.
     pub equations: Vec<Equation<X>>,
-    /// `for i in periodic { … }`, where the equations stand in one.
+    /// `for i in periodic { … }`, if the block has a family.
     pub family: Option<FamilyHead>,
     /// `integral`, `density`, `bracket`, `drift`.
     pub claims: Vec<Claim>,
-    /// `hamiltonian H = sum(…);` of a family, read as a claim of an integral.
+    /// `hamiltonian H = sum(…);` of a family, as claims of integrals.
     pub hamiltonians: Vec<Claim>,
-    /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a
-    /// second time.
+    /// Left-hand sides without `dot`, already reported: later mistakes do not mention them.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -57,29 +57,29 @@ impl<X> Default for Block<X> {
     }
 }
 
-/// What lies beyond the two ends of a chain.
+/// The neighbours beyond the two ends of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
     /// The other end: site n is site 0.
     Periodic,
-    /// Nothing: states there are 0.
+    /// No site: states there are 0.
     Open,
 }
 
-/// `for i in periodic`, which one family of equations for every site stands behind.
+/// The head of a family of equations: `for i in periodic`.
 #[derive(Clone, Debug)]
 pub struct FamilyHead {
-    /// What lies beyond the ends of the chain.
+    /// The boundary condition.
     pub boundary: Boundary,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
-    /// How many equations stood before it, outside of the family.
+    /// The number of equations before the family.
     pub equations_before: usize,
-    /// How many stood in it and before it.
+    /// The number of equations before and in the family.
     pub equations_until: usize,
 }
 
-/// `attributes [lift] visibility struct Name (; | { param, … })`.
+/// A header: `attributes [lift] visibility struct Name (; | { param, … })`.
 #[derive(Clone, Debug)]
 pub struct Header {
     /// Documentation and attributes.
@@ -94,55 +94,55 @@ pub struct Header {
     pub described: Vec<Written>,
 }
 
-/// What only Rust understands.
+/// Tokens that only Rust understands, kept as they were written.
 #[derive(Clone, Debug, Default)]
 pub struct Written {
-    /// As written, in lines.
+    /// The lines of the text.
     pub lines: Vec<String>,
-    /// Its tokens, if there are some: documentation in a text is none.
+    /// The tokens, if any; documentation in a text has no tokens.
     pub span: Option<Span>,
 }
 
-/// `const NAME = constant expr;`
+/// A constant: `const NAME = constant expr;`
 #[derive(Clone, Debug)]
 pub struct Constant<X = InFamily> {
     /// The constant's name.
     pub name: Name,
-    /// Its value; absent where it could not be read.
+    /// Its value; absent if it could not be read.
     pub value: Option<Expr<X>>,
 }
 
-/// `STATEdot = expr;`
+/// An equation: `STATEdot = expr;`
 #[derive(Clone, Debug)]
 pub struct Equation<X = InFamily> {
     /// The state: the left-hand side without `dot`.
     pub state: Name,
-    /// The right-hand side; absent where it could not be read.
+    /// The right-hand side; absent if it could not be read.
     pub value: Option<Expr<X>>,
 }
 
-/// What a claim asserts.
+/// The kind of a claim about the map x ↦ x̃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ClaimKind {
     /// F(x̃) = F(x).
     Integral,
     /// ρ(x̃) det ∂x̃/∂x = ρ(x).
     Density,
-    /// J P(x) Jᵀ = P(x̃), and the Jacobi identity.
+    /// J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, and the Jacobi identity.
     Bracket,
     /// F(x̃) is a function of F(x).
     Drift,
 }
 
 impl ClaimKind {
-    /// The kind of claim that `word` begins.
+    /// Returns the kind of claim that the keyword `word` begins.
     pub fn of_keyword(word: &str) -> Option<Self> {
         [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket, ClaimKind::Drift]
             .into_iter()
             .find(|kind| kind.keyword() == word)
     }
 
-    /// The keyword that begins such a claim.
+    /// Returns the keyword that begins a claim of this kind.
     #[must_use]
     pub fn keyword(self) -> &'static str {
         match self {
@@ -154,15 +154,17 @@ impl ClaimKind {
     }
 }
 
-/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `drift NAME = expr by expr
-/// [when];`, `bracket NAME { {x,y} = expr; … } [when] [;]`.
+/// A claim, in one of four forms, each with optional conditions:
+///
+/// `integral NAME = expr;`, `density NAME = expr;`, `drift NAME = expr by expr;`,
+/// `bracket NAME { {x,y} = expr; … }`.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// What is claimed.
+    /// The kind of claim.
     pub kind: ClaimKind,
     /// The claim's name.
     pub name: Name,
-    /// The claimed function or tensor; absent where it could not be read.
+    /// The claimed function or tensor; absent if it could not be read.
     pub body: Option<ClaimBody>,
     /// `when expr = expr, …`.
     pub conditions: Vec<Condition>,
@@ -171,11 +173,11 @@ pub struct Claim {
 /// The right-hand side of a claim.
 #[derive(Clone, Debug)]
 pub enum ClaimBody {
-    /// Of an integral or a density.
+    /// The function of an integral or a density.
     Function(Expr),
-    /// Of a bracket.
+    /// The entries of a bracket.
     Tensor(Vec<TensorEntry>),
-    /// Of a drift.
+    /// The two functions of a drift.
     Recurrence {
         /// F(x).
         function: Expr,
@@ -185,7 +187,7 @@ pub enum ClaimBody {
 }
 
 impl ClaimBody {
-    /// The expressions of the claim: a function, a function and its next value, or entries' values.
+    /// Returns the expressions of the claim in the order in which they were written.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
@@ -196,7 +198,7 @@ impl ClaimBody {
     }
 }
 
-/// `{x, y} = expr;`
+/// An entry of a bracket: `{x, y} = expr;`
 #[derive(Clone, Debug)]
 pub struct TensorEntry {
     /// The first state.
@@ -207,7 +209,7 @@ pub struct TensorEntry {
     pub value: Expr,
 }
 
-/// A relation between parameters and `eps` behind `when`: `expr = expr`.
+/// A condition behind `when`: a relation `expr = expr` between parameters and `eps`.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The left side.
@@ -217,31 +219,31 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// Where the relation stands.
+    /// Returns the place of the relation.
     #[must_use]
     pub fn span(&self) -> Span {
         self.left.span.to(self.right.span)
     }
 
-    /// Calls `visit` with every value that the relation names and its place, from left to right.
+    /// Calls `visit` with each value that the relation names and its place, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         self.left.visit_names(visit);
         self.right.visit_names(visit);
     }
 }
 
-/// An expression and its place. `X` is what the language has besides arithmetic: in a block what
-/// stands in a family, in a formula calls.
+/// An expression and its place. `X` is the syntax beyond arithmetic: sites of a family in a block,
+/// calls in a formula.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
-    /// What it is.
+    /// The operation, with its operands.
     pub kind: ExprKind<X>,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 
 impl Expr {
-    /// Calls `visit` with every value that the expression names and its place, from left to right.
+    /// Calls `visit` with each value that the expression names and its place, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
@@ -252,7 +254,7 @@ impl Expr {
         }
     }
 
-    /// Returns the expressions that it is made of, from left to right.
+    /// Returns the direct operands, from left to right.
     #[must_use]
     pub fn parts(&self) -> Vec<&Expr> {
         match &self.kind {
@@ -265,8 +267,7 @@ impl Expr {
         }
     }
 
-    /// Writes the values of these names in their place; numbers that are multiplied then become
-    /// one.
+    /// Substitutes values for names, and multiplies the numeric factors of products that gain some.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}
@@ -309,7 +310,6 @@ impl Expr {
         }
     }
 
-    /// The number that it is, with its sign.
     fn number(&self) -> Option<Rational> {
         match &self.kind {
             ExprKind::Number(value) => Some(value.clone()),
@@ -318,7 +318,7 @@ impl Expr {
         }
     }
 
-    /// Makes one number of those among the factors, unless it would divide by zero.
+    /// Multiplies the numeric factors of a product, unless one divides by 0.
     fn gather_numbers(&mut self) {
         let ExprKind::Product(factors) = &mut self.kind else { return };
         let mut whole = Rational::one();
@@ -340,17 +340,16 @@ impl Expr {
 }
 
 impl ExprKind {
-    /// A number, with its sign before it.
     fn number(value: &Rational, span: Span) -> Self {
         let size = ExprKind::Number(value.abs());
         if value.is_negative() { ExprKind::Negation(Box::new(Expr { kind: size, span })) } else { size }
     }
 }
 
-/// The shapes of an expression.
+/// The operation of an expression.
 #[derive(Clone, Debug)]
 pub enum ExprKind<X = InFamily> {
-    /// A literal, exactly.
+    /// A literal, as an exact number.
     Number(Rational),
     /// An identifier.
     Name(String),
@@ -362,41 +361,42 @@ pub enum ExprKind<X = InFamily> {
     Negation(Box<Expr<X>>),
     /// `a^n`
     Power(Box<Expr<X>>, i64),
-    /// What only this language has.
+    /// The syntax of `X`.
     Special(X),
 }
 
-/// What the expressions of a family have besides arithmetic.
+/// The syntax of a family beyond arithmetic.
 #[derive(Clone, Debug)]
 pub enum InFamily {
     /// A value at a site: `x[i]`, `x[i+1]`, `x[i-2]`.
     Site {
         /// `x`
         array: String,
-        /// How far from site i.
+        /// The distance from site i.
         offset: i64,
     },
     /// `sum(a)` over all sites, in a claim.
     OverSites(Box<Expr>),
 }
 
-/// What formulas outside of a block have besides arithmetic. No block can hold it, so that a field
-/// stays polynomial and a claim rational.
+/// The syntax of formulas beyond arithmetic: calls and general powers.
+///
+/// The blocks of fields cannot hold it, so fields stay polynomial and claims rational.
 #[derive(Clone, Debug)]
 pub enum InFormula {
-    /// `name(a, …)`; whoever evaluates the formula knows which functions there are.
+    /// `name(a, …)`. The code that evaluates the formula decides which functions exist.
     Call {
         /// `name`
         function: String,
-        /// What stands in the parentheses, at least one.
+        /// The arguments, at least one.
         arguments: Vec<Expr<InFormula>>,
     },
-    /// `a^b` where b is anything but a number that is an integer.
+    /// `a^b`, except where b is an integer literal.
     Power(Box<[Expr<InFormula>; 2]>),
 }
 
 impl Expr<InFormula> {
-    /// The expression without functions and general powers; `None` where it has one.
+    /// Returns the expression, if it is free of functions and general powers.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
         let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);
@@ -423,7 +423,7 @@ impl Expr<InFormula> {
     }
 }
 
-/// What an expression names.
+/// A value that an expression names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference<'a> {
     /// `x`
@@ -432,13 +432,13 @@ pub enum Reference<'a> {
     Site {
         /// `x`
         array: &'a str,
-        /// How far from site i.
+        /// The distance from site i.
         offset: i64,
     },
 }
 
 impl<'a> Reference<'a> {
-    /// The text by which it is looked up, as it is written.
+    /// Returns the text by which symbol tables know the value, as written.
     #[must_use]
     pub fn key(self) -> Cow<'a, str> {
         match self {
@@ -448,7 +448,7 @@ impl<'a> Reference<'a> {
     }
 }
 
-/// As it is written.
+/// Writes the name or the site as in a block.
 impl fmt::Display for Reference<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -462,7 +462,7 @@ impl fmt::Display for Reference<'_> {
 /// One term of a sum.
 #[derive(Clone, Debug)]
 pub struct Term<X = InFamily> {
-    /// Whether `−` stands before it.
+    /// Whether `-` precedes the term.
     pub negative: bool,
     /// The term.
     pub expr: Expr<X>,
@@ -471,7 +471,7 @@ pub struct Term<X = InFamily> {
 /// One factor of a product.
 #[derive(Clone, Debug)]
 pub struct Factor<X = InFamily> {
-    /// Whether `/` stands before it.
+    /// Whether `/` precedes the factor.
     pub divides: bool,
     /// The factor.
     pub expr: Expr<X>,

@@ -1,19 +1,16 @@
-//! Sorted lists and tables of a few dozen entries.
+//! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the trees of the standard library are made for millions of entries and are compiled
-//! anew for every type: they were a third of this crate's code, which every user of the macro
-//! compiles. Here entries are inserted where they belong, which is as fast for short lists and a
-//! few lines of code for each type.
+//! The sort and the maps of the standard library are compiled anew for every type. They took a
+//! third of the code that each user of the macro compiles. Here entries are inserted in order, in a
+//! few lines of code and fast enough for short lists.
 
 use std::cmp::Ordering;
 use std::ops::Index;
 
-/// The list in order, equal items in the order in which they were. Costs a move of what lies behind
-/// for each item that comes late.
+/// Returns the list in order; the sort is stable. Late items cost a move of all larger ones.
 pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) -> Ordering) -> Vec<T> {
     let mut sorted: Vec<T> = Vec::new();
     for item in list {
-        // Most lists are nearly in order.
         if sorted.last().is_none_or(|last| compare(last, &item).is_le()) {
             sorted.push(item);
         } else {
@@ -24,32 +21,32 @@ pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) 
     sorted
 }
 
-/// The list in the order of its keys.
+/// Returns the list in the order of its keys; the sort is stable.
 pub fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
     sorted_by(list, |left, right| key(left).cmp(&key(right)))
 }
 
-/// The list in order, each item once.
+/// Returns the list in order, without duplicates.
 pub fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut sorted = sorted_by_key(list, |item| *item);
     sorted.dedup();
     sorted
 }
 
-/// Values by keys, in the order of the keys.
+/// A map with its entries in the order of the keys.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table<K, V> {
     entries: Vec<(K, V)>,
 }
 
 impl<K: Ord, V> Table<K, V> {
-    /// Without entries.
+    /// Returns an empty map.
     #[must_use]
     pub fn new() -> Self {
         Table { entries: Vec::new() }
     }
 
-    /// Of entries whose keys are strictly increasing.
+    /// Makes a map of entries whose keys are strictly increasing.
     pub fn from_sorted(entries: Vec<(K, V)>) -> Self {
         debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
         Table { entries }
@@ -59,12 +56,12 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.binary_search_by(|(known, _)| known.cmp(key))
     }
 
-    /// The value of a key.
+    /// Returns the value of a key.
     pub fn get(&self, key: &K) -> Option<&V> {
         self.place(key).ok().map(|place| &self.entries[place].1)
     }
 
-    /// Whether there is a value of this key.
+    /// Returns whether the map has a value for this key.
     pub fn contains_key(&self, key: &K) -> bool {
         self.place(key).is_ok()
     }
@@ -77,7 +74,7 @@ impl<K: Ord, V> Table<K, V> {
         }
     }
 
-    /// The value of a key, made first where there is none.
+    /// Returns the value of a key; inserts `make(&key)` first if the key is absent.
     pub fn or_insert_with(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
         let place = match self.place(&key) {
             Ok(place) => place,
@@ -90,7 +87,7 @@ impl<K: Ord, V> Table<K, V> {
         &mut self.entries[place].1
     }
 
-    /// The value of a key, the default where there was none.
+    /// Returns the value of a key; inserts the default first if the key is absent.
     pub fn or_default(&mut self, key: K) -> &mut V
     where
         V: Default,
@@ -98,44 +95,44 @@ impl<K: Ord, V> Table<K, V> {
         self.or_insert_with(key, |_| V::default())
     }
 
-    /// Takes out the value of a key.
+    /// Removes the entry of a key and returns its value.
     pub fn remove(&mut self, key: &K) -> Option<V> {
         self.place(key).ok().map(|place| self.entries.remove(place).1)
     }
 
-    /// Keeps the entries that are to be kept.
+    /// Keeps the entries for which `is_kept` returns `true`.
     pub fn retain(&mut self, mut is_kept: impl FnMut(&K, &V) -> bool) {
         self.entries.retain(|(key, value)| is_kept(key, value));
     }
 
-    /// The number of entries.
+    /// Returns the number of entries.
     #[must_use]
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there are no entries.
+    /// Returns whether the map has no entries.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// The entries.
+    /// Returns the entries in the order of the keys.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
         self.entries.iter().map(|(key, value)| (key, value))
     }
 
-    /// The values.
+    /// Returns the values in the order of the keys.
     pub fn values(&self) -> impl DoubleEndedIterator<Item = &V> + ExactSizeIterator {
         self.entries.iter().map(|(_, value)| value)
     }
 
-    /// The keys alone.
+    /// Returns the keys in order.
     pub fn into_keys(self) -> impl Iterator<Item = K> {
         self.entries.into_iter().map(|(key, _)| key)
     }
 
-    /// The values alone.
+    /// Returns the values in the order of the keys.
     pub fn into_values(self) -> impl Iterator<Item = V> {
         self.entries.into_iter().map(|(_, value)| value)
     }

@@ -1,41 +1,40 @@
 //! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens
 //! (`tokens.rs` of `kahan-emit`).
 //!
-//! A token knows its text and whether the next one touches it, not where it stands: places are
-//! indices into the token list ([`Span`]), and whoever made the list keeps the map from index to
-//! byte range or compiler span. So one parser and one set of messages serve both.
+//! Places are indices into the token list ([`Span`]). The maker of the list maps an index to a byte
+//! range or a compiler span. So one parser and one set of messages serve both.
 
 use std::borrow::Cow;
 
 /// A run of tokens, from `first` to `last` inclusive, as indices into the token list of its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
-    /// Index of the first token.
+    /// The index of the first token.
     pub first: usize,
-    /// Index of the last token.
+    /// The index of the last token.
     pub last: usize,
 }
 
 impl Span {
-    /// The span of the single token `index`.
+    /// Returns the span of the single token `index`.
     #[must_use]
     pub fn token(index: usize) -> Self {
         Span { first: index, last: index }
     }
 
-    /// The smallest span that covers `self` and `other`.
+    /// Returns the smallest span that covers `self` and `other`.
     #[must_use]
     pub fn to(self, other: Span) -> Self {
         Span { first: self.first.min(other.first), last: self.last.max(other.last) }
     }
 }
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// An identifier or keyword; a raw identifier without its `r#`.
+    /// An identifier or keyword.
     Identifier,
-    /// A literal of any sort, its suffix included; only numbers have a meaning here.
+    /// A literal of any sort, with its suffix. Only numbers have a meaning in the language.
     Literal,
     /// One punctuation character.
     Punctuation(char),
@@ -43,17 +42,16 @@ pub enum TokenKind {
     Open(char),
     /// `)`, `]` or `}`.
     Close(char),
-    /// Something that no token of the language begins with; the lexer says what to write instead.
+    /// A text that begins no token of the language; the lexer proposes a replacement.
     Unreadable(Box<Unreadable>),
 }
 
 impl TokenKind {
-    /// A mistake in place of a token.
     pub(crate) fn unreadable(message: impl Into<String>, help: impl Into<String>) -> Self {
         TokenKind::Unreadable(Box::new(Unreadable { message: message.into(), help: help.into() }))
     }
 
-    /// The kind of a token of the language that begins with this character.
+    /// Returns the kind of a token of the language that begins with this character.
     pub(crate) fn beginning_with(c: char) -> Self {
         match c {
             '(' | '[' | '{' => TokenKind::Open(c),
@@ -65,24 +63,24 @@ impl TokenKind {
     }
 }
 
-/// The message for text that is no token of the language.
+/// The mistake in a text that begins no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
-    /// The mistake.
+    /// The mistake, in one sentence.
     pub message: String,
-    /// Advice: the text to write in its place.
+    /// The text to write instead.
     pub help: String,
 }
 
-/// One token.
+/// A token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// The kind.
     pub kind: TokenKind,
-    /// Its text as written.
+    /// The text as written; of a raw identifier without `r#`.
     pub text: Cow<'static, str>,
     /// Whether the next token follows without white space (`**` is two touching stars).
     pub touches_next: bool,
-    /// Lines of documentation before it, `/// …` as written; for rustc they are attributes.
+    /// Lines of documentation before it, `/// …` as written. From rustc they come as attributes.
     pub docs: Box<[String]>,
 }

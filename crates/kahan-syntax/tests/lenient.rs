@@ -1,4 +1,4 @@
-//! Texts as people write them, and what each is read as.
+//! Texts in many notations, and their translations.
 
 use std::fmt::Write;
 use std::fs;
@@ -16,7 +16,7 @@ fn mistakes(tokens: &[Token]) -> Vec<Diagnostic> {
     diagnostics.finish()
 }
 
-/// The reading of a text, on one line; values stand before it, and first values behind it.
+/// Returns the translation on one line, between values and initial values.
 fn reading(text: &str) -> String {
     let read = read(text);
     assert_eq!(mistakes(&read.lexed.tokens), [], "{text}");
@@ -31,7 +31,7 @@ fn reading(text: &str) -> String {
 #[test]
 fn texts_of_other_tools_are_read() {
     for (text, expected) in [
-        // By hand, as programs have them, and in books.
+        // Hand-written, from programs, and from books.
         ("x' = y\ny' = -x - x^2", "xdot = y; ydot = -x - x^2;"),
         ("dx/dt = a*x - b*x*y; dy/dt = -c*y + d*x*y", "xdot = a*x - b*x*y; ydot = -c*y + d*x*y;"),
         (
@@ -82,7 +82,6 @@ fn texts_of_other_tools_are_read() {
         ("pi = 3; x' = pi*x", "pi=3 xdot = pi*x;"),
         ("pi' = -pi", "pidot = -pi;"),
         ("a = 1; b = 2; x' = a*x - b*x*y; y' = -y + x*y", "a=1 b=2 xdot = a*x - b*x*y; ydot = -y + x*y;"),
-        // Lines, signs and comments.
         (
             "x' = +x³\n  - (+y)²\n  + y # a line\n# [another]\ny' = −½*x",
             "xdot = x^3 - (y)^2 + y; ydot = -(1/2)*x;",
@@ -98,7 +97,6 @@ fn texts_of_other_tools_are_read() {
             "for i in periodic {\n  x[i]dot = +x[i+1]**2 − x[i-1] }\nintegral mass = sum(x[i])",
             "for i in periodic { x[i]dot = x[i+1]^2 - x[i-1]; } integral mass = sum(x[i]);",
         ),
-        // Quantities that are no states.
         (
             "r2 = x^2 + y^2; x' = y*r2 - k; y' = -x; k = 2*c; c = 3",
             "c=3 xdot = y*(x^2 + y^2) - (2*c); ydot = -x;",
@@ -109,7 +107,7 @@ fn texts_of_other_tools_are_read() {
         ("init x = 1, a = -1e-3\nx' = -a*x", "a=-1/1000 xdot = -a*x; x=1"),
     ] {
         assert_eq!(reading(text), expected, "{text}");
-        // The printed text is read as the same field.
+        // The printed text has the tokens of the original.
         let first = read(text);
         let again = read(&first.canonical());
         let kinds =
@@ -160,7 +158,6 @@ fn what_was_read_in_an_unusual_way_is_noted() {
     }
 }
 
-/// The blocks of the catalog.
 fn catalog() -> Vec<String> {
     let systems = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../systems/src");
     let folders = ["catalog", "lattices"].map(|folder| fs::read_dir(systems.join(folder)).expect("a folder"));
@@ -192,10 +189,8 @@ fn the_catalog_keeps_its_tokens() {
     }
 }
 
-/// States and right sides.
 type Equations = Vec<(String, String)>;
 
-/// Numbers of a small generator.
 struct Draws(u64);
 
 impl Draws {
@@ -205,7 +200,6 @@ impl Draws {
     }
 }
 
-/// The equations of a random field: states and right sides, in the language.
 fn random_field(draws: &mut Draws) -> Equations {
     let states: Vec<String> = match draws.below(3) {
         0 => ["x", "y", "z"].map(str::to_owned).to_vec(),
@@ -235,7 +229,7 @@ fn random_field(draws: &mut Draws) -> Equations {
     states.iter().map(|state| (state.clone(), right(draws))).collect()
 }
 
-/// The equations of a block of the catalog, if it has no family, and what stands before and behind.
+/// Splits a block without a family into the text before its equations, the equations and the rest.
 fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let begins = |line: &str| {
         line.trim().split_once("dot = ").is_some_and(|(left, _)| left.chars().all(char::is_alphanumeric))
@@ -256,7 +250,6 @@ fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     Some((lines[..first].join("\n"), equations, lines[last..].join("\n")))
 }
 
-/// Ten manners to write equations.
 fn written(manner: usize, equations: &[(String, String)]) -> String {
     let each = |left: &dyn Fn(&str) -> String, right: &dyn Fn(&str) -> String, between: &str| {
         let equations = equations.iter().map(|(state, value)| left(state) + &right(value));
@@ -310,7 +303,7 @@ fn one_field_in_ten_manners_is_one_field() {
         assert_eq!(mistakes(&original), [], "{strict}");
         for manner in 0..10 {
             let text = format!("{before}\n{}", written(manner, &equations));
-            // Nothing stands behind `done`.
+            // Text behind `done` is not read.
             let text = if manner == 9 && !behind.trim().is_empty() {
                 text.replace("\ndone", "\n") + &behind
             } else {
@@ -323,7 +316,6 @@ fn one_field_in_ten_manners_is_one_field() {
     }
 }
 
-/// Pieces that mean something here or elsewhere.
 const PIECES: &[&str] = &[
     "x",
     "y",
@@ -402,8 +394,7 @@ const PIECES: &[&str] = &[
     "xy",
 ];
 
-/// Every text is read without a crash. A text without mistakes is printed as one that is read as
-/// the same field.
+/// Random texts are read without a panic. Those without mistakes survive printing and reading.
 #[test]
 fn hostile_texts_are_read() {
     let mut draws = Draws(1);
@@ -427,7 +418,7 @@ fn hostile_texts_are_read() {
     assert!(sound > 100, "{sound}");
 }
 
-/// Texts that are long in some way take time that grows with their length.
+/// Long texts are read in a time that grows with their length.
 #[test]
 fn long_texts_are_read() {
     let many = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<String>();

@@ -1,11 +1,10 @@
-//! Files of XPP: what is read of them, and what is refused by its name.
+//! Files of XPP: which parts are read, and which are refused by name.
 
 use kahan_syntax::diagnostics::Diagnostics;
 use kahan_syntax::lenient::read;
 use kahan_syntax::parse::parse;
 use kahan_syntax::rational::Rational;
 
-/// The first mistake of a text.
 fn mistake(text: &str) -> String {
     let read = read(text);
     let mut diagnostics = Diagnostics::default();
@@ -13,7 +12,6 @@ fn mistake(text: &str) -> String {
     diagnostics.finish().first().map_or_else(|| read.canonical(), |first| first.message.clone())
 }
 
-/// The canonical text on one line, or the first mistake.
 fn canonical(text: &str) -> String {
     let found = read(text);
     let mut diagnostics = Diagnostics::default();

@@ -30,7 +30,6 @@ pub(crate) struct Atlas {
 }
 
 impl Atlas {
-    /// Where the page is; a complaint if a claim failed.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let index = Index::begin(&self.out)?;
         let paper = Paper::new();
@@ -47,14 +46,14 @@ impl Atlas {
     }
 }
 
-/// DIR/index.html while it is made: it appears whole or not at all.
+/// The file DIR/index.html in the making; it appears whole or not at all.
 pub(super) struct Index {
     path: PathBuf,
     since: Instant,
 }
 
 impl Index {
-    /// In this folder, which is made if it is not there.
+    /// Makes the folder, if needed, and checks that the file can be written.
     pub(super) fn begin(folder: &Path) -> Result<Self, Refusal> {
         let since = Instant::now();
         let shown = folder.display();
@@ -69,21 +68,19 @@ impl Index {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // Whether the file can be written shows before the work begins; no trace is left if that is
-        // interrupted.
+        // Dropping the sink at once leaves no trace if the work is interrupted.
         drop(Sink::file(&path, "--out")?);
         Ok(Index { path, since })
     }
 
-    /// When it is made, and how long that took so far. The time of day says nothing to a reader.
+    /// Returns the date, without the time of day, and the seconds so far.
     pub(super) fn making(&self) -> Making {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();
         Making { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes it. The answer says where it is, what `holds` says, its size with so many decimals,
-    /// and how long it took.
+    /// Writes the page. Returns an answer with its place, `holds`, its size and the time.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, Refusal> {
         Sink::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

@@ -1,5 +1,5 @@
-//! `kahan chart`: what an observer says of orbits over one coordinate or parameter, as a curve, or
-//! over two, in colours.
+//! `kahan chart`: an observable of orbits over one coordinate or parameter as a curve, over two in
+//! colours.
 
 mod rows;
 
@@ -48,7 +48,7 @@ use rows::Rows;
 Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows have ε in themselves, and ε may be gone through.
+// Rows contain ε, and --over may give it.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
@@ -102,7 +102,7 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// What orbits need, and rows have in themselves.
+/// Options of orbits, which --from excludes.
 const OF_ORBITS: [&str; 12] = [
     "system",
     "field",
@@ -118,7 +118,7 @@ const OF_ORBITS: [&str; 12] = [
     "reembed",
 ];
 
-/// Reads what a cell can show: an observable with one number, or a column, which is not listed.
+/// Reads a colour: an observable with one value, or a column, which help does not list.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -126,7 +126,7 @@ impl TypedValueParser for Colours {
     type Value = Shade;
 
     fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Shade, clap::Error> {
-        // Of the listed names each is a shade, so that a name that is none is refused.
+        // `Shade::named` accepts all listed names, so `listed` only refuses the others here.
         let refused =
             |()| listed().parse_ref(cmd, arg, value).map(|of| Shade::named(of.name()).expect("listed"));
         value.to_str().and_then(Shade::named).ok_or(()).or_else(refused)
@@ -141,7 +141,6 @@ fn listed() -> impl TypedValueParser<Value = Observable> {
     observable(Observable::ALL.iter().filter(|one| one.label().is_some()))
 }
 
-/// The most steps of each orbit.
 const MOST_STEPS: u64 = 1 << 40;
 
 impl Asking for Chart {
@@ -160,7 +159,7 @@ impl Asking for Chart {
             reembed: self.stepping.reembed,
             ..Observe::new(eps, at, self.steps)
         };
-        // The first range of a chart runs fastest, and the last axis of a question.
+        // The first range of a chart varies fastest, as does the last axis of a question.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }
@@ -177,7 +176,6 @@ impl Asking for Chart {
         line.saying::<Self>(&said).with("--out", "chart.svg")
     }
 
-    /// Writes the file; the answer says what is in it.
     fn run(&self) -> Result<Answer, Refusal> {
         let out = OutFile::picture_or_table(&self.out)?;
         let shown = match &self.from {
@@ -227,7 +225,7 @@ impl Chart {
     }
 }
 
-/// A row an orbit, and the names of what is in it; the first range runs fastest.
+/// Returns a CSV table with a row for each orbit; the first range varies fastest.
 fn table(shown: &Shown) -> String {
     let floats = |axis: &Axis| axis.range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
     let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();

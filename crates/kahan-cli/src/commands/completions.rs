@@ -1,4 +1,4 @@
-//! `kahan completions`: what a shell needs to complete the command's words.
+//! `kahan completions`: scripts that complete the command's words in a shell.
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Command};
@@ -21,7 +21,6 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    /// The script for the command line `command`.
     pub(crate) fn run(&self, command: Command) -> Result<Answer, Refusal> {
         let mut command = naming_systems(command);
         let mut script = Vec::new();
@@ -32,8 +31,8 @@ impl Completions {
     }
 }
 
-/// The command line with the systems' names as the values that a SYSTEM may have. (Others are
-/// refused with more than a list, so that they are not told to the parser itself.)
+/// Adds the names of systems as values of SYSTEM. The command itself does without, as its refusals
+/// say more than a list.
 fn naming_systems(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
@@ -47,7 +46,7 @@ fn naming_systems(command: Command) -> Command {
     })
 }
 
-/// The systems for fish, whose generator leaves positional values out.
+/// Returns the systems for fish, whose generator omits positional values.
 fn fish_systems(command: &Command) -> String {
     let takes_system = |one: &&Command| one.get_positionals().any(|argument| argument.get_id() == "system");
     let taking = joined(command.get_subcommands().filter(takes_system).map(Command::get_name), " ");

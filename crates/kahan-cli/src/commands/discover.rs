@@ -1,5 +1,4 @@
-//! `kahan discover`: what a field's map preserves, found from its equations alone. What is found is
-//! `kahan-discover`'s; this only prints it.
+//! `kahan discover`: prints the conserved objects that `kahan-discover` finds from the equations.
 
 use std::iter;
 use std::path::PathBuf;
@@ -102,7 +101,6 @@ impl Asking for Discover {
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
 
-    /// The report.
     fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
@@ -121,10 +119,9 @@ impl Asking for Discover {
     }
 }
 
-/// The width of lines of Rust.
 const SOURCE_WIDTH: usize = 100;
 
-/// Summary, sentences, and last the claims, so that they paste as a whole.
+/// Returns the summary, then the claims, which can be copied as a whole.
 fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);
@@ -141,7 +138,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Modified Hamiltonians in their compact forms, and the meaning of their symbols.
+/// Returns the modified Hamiltonians in compact form, with the meaning of their symbols.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,
@@ -154,14 +151,13 @@ fn modified<'a>(
     Some(lines)
 }
 
-/// `, when a = 1, eps = 1/2`, or empty.
+/// Returns `, when a = 1, eps = 1/2`, or an empty text.
 fn condition(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();
     if fixed.is_empty() { String::new() } else { format!(", when {}", fixed.join(", ")) }
 }
 
-/// Every basis: its relation, and how it is evaluated.
 fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     let variables = &found.report.variables;
     found.report.bases.iter().enumerate().map(|(number, basis)| {
@@ -170,7 +166,7 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     })
 }
 
-/// What a block cannot claim, as comments before it.
+/// Returns findings that no claim can express, as comments.
 fn comments(found: &Discovered, width: usize) -> String {
     let modified = modified(found, found.report.alone()).into_iter().flatten();
     let texts = modified.chain(bases(found).flatten());
@@ -212,5 +208,4 @@ fn latex(found: &Discovered) -> String {
     page.text
 }
 
-/// The width of the words before the numbers.
 const KEY_WIDTH: usize = 21;

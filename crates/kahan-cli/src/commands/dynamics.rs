@@ -1,4 +1,4 @@
-//! `kahan dynamics`: what one asks of an orbit, answered in the loop.
+//! `kahan dynamics`: observables of an orbit, computed while it runs.
 
 use clap::Args;
 use kahan_algebra::render::lines;
@@ -105,7 +105,6 @@ impl Asking for Dynamics {
         ))
     }
 
-    /// The answers; a complaint where the orbit ends early.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let observed = asked.ask(&study, &Prompt::of("steps"))?;
@@ -113,7 +112,6 @@ impl Asking for Dynamics {
     }
 }
 
-/// What was observed as text.
 fn text(observed: &Observed) -> String {
     let ended = format!("{}, {}", observed.steps, observed.end.name());
     let mut last = vec![vec!["steps".to_owned(), ended]];

@@ -1,4 +1,4 @@
-//! `kahan eval`: every object of a system at one point, in exact or in floating-point numbers.
+//! `kahan eval`: every object of a system at a point, in exact numbers or floats.
 
 use std::iter;
 
@@ -47,7 +47,6 @@ impl Asking for Eval {
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
 
-    /// The object of all values; a complaint at a pole.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let values = asked.ask(&study, &Unwatched)?;
@@ -56,7 +55,6 @@ impl Asking for Eval {
     }
 }
 
-/// Why the point has no next one, in words.
 fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     let (name, place) = (study.name(), study.place(&asked.at, &asked.eps));
     match why {
@@ -70,7 +68,7 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     }
 }
 
-/// That det A = 0 at a place stands for a pole of this system's map.
+/// Says that det A = 0 counts as a pole of an unreduced map.
 pub(super) fn unreduced(name: &str, place: &str) -> String {
     format!(
         "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \
@@ -78,7 +76,7 @@ pub(super) fn unreduced(name: &str, place: &str) -> String {
     )
 }
 
-/// The same object as lines: a label, then a value, a vector or a matrix.
+/// Formats the JSON object as lines: a label, then a value, a vector or a matrix.
 fn readable(objects: &Value) -> String {
     let mut lines = Vec::new();
     for (key, value) in objects.as_object().into_iter().flatten() {
@@ -97,7 +95,6 @@ fn readable(objects: &Value) -> String {
 }
 
 fn lines_of(label: &str, value: &Value) -> Vec<String> {
-    /// The columns of the labels.
     const LABELS: usize = 16;
     let cell = |value: &Value| match value {
         Value::Null => "undefined".to_owned(),
@@ -117,7 +114,7 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
     }
 }
 
-/// A matrix beside its label, or below it where that spares breaks.
+/// Returns a matrix beside its label, or below it if that avoids line breaks.
 fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<String> {
     let length = |text: &str| text.chars().count();
     let room = screen_width().saturating_sub(labels + 2);

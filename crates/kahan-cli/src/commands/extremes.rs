@@ -1,4 +1,4 @@
-//! `kahan extremes`: how far floats can be trusted, judged by exact arithmetic.
+//! `kahan extremes`: the accuracy of floats at extreme inputs, judged by exact arithmetic.
 
 use clap::Args;
 use kahan_judge::{Broken, Cell, Extremes as Question, Judged, Place, usual_subjects};
@@ -90,7 +90,6 @@ pub(crate) struct Extremes {
 }
 
 impl Extremes {
-    /// The table of all cells; a complaint if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let Extremes { trials, random_fields, odd_fields, odd_trials, seed, .. } = *self;
         let asked = Question { trials, random_fields, odd_fields, odd_trials, seed };
@@ -110,7 +109,6 @@ impl Extremes {
     }
 }
 
-/// The columns of the labels below the table.
 const LABELS: usize = 15;
 
 fn text(judged: &Judged) -> String {
@@ -137,7 +135,6 @@ fn text(judged: &Judged) -> String {
     paragraphs([cells, lines])
 }
 
-/// What the stable tier did against its promise.
 fn complaint(judged: &Judged) -> Option<String> {
     let [wrong, flags] = judged.against_the_promise();
     let examples = joined(judged.tally.failures.iter().map(|failure| &failure.text), "; ");
@@ -169,8 +166,7 @@ fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
     ]
 }
 
-/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ
-/// is about 1/20.
+/// Formats a count. No failure in n trials bounds the rate by 3/n at 95 %: (1 − 3/n)ⁿ ≈ 1/20.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

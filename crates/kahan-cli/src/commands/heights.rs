@@ -1,4 +1,4 @@
-//! `kahan heights`: the Diophantine test on one orbit, within bounds.
+//! `kahan heights`: the Diophantine test along one exact orbit.
 
 use std::iter;
 use std::path::PathBuf;
@@ -69,7 +69,6 @@ impl Asking for Heights {
         Ok((study, Question { eps, at, steps, digits, seconds }))
     }
 
-    /// The heights; a complaint at a pole.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
@@ -82,7 +81,7 @@ impl Asking for Heights {
     }
 }
 
-/// Of these steps: n, the heights, the digits of the longest.
+/// Returns a row for each of `steps`: n, the heights, and the digits of the longest fraction.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
     let row = |step: usize| {
         let heights = &found.survey.heights[step];
@@ -111,7 +110,6 @@ fn text(found: &HeightsFound, asked: &Question) -> String {
     paragraphs([steps, measured])
 }
 
-/// Which bound ended the orbit, and what to do about it.
 fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
     let (bound, option) = match found.survey.stopped? {
         Stop::Pole => return None,
@@ -137,8 +135,8 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever
-/// fewer, and the last.
+/// Returns the rows of a table that fits a screen: all of a short one, otherwise ever fewer, and
+/// the last.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

@@ -1,5 +1,4 @@
-//! `kahan lift`: a quadratic field that is equivalent to equations with functions, quotients and
-//! powers, and what becomes of the relations between its variables.
+//! `kahan lift`: a quadratic field that is equivalent to given equations, with its relations.
 
 use std::path::PathBuf;
 
@@ -66,7 +65,6 @@ pub(crate) struct Lift {
 }
 
 impl Lift {
-    /// The lift.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let eps = self.step.half()?;
         let study = self.source.clone().lifted().proved(self.at.as_deref())?;
@@ -94,7 +92,6 @@ impl Lift {
     }
 }
 
-/// A relation and its fate.
 fn relation(found: &LiftFound, relation: &RelationFound) -> String {
     let verdict = relation.verdict_asking("give --at");
     format!("{}: {verdict}", found.equation(relation))

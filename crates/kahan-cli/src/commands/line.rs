@@ -1,4 +1,4 @@
-//! Calls of the command, as one types them: what a page shows under a figure is what made it.
+//! Command lines that ask a question, as pages show them under each figure.
 
 use std::fmt;
 
@@ -10,24 +10,20 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, Refusal};
 
-/// A command that asks a question: its arguments say which, and a question says its arguments.
+/// A command that asks a question. Arguments determine the question, and a question its arguments.
 pub(crate) trait Asking: Args + FromArgMatches {
-    /// What it asks.
     type Question: PartialEq + Serialize;
 
-    /// What is asked, and of which field.
     fn asked(&self) -> Result<(Study, Self::Question), Refusal>;
 
-    /// The line with the options that ask this; what is as usual is left out.
+    /// Appends the options that ask this question, without default values.
     fn options(asked: &Self::Question, line: Line) -> Line {
         line.saying::<Self>(asked)
     }
 
-    /// Asks, and shows the answer.
     fn run(&self) -> Result<Answer, Refusal>;
 }
 
-/// A call of one of the commands.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     command: &'static str,
@@ -35,13 +31,12 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// A command with the words that name a system.
     pub(crate) fn new(command: &'static str, system: &[String]) -> Self {
         Line { command, words: system.to_vec() }
     }
 
-    /// With the options of a command that say what a question has unlike the usual: an argument
-    /// has the name of the field that it is about.
+    /// Appends the options of `A` that differ from their defaults. An argument has the name of the
+    /// field of `asked` that it sets.
     pub(crate) fn saying<A: Args>(self, asked: &impl Serialize) -> Self {
         let command = A::augment_args(clap::Command::new(self.command));
         let fields = json!(asked);
@@ -49,12 +44,11 @@ impl Line {
             let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
             let usual: Vec<&str> =
                 argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
-            // An option that takes no list is given once for each value.
+            // An option without a delimiter is repeated for each value.
             let takes_all = argument.get_value_delimiter().is_some();
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {
                 Value::Array(list) if is_repeated => list.clone(),
-                // An axis is `NAME=RANGE`.
                 Value::Object(axes) => {
                     axes.iter().map(|(name, range)| json!(format!("{name}={}", words(range)))).collect()
                 }
@@ -75,25 +69,21 @@ impl Line {
         })
     }
 
-    /// With one more option.
     pub(crate) fn with(mut self, option: &str, value: impl ToString) -> Self {
         self.words.extend([option.to_owned(), value.to_string()]);
         self
     }
 
-    /// With one more option where it has a value.
     pub(crate) fn with_some(self, option: &str, value: Option<impl ToString>) -> Self {
         value.into_iter().fold(self, |line, value| line.with(option, value))
     }
 
-    /// With a flag.
     pub(crate) fn with_flag(mut self, flag: &str) -> Self {
         self.words.push(flag.to_owned());
         self
     }
 }
 
-/// A value as an option has it: a list with commas.
 fn words(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
@@ -133,14 +123,13 @@ mod tests {
     use kahan_study::trade;
     use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Question, Range};
 
-    /// What the command makes of a call.
     fn read<A: Args + FromArgMatches>(line: &Line) -> A {
         let command = A::augment_args(clap::Command::new(line.command).no_binary_name(true));
         let matches = command.try_get_matches_from(&line.words);
         matches.and_then(|matches| A::from_arg_matches(&matches)).expect("a call")
     }
 
-    /// Reads each of these questions back from its call.
+    /// Checks that the command line of each question leads back to it.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
         for asked in questions {
             let line = C::options(&asked, Line::new("", &["lv".to_owned()]));
@@ -186,7 +175,7 @@ mod tests {
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
-        // Where eps is gone through, its first value stands in the question.
+        // With eps on an axis, the question has its first value.
         let asked =
             Observe { observe: of, escape: Some(12.5), transient: 9, eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();

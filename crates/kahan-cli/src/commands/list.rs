@@ -1,4 +1,4 @@
-//! `kahan list`: the catalog in one table.
+//! `kahan list`: the catalog as a table.
 
 use clap::Args;
 use kahan_study::{Listed, Systems, list};
@@ -18,7 +18,6 @@ pub(crate) struct List {
 }
 
 impl List {
-    /// The table, or the catalog as one object.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         Ok(Answer::of(&list(&Systems)?, self.json, text))
     }

@@ -1,4 +1,4 @@
-//! How a picture is to look: the arguments that all commands share which draw one.
+//! Arguments on the appearance of a picture, which several commands share.
 
 use std::path::Path;
 
@@ -10,10 +10,8 @@ use super::line::Line;
 use crate::printing::{Refusal, Sink, is_table};
 use crate::reading::one_of;
 
-/// The themes for screens.
 const SCREENS: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
 
-/// Their names.
 fn screen(theme: Theme) -> &'static str {
     match theme {
         Theme::Light => "light",
@@ -38,7 +36,7 @@ pub(crate) struct SheetOptions {
     paper: bool,
 }
 
-/// Width and height, in the proportions that axes have room in.
+/// Reads WIDTHxHEIGHT; axes need a ratio of at most 4.
 fn pixels(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', 'X', '×']);
     let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
@@ -49,14 +47,14 @@ fn pixels(text: &str) -> Result<(u32, u32), String> {
 }
 
 impl SheetOptions {
-    /// The line with the options that ask for this.
+    /// Appends the options that lead to this sheet.
     pub(super) fn options(&self, line: Line) -> Line {
         let size = self.size.map(|(width, height)| format!("{width}x{height}"));
         let said = json!({ "size": size, "theme": screen(self.theme), "paper": self.paper });
         line.saying::<Self>(&said)
     }
 
-    /// What the picture is drawn on, where it is usually drawn on this in colours for a screen.
+    /// Returns the sheet. Without a size it is `usual`, or as wide as a column for print.
     pub(super) fn sheet(&self, mut usual: Sheet) -> Sheet {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {
@@ -70,26 +68,22 @@ impl SheetOptions {
     }
 }
 
-/// The usual size of a picture.
 pub(super) fn usual() -> Sheet {
     Sheet::new((960, 720), Theme::Viewer)
 }
 
-/// The file that `--out` names.
 pub(super) struct OutFile {
     sink: Sink,
-    /// That of a picture; `None` for a table.
     format: Option<Format>,
 }
 
 impl OutFile {
-    /// For a picture.
     pub(super) fn picture(path: &Path) -> Result<Self, Refusal> {
         let format = Some(format(path)?);
         Ok(OutFile { sink: Sink::file(path, "--out")?, format })
     }
 
-    /// For a picture or a table, as its name says.
+    /// Opens a file for a picture or a table, according to its name.
     pub(super) fn picture_or_table(path: &Path) -> Result<Self, Refusal> {
         if is_table(path) {
             return Ok(OutFile { sink: Sink::file(path, "--out")?, format: None });
@@ -97,7 +91,7 @@ impl OutFile {
         Self::picture(path)
     }
 
-    /// Writes the one that it is for; how many bytes these are.
+    /// Writes the picture or the table. Returns the number of bytes.
     pub(super) fn put(self, drawing: &Drawing, table: impl FnOnce() -> String) -> Result<usize, Refusal> {
         let file = match self.format {
             Some(format) => drawing.file(format).map_err(|why| Refusal::new(format!("--out: {why}")))?,
@@ -109,7 +103,7 @@ impl OutFile {
     }
 }
 
-/// The format of a picture in this file; refused where this build cannot write it.
+/// Returns the format of a picture. Fails if this build cannot write it.
 fn format(out: &Path) -> Result<Format, Refusal> {
     Format::of(out).map_err(|why| match why {
         NoFile::NotBuilt(format) => Refusal::new(format!(

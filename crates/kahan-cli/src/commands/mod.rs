@@ -1,5 +1,4 @@
-//! The commands, one file each: arguments in, an [`Answer`] or a [`Refusal`] out. The list below
-//! makes of them what is common to all.
+//! The commands, one module each: arguments in, an [`Answer`] or a [`Refusal`] out.
 
 mod line;
 mod look;
@@ -10,9 +9,10 @@ use kahan_study::Question;
 use crate::printing::{Answer, Refusal};
 use line::{Asking, Line};
 
-/// Declares the commands, each in a module of its name. The macro writes `GROUPS`, the groups of
-/// commands as `kahan --help` lists them; the type that clap reads; the function that runs a
-/// command, where `$whole` makes the command line; and the call that asks a question.
+/// Declares the commands, each in a module of its name.
+///
+/// Generates their modules; `GROUPS`, the groups of `kahan --help`; the enum `Command` that clap
+/// reads, with `run`; and `Line::asking`. `$whole` returns the whole command line.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident
@@ -36,7 +36,6 @@ macro_rules! commands {
         }
 
         impl Line {
-            /// The call that asks a question about the system that these words name.
             fn asking(system: &[String], question: &Question) -> Self {
                 match question {
                     $($($(

@@ -1,7 +1,5 @@
-//! `kahan orbit`: the points of an orbit with their integrals, row by row.
-//!
-//! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
-//! memory.
+//! `kahan orbit`: the points of an orbit with their integrals, row by row. Rows are written at once
+//! and not kept, so memory does not grow with the length of the orbit.
 
 mod over;
 mod rows;
@@ -41,7 +39,7 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --over a=1:2:5 --dt 0.02 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
-// ε may be gone through.
+// --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Orbit {
     #[command(flatten)]
@@ -126,7 +124,7 @@ pub(crate) struct Orbit {
     json: bool,
 }
 
-/// Rows count steps in 64 bits with a sign.
+/// Rows count steps in an `i64`.
 const MOST: u64 = i64::MAX as u64;
 
 impl Asking for Orbit {
@@ -137,7 +135,6 @@ impl Asking for Orbit {
         Ok((study, self.question(eps, at)))
     }
 
-    /// Writes the rows; what is left to say is the answer.
     fn run(&self) -> Result<Answer, Refusal> {
         if let Some(start) = &self.begin {
             return self.chain(start);
@@ -153,7 +150,7 @@ impl Asking for Orbit {
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&study)?;
-        // Nothing is written before all of them have begun.
+        // All orbits begin before the first row is written, as one may be refused.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
@@ -172,7 +169,6 @@ impl Orbit {
         Question { eps, at, transient, steps, every, scalar, order, method, projective, reembed }
     }
 
-    /// The orbit of a chain that begins with what `--start` says.
     fn chain(&self, start: &str) -> Result<Answer, Refusal> {
         let has_numbers = self.scalar != ScalarKind::F64 || self.order != 2;
         if has_numbers || self.method != Method::Kahan {
@@ -193,7 +189,7 @@ impl Orbit {
         let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
         self.write(json!(head), &[], [(Vec::new(), &mut chain)].into_iter(), |chain, table, watch| {
-            // The file is wanted even where nobody reads the table.
+            // The file must be complete even if the reader of the table has gone.
             table.outlive_reader(array.is_some());
             let mut written = Ok(());
             let see = &mut |state: &[f64]| {
@@ -208,7 +204,6 @@ impl Orbit {
     }
 }
 
-/// Whether a file is to be an array of NumPy's.
 fn is_array(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "npy")
 }

@@ -1,6 +1,4 @@
-//! `kahan page`: one page on one field.
-//!
-//! Each figure is what another command draws, and is shown with the call that makes it again.
+//! `kahan page`: one page about a field. Each figure is shown with the command that draws it.
 
 mod figures;
 mod lifted;
@@ -68,7 +66,6 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Where the page is.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let index = Index::begin(&self.out)?;
         let block = self.source.required_block()?;
@@ -96,7 +93,6 @@ impl Page {
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 
-    /// The call that writes the page.
     fn line(&self, block: &Block) -> Line {
         let line = Line::new("page", &self.source.words(block));
         let line = self.step.given().into_iter().fold(line, |line, (option, text)| line.with(option, text));
@@ -105,8 +101,7 @@ impl Page {
     }
 }
 
-/// The source with the values that the text or the catalog has for parameters that none was
-/// given for.
+/// Returns the source with values from the text or the catalog for parameters without a value.
 fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
     let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
     let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
@@ -120,14 +115,13 @@ fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
     })
 }
 
-/// A part of the page.
 struct Chapter {
     id: &'static str,
     title: &'static str,
     body: Markup,
 }
 
-/// All parts, one after the other. `written` is the text of a lifted field as it was given.
+/// Computes all parts in order. `written` is the given text of a lifted field.
 fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
@@ -154,7 +148,6 @@ fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     chapters
 }
 
-/// The whole page.
 fn written(
     subject: &Subject<'_>,
     entry: Option<&Entry>,
@@ -208,10 +201,8 @@ fn introduction(subject: &Subject<'_>) -> Markup {
     }
 }
 
-/// The field with the integrals that were found, at these values of its parameters; `None` where
-/// there are none, or too long ones for a line that one reads.
+/// Returns the field with the integrals that were found, if there are any and they are short.
 fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field> {
-    /// Longer lines are no reading.
     const LONGEST: usize = 800;
 
     let Ok(Found::Discover(found)) = &found.answer else { return None };

@@ -1,4 +1,4 @@
-//! `kahan poles`: what happens after a map sends a curve to infinity or blows it down.
+//! `kahan poles`: the curves that a map sends to infinity or blows down, and their images.
 
 use clap::Args;
 use kahan_draw::answer::poles;
@@ -50,7 +50,6 @@ pub(crate) struct Poles {
     json: bool,
 }
 
-/// The most steps that a curve is followed.
 const LONGEST: usize = 100;
 
 impl Asking for Poles {
@@ -61,7 +60,6 @@ impl Asking for Poles {
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
 
-    /// The patterns.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::stages())?;

@@ -1,4 +1,4 @@
-//! `kahan scan`: which values of parameters, and of ε, are special.
+//! `kahan scan`: special values of parameters and of ε.
 
 use clap::Args;
 use kahan_discover::scan::{Proposal, Sight};
@@ -61,7 +61,6 @@ impl Asking for Scan {
         line.saying::<Self>(asked)
     }
 
-    /// The special points, or all in JSON.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::of("points"))?;
@@ -69,7 +68,6 @@ impl Asking for Scan {
     }
 }
 
-/// What a relation has for it, in words, and the claims that are proved there.
 fn relation_lines(found: &Proposal) -> Vec<String> {
     let Proposal { relation, points, claims, .. } = found;
     let integrals = match found.sight.integrals {

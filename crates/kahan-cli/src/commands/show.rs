@@ -1,5 +1,5 @@
-//! `kahan show`: the formulas of a system as text, as LaTeX, for SymPy, or as the block of the
-//! macro; or the plan of its code.
+//! `kahan show`: the formulas of a system as text, LaTeX, SymPy or a block of the macro, and the
+//! plan of its code.
 
 mod plan;
 mod sheet;
@@ -73,7 +73,7 @@ impl Asking for Show {
             Show { latex: true, .. } => Form::Latex,
             Show { sympy: true, .. } => Form::Sympy,
             Show { plan: true, .. } => Form::Plan,
-            // As JSON the block stands among the formulas.
+            // In JSON the block is one of the formulas.
             Show { as_macro: true, json: false, .. } => Form::Kahan,
             _ => Form::Text,
         };
@@ -91,7 +91,6 @@ impl Asking for Show {
         }
     }
 
-    /// The formulas of the system.
     fn run(&self) -> Result<Answer, Refusal> {
         if self.expand {
             return self.expanded();
@@ -110,8 +109,8 @@ impl Asking for Show {
 }
 
 impl Show {
-    /// The block as the macro expands it; with values of parameters, the block that `--macro`
-    /// prints.
+    /// Returns the expansion of the block; with values of parameters, that of the block of
+    /// `--macro`.
     fn expanded(&self) -> Result<Answer, Refusal> {
         let study = self.source.proved(None)?;
         let core = "::kahan_core".parse().expect("a path");

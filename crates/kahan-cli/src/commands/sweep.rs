@@ -1,4 +1,4 @@
-//! `kahan sweep`: hands its arguments to the program `kahan-sweep`, which is installed apart.
+//! `kahan sweep`: runs the separate program `kahan-sweep`.
 
 use std::ffi::OsString;
 
@@ -27,10 +27,8 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// The exit status of kahan-sweep.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         match sweeper().args(&self.arguments).status() {
-            // It has said all there is to say.
             Ok(status) => {
                 Ok(Answer::silent(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
             }

@@ -1,4 +1,4 @@
-//! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
+//! `kahan trade`: speed against accuracy, and the cheapest setting that meets a tolerance.
 
 use std::path::PathBuf;
 
@@ -115,7 +115,6 @@ impl Asking for Trade {
         self.asked_of(&self.source.required_block()?)
     }
 
-    /// The front and the choice; a complaint where nothing meets the tolerance.
     fn run(&self) -> Result<Answer, Refusal> {
         let out = self.out.as_deref().map(OutFile::picture).transpose()?;
         let block = self.source.required_block()?;
@@ -135,7 +134,7 @@ impl Asking for Trade {
 impl Trade {
     fn asked_of(&self, block: &Block) -> Result<(Study, Question), Refusal> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
-        // A false claim is told before a number that is missing.
+        // A false claim is reported before a missing number.
         study.proved()?;
         let asked = Question {
             at: point(self.at.as_deref(), &study)?,
@@ -147,7 +146,8 @@ impl Trade {
         Ok((study, asked))
     }
 
-    /// The call that makes the orbit of the choice, where the command knows its numbers.
+    /// Returns the command line for the orbit of the choice. `kahan orbit` has no compensated steps
+    /// and no f32 through f64.
     fn orbit(&self, traded: &Traded, block: &Block) -> Option<Line> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();
@@ -166,15 +166,15 @@ impl Trade {
     }
 }
 
-/// Steps beyond which a badly rounded ε shows as a linear drift.
+/// The number of steps beyond which a rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
 
-/// A size with four decimals, or digits where it is very large or small.
+/// Formats a size with four decimals, or in scientific notation if it is very large or small.
 fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-/// `call` makes the orbit of the choice.
+/// Formats the answer. `call` computes the orbit of the choice.
 fn text(traded: &Traded, call: Option<&Line>) -> String {
     let scene = &traded.scene;
     let title =
@@ -190,7 +190,7 @@ fn text(traded: &Traded, call: Option<&Line>) -> String {
     paragraphs([vec![title], table(&front(traded).rows, 4), lines])
 }
 
-/// The schemes that cannot reach the tolerance, with the best they reached.
+/// Lists the schemes that cannot reach the tolerance, with their smallest errors.
 fn out_of_reach(traded: &Traded) -> Vec<String> {
     let mut lines = Vec::new();
     for &scheme in &traded.stalled {
@@ -206,7 +206,7 @@ fn out_of_reach(traded: &Traded) -> Vec<String> {
     lines
 }
 
-/// The setting with the smallest error among these.
+/// Returns the setting with the smallest error among those that satisfy `is_among`.
 fn best(traded: &Traded, is_among: impl Fn(&Measured) -> bool) -> Option<&Measured> {
     let among = traded.settings.iter().filter(|measured| is_among(measured));
     among.min_by(|a, b| a.error().total_cmp(&b.error()))
@@ -252,7 +252,6 @@ fn notes(traded: &Traded) -> Vec<String> {
     lines
 }
 
-/// Why there is no choice.
 fn complaint(traded: &Traded) -> Option<String> {
     if traded.choice().is_some() {
         return None;

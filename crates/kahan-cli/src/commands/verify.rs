@@ -1,5 +1,4 @@
-//! `kahan verify`: every formula of the paper established again, or the claims of a field of one's
-//! own.
+//! `kahan verify`: proves the formulas of the paper, or the claims of a field.
 
 use clap::Args;
 use kahan_study::{Mutations, Study, Verified, Verify as Question};
@@ -54,7 +53,6 @@ impl Asking for Verify {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
 
-    /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
     fn run(&self) -> Result<Answer, Refusal> {
         let source = self.source();
         let prompt = Prompt::of("claims");
@@ -85,13 +83,10 @@ impl Verify {
     }
 }
 
-/// The help of `--all`.
 const ALL: &str = "Show every claim with its statement, its source and its time";
 
-/// What there is to say of a block without claims.
 const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;`, `drift NAME = … by …;` or `bracket NAME { … }`";
 
-/// How claims fared whose coefficients and signs were changed.
 fn mutated(answer: &Mutations) -> String {
     let claims = answer.mutations.len();
     if claims == 0 {
@@ -105,7 +100,6 @@ fn mutated(answer: &Mutations) -> String {
     )
 }
 
-/// Which claims do not hold, or hold however they are changed.
 fn complaint(verified: &Verified) -> Option<String> {
     match verified {
         Verified::Claims(verdicts) => verdicts.complaint(),

@@ -1,8 +1,7 @@
-//! What a command leaves behind that is told to stop: no unfinished file.
+//! Removal of unfinished files on SIGINT and SIGTERM.
 //!
-//! SIGINT and SIGTERM remove the files that are not finished yet and end the process with status
-//! 130 or 143. A signal is sent to the process as a whole, so the list of these files is the
-//! process's, too.
+//! The process then ends with status 130 or 143. A signal is sent to the whole process, so the list
+//! of unfinished files is global.
 
 use std::io;
 use std::path::PathBuf;
@@ -12,15 +11,15 @@ use tempfile::NamedTempFile;
 
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A file that goes when the process is told to stop, for as long as this value lives.
+/// An entry in the list of unfinished files, for as long as this value lives.
 pub(super) struct Unfinished(PathBuf);
 
-/// Makes a file that no signal leaves behind.
+/// Makes a temporary file that signals remove.
 pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
 ) -> io::Result<(NamedTempFile, Unfinished)> {
     listen()?;
-    // Who holds the list keeps the signals waiting: no file is made and not yet listed.
+    // The lock makes signals wait while a file exists but is not in the list.
     let mut list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
@@ -34,8 +33,7 @@ impl Drop for Unfinished {
     }
 }
 
-/// Waits for a signal on a thread of its own, from the first unfinished file to the end of the
-/// process.
+/// Starts a thread, once, that waits for a signal.
 #[cfg(unix)]
 fn listen() -> io::Result<()> {
     use std::sync::atomic::{AtomicBool, Ordering};
@@ -50,10 +48,10 @@ fn listen() -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM])?;
     std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            // Held to the end, so that no further file is made.
+            // The lock is held to the end, so that no new file is made.
             let list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
-                // A file that has just got its name is not there any more under this one.
+                // A file that was just renamed no longer exists under this name.
                 let _ = std::fs::remove_file(path);
             }
             std::process::exit(128 + signal);
@@ -62,7 +60,7 @@ fn listen() -> io::Result<()> {
     Ok(())
 }
 
-/// Elsewhere an interrupted process ends as the system has it.
+/// Does nothing: other systems end an interrupted process themselves.
 #[cfg(not(unix))]
 fn listen() -> io::Result<()> {
     Ok(())

@@ -1,9 +1,8 @@
-//! Lines that fit the reader's screen.
+//! Tables, labels and matrices that fit the screen.
 //!
-//! A table breaks between its columns, on a terminal of its width, elsewhere at 80 columns. A
-//! formula that goes to a file or to another program stays on its line; on a terminal it breaks
-//! before a term. No word and no number is ever broken: one that is wider than the screen stands
-//! whole on a line of its own.
+//! A table breaks between columns at the width of the terminal, or at 80 columns. Formulas break
+//! before a term on a terminal, and not at all in files. Words and numbers are never broken; one
+//! that is wider than the screen gets a line of its own.
 
 #[cfg(test)]
 mod tests;
@@ -15,23 +14,22 @@ use std::ops::Range;
 use kahan_algebra::render::{columns, lines, widths};
 use kahan_draw::document::Rows;
 
-/// The columns of a screen whose width nobody knows.
+/// The width of a screen of unknown width.
 const USUAL_WIDTH: usize = 80;
-/// A terminal that says to be narrower is taken for one of this width.
+/// The smallest width of a terminal that is respected.
 const NARROWEST: usize = 20;
 
-/// The columns that a table may take.
 pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
 }
 
-/// The columns of a line that is cut off where it is longer.
+/// Returns the width for lines that are cut off.
 pub(crate) fn page_width() -> usize {
     const WIDEST: usize = 100;
     terminal_width().map_or(WIDEST, |width| width.min(WIDEST))
 }
 
-/// The columns of the terminal that is standard output; `None` where it is none.
+/// Returns the width of the terminal, if standard output is one.
 pub(crate) fn terminal_width() -> Option<usize> {
     let (terminal_size::Width(width), _) = terminal_size::terminal_size_of(stdout())?;
     Some(usize::from(width).max(NARROWEST))
@@ -45,17 +43,15 @@ fn longest_word(text: &str) -> usize {
     text.split(' ').map(length).max().unwrap_or(0)
 }
 
-/// The largest of the cells of a column, by this size of them.
 fn largest(rows: &[Vec<String>], column: usize, size: fn(&str) -> usize) -> usize {
     rows.iter().filter_map(|row| row.get(column)).map(|cell| size(cell)).max().unwrap_or(0)
 }
 
-/// The width of columns of these widths, two spaces apart.
+/// Returns the width of a table with these columns, two spaces apart.
 fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
 
-/// Rows below headings.
 pub(crate) fn headed<H: ToString>(
     headings: impl IntoIterator<Item = H>,
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -64,12 +60,11 @@ pub(crate) fn headed<H: ToString>(
     [headings].into_iter().chain(rows).collect()
 }
 
-/// A table whose first row is its heading, as lines of the screen.
+/// Formats a table whose first row is its heading.
 ///
-/// Where it is too wide, headings and columns of sentences take several lines; if that is not
-/// enough, the columns that do not fit come below in a table of their own, with the first `keys`
-/// columns again; if even a single column does not fit beside those, each row becomes a list of its
-/// cells.
+/// A table that is too wide breaks headings and cells with sentences. If that is not enough,
+/// further columns follow in tables below, each with the first `keys` columns. If a column does not
+/// fit beside those, each row becomes a list of its cells.
 pub(crate) fn table(rows: &[Vec<String>], keys: usize) -> Vec<String> {
     table_within(rows, keys, screen_width())
 }
@@ -98,28 +93,27 @@ fn table_within(rows: &[Vec<String>], keys: usize, width: usize) -> Vec<String> 
     below_each_other(parts)
 }
 
-/// Groups of lines, an empty line between two of them.
 fn below_each_other(groups: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
     groups.into_iter().collect::<Vec<_>>().join(&String::new())
 }
 
-/// The same as a text.
+/// Joins groups of lines with empty lines, as a text.
 pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> String {
     below_each_other(groups).join("\n") + "\n"
 }
 
-/// From here on a cell is a sentence, or a list, of which two lines read as well as one.
+/// The width from which a cell counts as a sentence, which may break.
 const SENTENCE: usize = 24;
 
-/// The width of each column when its heading takes as many lines as it has words.
+/// Returns the width of each column if its heading has one word a line.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
     heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
-/// The widths of columns that give way, the widest first, none to less than `least` or a word;
-/// `None` if that is not enough.
+/// Narrows columns, the widest first, to the total `width`. No column gets narrower than `least` or
+/// its longest word; returns `None` if that is not enough.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =
@@ -132,7 +126,7 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
     Some(narrower)
 }
 
-/// The columns behind the keys, as many at a time as fit beside them; `None` if one does not.
+/// Groups the columns behind the keys so that each group fits; `None` if a column does not fit.
 fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
@@ -143,7 +137,7 @@ fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) ->
         .then(|| side_by_side(others, natural, room))
 }
 
-/// Columns, as many at a time as have room, and at least one.
+/// Groups columns that fit side by side, at least one a group.
 fn side_by_side(columns: Range<usize>, widths: &[usize], room: usize) -> Vec<Range<usize>> {
     let mut groups: Vec<Range<usize>> = Vec::new();
     for column in columns {
@@ -155,7 +149,7 @@ fn side_by_side(columns: Range<usize>, widths: &[usize], room: usize) -> Vec<Ran
     groups
 }
 
-/// A row in columns of these widths; a cell of more takes further lines.
+/// Formats a row; cells that are wider than their columns take several lines.
 fn row_within(row: &[String], widths: &[usize]) -> Vec<String> {
     let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| lines(cell, width)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
@@ -166,7 +160,6 @@ fn row_within(row: &[String], widths: &[usize]) -> Vec<String> {
     (0..height).map(line).collect()
 }
 
-/// Each row as a list: the heading of a column, then the cell.
 fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let names = heading.iter().map(|name| length(name)).max().unwrap_or(0).min(width / 2);
@@ -177,8 +170,7 @@ fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     below_each_other(rows.iter().map(record))
 }
 
-/// A label of `room` columns, and a text beside it that goes on below; a word too wide for that
-/// begins on a line of its own.
+/// Returns a label of `room` columns with a text beside it, or below it if a word is too wide.
 pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
     labelled_within(label, text, room, screen_width())
 }
@@ -193,14 +185,12 @@ fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<St
     beside(label, texts, room)
 }
 
-/// Lines beside a label of `room` columns.
 pub(crate) fn beside(label: &str, lines: Vec<String>, room: usize) -> Vec<String> {
     let labels = iter::once(label).chain(iter::repeat(""));
     labels.zip(lines).map(|(label, line)| format!("{label:<room$}  {line}").trim_end().to_owned()).collect()
 }
 
-/// A line of cells with commas, broken after some so that each part has at most `width` characters;
-/// further parts are indented.
+/// Breaks a line after commas into parts of at most `width` characters; further parts are indented.
 pub(crate) fn after_commas(line: &str, width: usize) -> String {
     let mut out = String::with_capacity(line.len() + 16);
     let mut taken = 0;
@@ -216,8 +206,7 @@ pub(crate) fn after_commas(line: &str, width: usize) -> String {
     out
 }
 
-/// A matrix between `left` and `right`, a line a row, or as many as it takes to break a row between
-/// its entries.
+/// Formats a matrix between `left` and `right`. A row that is too wide breaks between entries.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char, width: usize) -> Vec<String> {
     const BRACKETS: usize = 4;
     let widths = widths(rows);
@@ -231,7 +220,7 @@ pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char, width: usize
                 .clone()
                 .filter_map(|column| {
                     let cell = row.get(column)?;
-                    // An entry that is wider than the screen aligns nothing.
+                    // Entries that are wider than the screen are not aligned.
                     let gap = if widths[column] > room { 0 } else { widths[column] - length(cell) };
                     Some(" ".repeat(gap) + cell)
                 })

@@ -1,5 +1,4 @@
-//! What the commands print: answers and refusals, tables and lines that fit the screen, files that
-//! appear whole or not at all.
+//! Output: answers and refusals, tables and text that fit the screen, and files.
 
 mod interrupt;
 pub(crate) mod layout;

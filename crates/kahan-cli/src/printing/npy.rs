@@ -1,36 +1,32 @@
-//! An array of NumPy's (numpy.lib.format, version 1.0), row by row.
+//! Arrays of NumPy (numpy.lib.format, version 1.0), written row by row.
 
 use super::sink::{Broken, Sink};
 
-/// An array of floats on its way into a file.
 pub(crate) struct Npy {
     sink: Sink,
-    /// The sizes of a row.
     row: Vec<usize>,
     rows: u64,
 }
 
 impl Npy {
-    /// An array without rows, each of which will have these sizes.
     pub(crate) fn new(mut sink: Sink, row: Vec<usize>) -> Result<Self, Broken> {
         sink.write(header(0, &row))?;
         Ok(Npy { sink, row, rows: 0 })
     }
 
-    /// Writes a row.
     pub(crate) fn row(&mut self, numbers: &[f64]) -> Result<(), Broken> {
         self.rows += 1;
         numbers.iter().try_for_each(|number| self.sink.write(number.to_le_bytes()))
     }
 
-    /// Says in the header how many rows there are, and closes the file.
+    /// Writes the number of rows into the header, and closes the file.
     pub(crate) fn finish(mut self) -> Result<(), Broken> {
         self.sink.overwrite_beginning(&header(self.rows, &self.row))?;
         self.sink.finish()
     }
 }
 
-/// 128 bytes, however many rows there are.
+/// Returns the header: 128 bytes for any number of rows.
 fn header(rows: u64, row: &[usize]) -> Vec<u8> {
     let sizes: String = row.iter().map(|size| format!(", {size}")).collect();
     let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}{sizes}), }}");

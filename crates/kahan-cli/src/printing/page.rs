@@ -1,5 +1,4 @@
-//! What pages of formulas are put together from: sections of plain text, displays of LaTeX,
-//! matrices.
+//! Pages of formulas: sections of plain text, displays in LaTeX, matrices.
 
 use kahan_algebra::render::{MatrixText, Notation, lines};
 use kahan_algebra::syntax::ClaimKind;
@@ -9,7 +8,6 @@ use kahan_study::ClaimShown;
 
 use super::layout::{self, screen_width};
 
-/// Text that grows downwards.
 #[derive(Default)]
 pub(crate) struct Page {
     pub(crate) text: String,
@@ -21,7 +19,7 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Sentences, as many lines as the screen takes.
+    /// Appends sentences, broken to the width of the screen.
     pub(crate) fn prose(&mut self, text: &str) {
         for line in lines(text, screen_width()) {
             self.line(&line);
@@ -40,8 +38,7 @@ impl Page {
         self.line(&format!("\\[\n{formula}\n\\]"));
     }
 
-    /// A claim whose formulas are in LaTeX, with a comment that says which, and perhaps where it is
-    /// from.
+    /// Appends a claim in LaTeX, under a comment with its name and source.
     pub(crate) fn claim(&mut self, claim: &ClaimShown) {
         let ClaimShown { name, kind, when, condition, .. } = claim;
         let source = claim.source.map_or_else(String::new, |source| format!(": {source}"));
@@ -57,30 +54,24 @@ impl Page {
     }
 }
 
-/// A column as a matrix.
 pub(crate) fn singletons(entries: &[String]) -> MatrixText {
     entries.iter().map(|entry| vec![entry.clone()]).collect()
 }
 
-/// The columns by which a section is indented.
 const INDENT: usize = 2;
 
-/// A matrix as lines of a section.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
     layout::matrix(rows, left, right, screen_width().saturating_sub(INDENT))
 }
 
-/// Sentences as lines of a section.
 pub(crate) fn paragraph(text: &str) -> Vec<String> {
     lines(text, screen_width().saturating_sub(INDENT))
 }
 
-/// A column in brackets, a line a row.
 pub(crate) fn column(entries: &[String]) -> Vec<String> {
     matrix(&singletons(entries), '[', ']')
 }
 
-/// Equations in LaTeX, one below the other.
 pub(crate) fn aligned(lines: Vec<String>) -> String {
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
 }

@@ -1,5 +1,5 @@
-//! Who watches long work at a prompt: a bar or a spinner on standard error, where that is a
-//! terminal, the machine's clock, and its processors.
+//! Progress of long work on standard error, if that is a terminal, with the clock and the
+//! processors of the machine.
 
 use std::io::{IsTerminal, stderr, stdout};
 use std::ops::ControlFlow;
@@ -11,35 +11,33 @@ use kahan_discover::report::MOST_READABLE;
 use kahan_discover::{Finding, Progress, Watch};
 use kahan_runtime::threads;
 
-/// The user, who sees how far long work is, and each finding as soon as it is proved. The bar is
-/// removed when this ends.
+/// A progress bar or spinner, which shows each finding as soon as it is proved. Dropping removes
+/// it.
 pub(crate) struct Prompt {
     bar: ProgressBar,
     since: Instant,
-    /// When the work is stopped.
+    /// The time at which the work must stop.
     end: Option<Instant>,
-    /// Steps of the parts of the work that are done.
     done: AtomicU64,
 }
 
 impl Prompt {
-    /// A bar of steps of one sort, `claims`; the work says how many there are.
+    /// Makes a bar of steps, called `what`, whose number the work reports.
     pub(crate) fn of(what: &str) -> Self {
         Self::new(0, what)
     }
 
-    /// A bar of so many steps of one sort: `claims`.
+    /// Makes a bar of `steps` steps, called `what`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
         Self::showing(true, || bar(steps, what))
     }
 
-    /// A bar of steps of orbits whose rows go to a file, or to standard output; where that is a
-    /// terminal the bar would stand among the rows.
+    /// Makes a bar of steps of orbits. It is hidden if rows go to a terminal.
     pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
 
-    /// A spinner, for work in stages whose end is not known.
+    /// Makes a spinner, for work in stages with an unknown end.
     pub(crate) fn stages() -> Self {
         Self::showing(true, || {
             let spinner = ProgressBar::new_spinner();
@@ -53,24 +51,20 @@ impl Prompt {
         Prompt { bar, since: Instant::now(), end: None, done: AtomicU64::new(0) }
     }
 
-    /// The same, and the work is stopped after so many seconds.
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // A time beyond all clocks is no bound, and a century is none either.
+        // A century is as good as no limit, and fits every clock.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         Prompt { end: Some(self.since + allowed), ..self }
     }
 
-    /// Whether the time is up.
     pub(crate) fn is_over(&self) -> bool {
         self.end.is_some_and(|end| Instant::now() >= end)
     }
 
-    /// The stage that begins.
     pub(crate) fn say(&self, stage: &str) {
         self.bar.set_message(stage.to_owned());
     }
 
-    /// A part of the work is done, which took so many steps.
     pub(crate) fn done(&self, steps: u64) {
         let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
         self.bar.set_position(done);
@@ -96,7 +90,7 @@ impl Watch for Prompt {
             return ControlFlow::Break(());
         }
         match (self.bar.length(), progress.of) {
-            // A bar counts one sort of things to its end; stages in between are no part of that.
+            // A bar counts steps of one kind; stages in between do not move it.
             (Some(length), Some(of)) => {
                 let done = self.done.load(Ordering::Relaxed);
                 self.bar.set_length(length.max(done + of));
@@ -108,8 +102,7 @@ impl Watch for Prompt {
         ControlFlow::Continue(())
     }
 
-    /// Prints the finding above the spinner, with the seconds since the start. A long finding is
-    /// printed by its name and length.
+    /// Prints a finding above the bar with the elapsed seconds; a long one by its name and length.
     fn found(&self, finding: &Finding) {
         let Finding { kind, name, text } = finding;
         let shown = match text.len() {

@@ -1,10 +1,8 @@
-//! Where long output goes while it is made: standard output as it comes, or a file that appears
-//! whole or not at all.
+//! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
-//! A file is written beside its final place under a temporary name and renamed at the end; one that
-//! is not finished is removed, also where a signal ends the command. Rows for standard output are
-//! collected for a moment at most, so that a reader sees them while they are made and a million of
-//! them do not take a million system calls.
+//! A file is written under a temporary name in the same folder and renamed at the end; unfinished
+//! files are removed, also after a signal. Rows for standard output are buffered; a
+//! write 0.1 s after the last flush flushes them, so that a reader sees rows early.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -16,7 +14,6 @@ use tempfile::NamedTempFile;
 use super::interrupt::{Unfinished, unfinished};
 use super::output::Refusal;
 
-/// A place for rows.
 pub(crate) struct Sink(Place);
 
 enum Place {
@@ -24,12 +21,11 @@ enum Place {
     File { writer: BufWriter<NamedTempFile>, path: PathBuf, unfinished: Unfinished },
 }
 
-/// Why nothing more can be written.
 #[derive(Debug)]
 pub(crate) enum Broken {
-    /// The reader of standard output has gone away, which is no error: nobody wants more rows.
+    /// The reader of standard output has gone away, which is not an error.
     ReaderGone,
-    /// One sentence for the user.
+    /// An error, as one sentence for the user.
     Failed(String),
 }
 
@@ -42,25 +38,21 @@ impl From<Broken> for Refusal {
     }
 }
 
-/// The longest time for which rows wait for company.
+/// The time after a flush from which the next write flushes.
 const PATIENCE: Duration = Duration::from_millis(100);
 
 impl Sink {
-    /// Standard output.
     pub(crate) fn standard() -> Self {
         Sink(Place::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
     }
 
-    /// A file at this path, in place of one that may be there. Nothing is there before
-    /// [`finish`](Self::finish).
-    ///
-    /// `option` is the argument that named it, for the refusal.
+    /// Opens a file, which appears on [`finish`](Self::finish) and replaces an existing one.
+    /// `option` is the argument that names it, for refusals.
     pub(crate) fn file(path: &Path, option: &str) -> Result<Self, Refusal> {
         let refused = |reason: &str| {
             Refusal::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // What a link points to is replaced, not the link; a device or a directory is not replaced
-        // by a file.
+        // The target of a link is replaced, not the link. A device or a directory is not replaced.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
@@ -72,7 +64,7 @@ impl Sink {
         if path.file_name().is_none() {
             return Err(refused("it has no file name"));
         }
-        // The temporary file's own name is nobody's business.
+        // The error must not show the name of the temporary file.
         let (file, unfinished) = unfinished(|| temporary(folder)).map_err(|error| {
             refused(&match error.kind() {
                 ErrorKind::NotFound => format!("the folder {} does not exist", folder.display()),
@@ -82,7 +74,7 @@ impl Sink {
         Ok(Sink(Place::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
-    /// The same for a table alone; a name without an ending tells no other format.
+    /// Opens a file for a table. A name without an extension is accepted, too.
     pub(crate) fn table(path: &Path) -> Result<Self, Refusal> {
         if path.extension().is_none() || is_table(path) {
             return Self::file(path, "--out");
@@ -93,12 +85,10 @@ impl Sink {
         )))
     }
 
-    /// Whether it is standard output.
     pub(crate) fn is_standard(&self) -> bool {
         matches!(self.0, Place::Standard { .. })
     }
 
-    /// Takes some text, or bytes of a file.
     pub(crate) fn write(&mut self, content: impl AsRef<[u8]>) -> Result<(), Broken> {
         let written = match &mut self.0 {
             Place::File { writer, .. } => writer.write_all(content.as_ref()),
@@ -113,7 +103,6 @@ impl Sink {
         written.map_err(|error| self.broken(&error))
     }
 
-    /// Writes other bytes in the place of the first ones of a file.
     pub(super) fn overwrite_beginning(&mut self, bytes: &[u8]) -> Result<(), Broken> {
         let Place::File { writer, .. } = &mut self.0 else { return Ok(()) };
         let written = writer.rewind().and_then(|()| {
@@ -123,13 +112,12 @@ impl Sink {
         written.map_err(|error| self.broken(&error))
     }
 
-    /// Writes this, and nothing after it.
     pub(crate) fn put(mut self, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
         self.write(content)?;
         Ok(self.finish()?)
     }
 
-    /// Writes what is left; a file now appears under its name.
+    /// Writes buffered output. A file appears under its name.
     pub(crate) fn finish(mut self) -> Result<(), Broken> {
         let flushed = if let Place::Standard { writer, .. } = &mut self.0 { writer.flush() } else { Ok(()) };
         flushed.map_err(|error| self.broken(&error))?;
@@ -153,7 +141,6 @@ impl Sink {
     }
 }
 
-/// Whether a file is to be a table, by its name.
 pub(crate) fn is_table(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
@@ -162,7 +149,7 @@ fn cannot_write(place: &str, error: &io::Error) -> Broken {
     Broken::Failed(format!("cannot write {place}: {error}"))
 }
 
-/// A new file with the permissions that a new file has here, not the narrower ones of secrets.
+/// Makes a temporary file with the usual permissions instead of those for secrets.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".kahan-").suffix(".tmp");

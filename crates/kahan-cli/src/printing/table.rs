@@ -1,6 +1,4 @@
-//! A table while it grows: CSV, or the rows of a JSON object.
-//!
-//! In: what is known beforehand, and rows in blocks. Out: text in a sink.
+//! Tables that are written row by row: CSV, or the rows of a JSON object.
 
 use std::ops::ControlFlow;
 
@@ -10,37 +8,30 @@ use serde_json::{Map, Value};
 use super::layout::{after_commas, terminal_width};
 use super::sink::{Broken, Sink};
 
-/// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// A line of column names, then a line a row; what is undefined is empty. A terminal breaks a
-    /// long line after commas.
+    /// A line of column names, then a line for each row; undefined values are empty. A terminal
+    /// breaks long lines after commas.
     Csv,
-    /// One object: what is known beforehand, `rows`, and `stopped`; what is undefined is null.
+    /// One object: the head, `rows`, and members behind the rows; undefined values are null.
     Json,
 }
 
-/// A table on its way into a sink.
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
-    /// The first cells of all rows of an orbit, which say where it is among several; one value
-    /// each.
+    /// The first cells of all rows of an orbit, one value each, which identify it among several.
     place: Vec<Kept>,
-    /// The row being written, kept so that its memory is.
     line: String,
     has_rows: bool,
-    /// The columns of the terminal that shows the rows.
     width: Option<usize>,
-    /// Why the sink takes no more.
     broken: Option<Broken>,
-    /// Whether rows are made even where nobody reads them.
+    /// Whether rows are computed even without a reader.
     outlives_reader: bool,
 }
 
 impl Table {
-    /// A table with nothing but what stands before the rows; `head` has the names of the columns
-    /// under `columns`.
+    /// Writes the head of a table. `head` has the names of the columns under `columns`.
     pub(crate) fn begin(sink: Sink, format: Format, head: &Map<String, Value>) -> Result<Self, Broken> {
         let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
         let text = match format {
@@ -63,17 +54,15 @@ impl Table {
         Ok(table)
     }
 
-    /// Begins an orbit, all rows of which have these first cells.
+    /// Begins an orbit, all of whose rows start with these cells.
     pub(crate) fn begin_orbit(&mut self, place: Vec<Kept>) {
         self.place = place;
     }
 
-    /// Lets rows be made even where nobody reads them any more.
     pub(crate) fn outlive_reader(&mut self, does: bool) {
         self.outlives_reader = does;
     }
 
-    /// Writes a row.
     fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), Broken> {
         self.line.clear();
         match self.format {
@@ -91,13 +80,11 @@ impl Table {
         }
     }
 
-    /// Whether the sink took all rows so far.
     pub(crate) fn written(&mut self) -> Result<(), Broken> {
         self.broken.take().map_or(Ok(()), Err)
     }
 
-    /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended
-    /// early, or is null.
+    /// Writes the members behind the rows, and closes the sink.
     pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), Broken> {
         if self.format == Format::Json {
             self.sink.write("\n  ]")?;

@@ -1,5 +1,4 @@
-//! A text with a block in it, `--file`, and `--block`, which part of that is the field; what is
-//! wrong becomes a [`Refusal`].
+//! The block of a field: in the catalog, in a text, or in a file (`--file`, `--block`).
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -19,44 +18,39 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{Refusal, joined};
 
 thread_local! {
-    /// The block that was read last, until it is read again: a command reads its field twice, for
-    /// the note on names that nothing declares and for its answer.
+    /// The last block. A command reads its field twice: for notes on undeclared names, and for its
+    /// answer.
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
-/// Endings of models that are read in Python, by libraries of others.
+/// Extensions of models that the Python package reads.
 const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
 
-/// A text with a block in it.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
-    /// The catalog's entry, where it is one.
     pub(crate) entry: Option<&'static Entry>,
     text: FieldText,
-    /// Whether it stands in a call of the macro.
     is_rust: bool,
 }
 
 impl Block {
-    /// A system or a family of the catalog.
     pub(super) fn named(name: &str) -> Option<Self> {
         let of = |entry, text: &str, name: &str| Block::new(entry, text.to_owned(), name.to_owned());
         let system = find(name).map(|entry| of(Some(entry), entry.text(), entry.command));
         system.or_else(|| lattices::find(name).map(|family| of(None, family.text, family.command)))
     }
 
-    /// A text from elsewhere; `origin` is what it is called in reports.
+    /// Returns the block in a text, which reports call `origin`.
     pub(crate) fn of_text(text: String, origin: String) -> Self {
         Block::new(None, text, origin)
     }
 
-    /// The text itself, or the one call of `kahan!` in it.
+    /// Takes the first call of `kahan!` in a text, or the whole text.
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
         let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
         Block { entry, ..Block::within(text, body, origin) }
     }
 
-    /// The field in a file of `np.savez`.
     pub(super) fn of_arrays(path: &Path) -> Result<Self, Refusal> {
         let origin = path.display();
         let bytes = fs::read(path)
@@ -66,7 +60,6 @@ impl Block {
         Ok(Block { entry: None, text, is_rust: false })
     }
 
-    /// A part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
         let is_rust = body != (0..text.len());
         let block = Block { entry: None, text: FieldText::part(text, body, origin), is_rust };
@@ -77,18 +70,17 @@ impl Block {
         block
     }
 
-    /// The block as what a question is about.
     pub(super) fn subject(&self) -> Subject {
         Subject::block(self.text.clone())
     }
 
-    /// The names that the block takes as parameters because nothing declares them. A block of Rust
-    /// has none: such names are variables of the program.
+    /// Returns the undeclared names, which are parameters. A block in Rust has none: there such
+    /// names are variables of the program.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
 
-    /// The family that the block has; `option` is what a block of equations is refused for.
+    /// Returns the family of the block. `option` is named in the refusal of a plain system.
     pub(crate) fn family(&self, option: &str) -> Result<Family, Refusal> {
         self.text.family().map_err(|mistakes| Refusal::reports(mistakes.to_string()))?.ok_or_else(|| {
             Refusal::new(format!(
@@ -97,13 +89,12 @@ impl Block {
         })
     }
 
-    /// The text of the block, as it was given.
     pub(crate) fn text(&self) -> &str {
         self.text.given()
     }
 
-    /// Texts of the block that begin at this point, the first as it was given: equations of order 2
-    /// have no names for their velocities there.
+    /// Returns two texts of the block with initial values: as given, and in the language of
+    /// `kahan!`. The given text may have no names for velocities.
     pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
@@ -112,8 +103,8 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Notes on how the text is read: quantities, and values that the text gives
-    /// where no option gives others.
+    /// Returns notes on how the text is read, and on values that it gives and options do not
+    /// override.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");
@@ -133,7 +124,7 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
-    /// The product that a name may have been meant as: of states of one letter.
+    /// Returns the product of states of one letter that a name may mean.
     pub(super) fn product(&self, name: &str) -> Option<String> {
         let system = self.text.unproved_system().ok()?;
         let letters: Vec<String> = name.chars().map(String::from).collect();
@@ -141,13 +132,12 @@ impl Block {
         (are_states && letters.len() > 1).then(|| letters.join("*"))
     }
 
-    /// The values that the text gives to parameters.
     pub(super) fn parameters(&self) -> &[(String, Rational)] {
         self.text.parameters()
     }
 }
 
-/// The text of a file, or of standard input for `-`, and what it is called in reports.
+/// Reads a file, or standard input for `-`. Returns the text and its name in reports.
 pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
     let is_input = path.as_os_str() == "-";
     let origin = if is_input { "standard input".to_owned() } else { path.display().to_string() };
@@ -168,8 +158,8 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
     }))
 }
 
-/// Where the field stands: all of the text, or one call of `kahan!`, by its name or line if there
-/// are several.
+/// Returns the range of the field: the whole text, or one call of `kahan!`. Of several calls
+/// `wanted` chooses one by name or line.
 pub(super) fn chosen(text: &str, origin: &str, wanted: Option<&str>) -> Result<Range<usize>, Refusal> {
     let blocks = blocks(text);
     let is_wanted = |block: &&RustBlock| {

@@ -1,6 +1,5 @@
-//! A chain of any number of sites: its map, and the state that it begins with.
-//!
-//! Numbers of sites are given once, by a formula of the index i, or by a file.
+//! A chain with any number of sites: its map and its first state. Values of sites come from a
+//! formula of the index i, or from a file.
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
@@ -15,10 +14,9 @@ use super::values::{formula, formulas, named, number};
 use crate::printing::{Refusal, joined};
 
 impl Start {
-    /// The chain that begins with what `--start` says; the names of its variables are made for at
-    /// most so many.
+    /// Reads the chain that begins as `--start` says. Variables get names if there are at most
+    /// `most_names`.
     pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, Refusal> {
-        /// More would not fit into memory.
         const MOST_SITES: usize = 1 << 28;
 
         let block = self.source.required_block()?;
@@ -60,13 +58,13 @@ impl Start {
     }
 }
 
-/// The numbers of `--param NAME=V`: one, or one a site.
+/// Reads `--param NAME=V`: one number, or one for each site.
 fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str, Vec<f64>), Refusal> {
     let (name, value) = named(given, "--param", "c=1/2")?;
     let option = format!("--param {name}");
     if is_number_file(value) {
         let Numbers { names, values, .. } = read(value, &option)?;
-        // Names above more than one column decide.
+        // With several columns, headings choose the column.
         let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
         let wanted = [name.to_owned()];
         let place = Wanted::new(&wanted, &[], Others::Ignored).places(&names);
@@ -82,7 +80,6 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     Ok((name, (0..places).map(|site| value(&[site as f64])).collect()))
 }
 
-/// The first state, all of it numbers.
 fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<Vec<f64>, Refusal> {
     let state = if is_number_file(start) {
         of_file(start, arrays, sites)?
@@ -108,7 +105,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // Of one array, a row a site may be a list as well; of several states, the last is the start.
+    // One array may be a list as well as a column. Of several states the last one is the start.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {
@@ -130,7 +127,6 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
     )))
 }
 
-/// A formula an array, in the order of the arrays.
 fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Formula>, Refusal> {
     let mut formulas: Vec<Option<Formula>> = vec![None; arrays.len()];
     for (name, formula) in given {

@@ -1,6 +1,4 @@
-//! What the commands read: systems, fields in text and in Rust files, exact numbers.
-//!
-//! In: arguments and files. Out: checked systems and numbers; what is wrong with them becomes a
+//! Input: arguments and files in, checked systems and numbers out. Mistakes become a
 //! [`Refusal`](crate::printing::Refusal).
 
 mod block;
@@ -20,5 +18,5 @@ pub(crate) use source::{ONE_WORD, Source, Start, StepLength, Stepping, Transient
 pub(crate) use study::option;
 pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};
 
-/// The most steps of an orbit that is observed: doubles count them.
+/// The largest number of steps of an observed orbit; a double counts them.
 pub(crate) const MOST_OBSERVED: u64 = 1 << 53;

@@ -1,8 +1,8 @@
-//! A field in a file of `np.savez`: arrays c, B and Q of ẋ = c + Bx + Q(x, x), `names` of the
+//! A field in a file of `np.savez`: arrays c, B and Q of ẋ = c + Bx + Q(x, x), `names` of
 //! variables, and the `order` of the columns of Q.
 //!
 //! In: the bytes of the file. Out: the coefficients. `kahan._coefficients` of the Python package
-//! accepts the same files and reads them by NumPy.
+//! accepts equal files and reads them by NumPy.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -14,21 +14,20 @@ use rawzip::{CompressionMethod, ZipArchive};
 
 use crate::printing::joined;
 
-/// The files of an archive by their names, without `.npy`.
+/// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The states of a product.
+/// The states in a term: none, one, or two.
 type States = [Option<usize>; 2];
 
-/// An array of a file: its sizes, and its entries with their rows and their places in the row. Each
-/// row belongs to a component of the field.
+/// An array: its shape, and its entries as (row, column, value). A row belongs to a component of
+/// the field.
 struct Part {
     name: &'static str,
     sizes: Vec<usize>,
     entries: Vec<(usize, usize, f64)>,
 }
 
-/// The coefficients of the field in a file.
 pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     let mut files = files(bytes).map_err(|error| format!("is no file of np.savez: {error}"))?;
     let parts: Vec<Part> = ["c", "B", "Q"]
@@ -95,7 +94,6 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     Ok(field)
 }
 
-/// Refuses a file whose arrays have other names than those of a field.
 fn others(files: &Files) -> String {
     let what = if files.len() == 1 { "an array" } else { "arrays" };
     let names = joined(files.keys().map(|name| format!("`{name}`")), ", ");
@@ -109,7 +107,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// The array of this name, dense or from its three sparse arrays by rows.
+/// Takes an array from the files: dense, or sparse in three arrays by rows.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

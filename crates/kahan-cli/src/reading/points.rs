@@ -1,5 +1,4 @@
-//! Files of numbers behind options, and points behind `--at`: their coordinates with commas, or a
-//! file that has a row for each of them. What begins there, this module must not know.
+//! Points behind `--at`: coordinates with commas, or a file with a row for each point.
 
 use std::fs;
 use std::path::Path;
@@ -12,20 +11,19 @@ use kahan_study::number_file::{Entry, Numbers};
 use super::values::number;
 use crate::printing::Refusal;
 
-/// Whether a text names such a file.
 pub(crate) fn is_number_file(text: &str) -> bool {
     let ending = Path::new(text).extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| ending == "npy" || ending == "csv")
 }
 
-/// Reads a file; `option` names it in the refusal.
+/// Reads a file of numbers. Refusals name `option`.
 pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Refusal> {
     let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
     Numbers::of(path, &bytes).map_err(refused)
 }
 
-/// The points that `--at` gives, at least one; without it the first point of the field's text.
+/// Returns the points of `--at`, at least one. The default is the point in the text of the field.
 pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
     let states = study.coordinates();
     let Some(at) = at else {
@@ -40,19 +38,19 @@ pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational
     points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
 }
 
-/// The one point that `--at` gives, or else the text of the field.
+/// Returns the only point of `--at`. The default is the point in the text of the field.
 pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Refusal> {
     only(points(at, study)?, at)
 }
 
-/// Reads the first point of `--at` before the field is known, with the names of its coordinates
-/// if the file names them. Returns `None` if the text or the file has no point.
+/// Reads the first point of `--at` before the field is known, with the names of its coordinates if
+/// a file has them. Returns `None` without a point.
 pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;
         let width = rows.sizes.last().copied().unwrap_or_default();
         let (first, names) = (rows.values.get(..width)?, rows.names.unwrap_or_default());
-        // Columns with words, such as `ended`, are not states.
+        // Columns of words, such as `ended`, are not states.
         let given =
             first.iter().enumerate().filter_map(|(k, value)| Some((value.clone()?, names.get(k).cloned())));
         let (point, names): (Vec<_>, Vec<_>) = given.unzip();
@@ -62,7 +60,6 @@ pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     Some((first.split(',').map(|part| number(part, "--at").ok()).collect::<Option<_>>()?, Vec::new()))
 }
 
-/// The one among the points that `--at` gives.
 pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, Refusal> {
     match (points.pop(), points.len()) {
         (Some(point), 0) => Ok(point),
@@ -74,7 +71,6 @@ pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<V
     }
 }
 
-/// One coordinate a state.
 fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
     let parts: Vec<&str> = text.split(',').collect();
     if Path::new(text).is_file() && parts.iter().any(|part| number(part, "--at").is_err()) {

@@ -1,4 +1,4 @@
-//! Columns of numbers from files with names above them: results of `kahan sweep`, tables.
+//! Named columns of numbers in files: results of `kahan sweep`, and tables.
 
 use std::env::consts::EXE_SUFFIX;
 use std::io;
@@ -10,7 +10,7 @@ use kahan_study::number_file::Numbers;
 use super::points::read;
 use crate::printing::Refusal;
 
-/// The program that runs sweeps and reads their results: beside this one, or where programs are.
+/// Returns the program `kahan-sweep`: beside this one, otherwise on the search path.
 pub(crate) fn sweeper() -> Command {
     let name = format!("kahan-sweep{EXE_SUFFIX}");
     let beside =
@@ -18,7 +18,6 @@ pub(crate) fn sweeper() -> Command {
     Command::new(beside.unwrap_or_else(|| PathBuf::from(&name)))
 }
 
-/// Why that program did not start.
 pub(crate) fn not_started(error: &io::Error) -> Refusal {
     Refusal::new(if error.kind() == io::ErrorKind::NotFound {
         "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install \
@@ -29,8 +28,7 @@ pub(crate) fn not_started(error: &io::Error) -> Refusal {
     })
 }
 
-/// The columns with these names; a folder stands for the result of the sweep that was written into
-/// it, and `option` names the file in refusals.
+/// Reads columns by name. A folder stands for the sweep result in it. Refusals name `option`.
 pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<Vec<f64>>, Refusal> {
     let merged = path.join("results.parquet");
     if path.is_dir() && !merged.exists() {
@@ -63,7 +61,6 @@ pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<V
     names.iter().map(column).collect()
 }
 
-/// Columns of a file of Parquet, as kahan-sweep reads it.
 fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> {
     let mut program = sweeper();
     program.arg("--read").arg(path).arg("--columns").arg(names.join(","));

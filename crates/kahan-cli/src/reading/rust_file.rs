@@ -1,8 +1,8 @@
-//! The blocks of `kahan!` in a Rust file: where each begins and ends, and what it is called.
+//! Finds the calls of `kahan!` in a text: their ranges and names.
 //!
-//! In: any text. Out: the calls of the macro in it. The compiler's own lexer tells a call from a
-//! comment or a string. The parsers `proc-macro2` and `syn` refuse a file in which a bracket is
-//! still open, and a page of Markdown with a program in it; and `syn` looks into no other macro.
+//! The lexer of rustc tells calls from comments and strings. The parsers `proc-macro2` and `syn`
+//! are not used: they refuse files with an open bracket and Markdown with a program, and `syn` does
+//! not look into other macros.
 
 #[cfg(test)]
 mod tests;
@@ -11,30 +11,25 @@ use std::ops::Range;
 
 use rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 
-/// The name of the macro.
 const MACRO: &str = "kahan";
 
-/// One call of the macro.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RustBlock {
-    /// What stands between its brackets.
     pub(super) range: Range<usize>,
-    /// The line of its `kahan!`, the first being 1.
+    /// The line of `kahan!`, from 1.
     pub(super) line: usize,
-    /// The name of its struct, or of the variable that holds it.
+    /// The name of its struct, or of the variable to which it is bound.
     pub(super) name: Option<String>,
 }
 
-/// A word, a sign or a literal of a text, and where it stands.
 struct Piece<'a> {
     kind: TokenKind,
     text: &'a str,
     range: Range<usize>,
 }
 
-/// The blocks of a file, in order; none where it is no Rust file, or has none.
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
-    // Most texts are fields alone, and may be long.
+    // Most texts have none, and may be long.
     if !text.contains(MACRO) {
         return Vec::new();
     }
@@ -65,7 +60,7 @@ pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
     found
 }
 
-/// The pieces of a text, without spaces and comments.
+/// Splits a text into tokens, without spaces and comments.
 fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut end = 0;
     let pieces = tokenize(text, FrontmatterAllowed::No).map(|token| {
@@ -88,7 +83,7 @@ fn closes(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
 }
 
-/// How many pieces stand before the bracket that closes what is open; all where none does.
+/// Returns the number of tokens before the closing bracket, or of all if it is missing.
 fn length_inside(pieces: &[Piece<'_>]) -> usize {
     let mut depth = 1;
     let is_last = |piece: &Piece<'_>| {
@@ -98,7 +93,6 @@ fn length_inside(pieces: &[Piece<'_>]) -> usize {
     pieces.iter().position(is_last).unwrap_or(pieces.len())
 }
 
-/// The name behind the first `struct` of a block.
 fn struct_name(block: &[Piece<'_>]) -> Option<String> {
     let named = block.windows(2).find(|pair| pair[0].text == "struct")?;
     (named[1].kind == TokenKind::Ident).then(|| named[1].text.to_owned())

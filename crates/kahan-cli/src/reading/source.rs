@@ -1,5 +1,5 @@
-//! The system that a command is about, as arguments name it: of the catalog, from the command line,
-//! or from a file; and the values of its parameters.
+//! Arguments that name a system: in the catalog, on the command line, or in a file; with values of
+//! its parameters.
 
 use std::f64::consts::{E, PI};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use super::MOST_OBSERVED;
 use super::block::{Block, chosen, read_file};
 use super::values::{named, number, one_of, whole};
 
-/// What to write where a value fell apart into words of its own.
+/// Advice for a value that the shell split into several words.
 pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and --param a=0.4";
 
 /// The system that a command is about.
@@ -74,7 +74,6 @@ pub(crate) struct Source {
     t0: Option<String>,
 }
 
-/// Reads which lift is wanted.
 fn which() -> impl TypedValueParser<Value = Which> {
     one_of(&Which::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
@@ -93,19 +92,18 @@ pub(crate) struct StepLength {
 }
 
 impl StepLength {
-    /// The value of ε, half the time step, if one of the options gives it.
+    /// Returns ε, half the time step, if an option gives it.
     pub(crate) fn half(&self) -> Result<Option<Rational>, Refusal> {
         let Some((option, text)) = self.given() else { return Ok(None) };
         let value = number(text, option)?;
         Ok(Some(if option == "--dt" { &value * &Rational::new(1, 2) } else { value }))
     }
 
-    /// The text of --eps, which is a range in some commands.
+    /// Returns the text of --eps if it is a range, as some commands allow.
     pub(crate) fn range(&self) -> Option<&str> {
         self.eps.as_deref().filter(|text| text.contains(':'))
     }
 
-    /// The option that was given, with its text.
     pub(crate) fn given(&self) -> Option<(&'static str, &str)> {
         let eps = self.eps.as_deref().map(|eps| ("--eps", eps));
         eps.or_else(|| self.dt.as_deref().map(|dt| ("--dt", dt)))
@@ -154,13 +152,12 @@ pub(crate) struct Transient {
 }
 
 impl Source {
-    /// A system by its name.
     pub(crate) fn of_system(name: String) -> Self {
         Source { system: Some(name), ..Source::default() }
     }
 
-    /// The words by which a command line names this; standard input, which can be read once only,
-    /// is named by its text.
+    /// Returns the words that name this source on a command line. Standard input can be read only
+    /// once, so its text replaces it.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
         let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
@@ -183,21 +180,20 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Takes --all out of the source, and says whether it was given: some commands show more by it
-    /// than new variables.
+    /// Removes --all, and returns whether it was given. Some commands use it for more than new
+    /// variables.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
     }
 
-    /// Asks for a lift, as `kahan lift` does of every field.
     pub(crate) fn lifted(mut self) -> Self {
         self.lift.get_or_insert_default();
         self
     }
 
-    /// How the field is lifted, if it is; with the first point and values of parameters by which
-    /// the lift is chosen.
+    /// Returns how the field is lifted, if it is. The start and the values serve to choose the
+    /// lift.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -212,17 +208,14 @@ impl Source {
         Ok(Some(Lifting { which, start, names, near, time, shows_all: self.all }))
     }
 
-    /// Whether a field was named.
     pub(crate) fn is_named(&self) -> bool {
         self.system.is_some() || self.field.is_some() || self.file.is_some()
     }
 
-    /// Whether a parameter was given.
     pub(crate) fn has_parameters(&self) -> bool {
         !self.parameters.is_empty()
     }
 
-    /// The values behind `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
             let (name, value) = named(given, "--param", "xi=1/2")?;
@@ -231,7 +224,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value of a parameter, or a `step`, if it is one of the `axes`.
+    /// Refuses a value of a parameter or a `step` that one of the `axes` varies.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), Refusal> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -242,7 +235,6 @@ impl Source {
         Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
     }
 
-    /// The field that was named, without its parameters.
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
         match &self.system {
             Some(name) if self.field.is_none() && self.file.is_none() => Ok(Subject::named(name)),
@@ -250,7 +242,6 @@ impl Source {
         }
     }
 
-    /// The block that was named; `None` if none was.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
@@ -278,14 +269,13 @@ impl Source {
         }
     }
 
-    /// Whether the field comes from standard input, which can be read once only.
+    /// Returns whether the field comes from standard input, which can be read only once.
     fn is_input(&self) -> bool {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// Notes on how a text is read, and on the names that one without a header uses and nothing
-    /// declares, where a value for them is neither given nor gone through in `ranges`, `NAME=…`.
-    /// Standard input is not read for it: what comes from there is said when the command reads it.
+    /// Returns notes on how a text is read, and on undeclared names without a value or a range in
+    /// `ranges`. For standard input [`block`](Self::block) prints them.
     pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
         block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))
@@ -297,8 +287,7 @@ impl Source {
         block.notes(&given).into_iter().chain(undeclared_in(block, &given)).collect()
     }
 
-    /// This source with single values only, and the parameters that are given as ranges:
-    /// `xi=-2:2:+1/12` as `xi` and the rest.
+    /// Splits off the parameters that are given as ranges: `xi=-2:2:+1/12` as `xi` and the rest.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
         let mut single = self.clone();
         single.parameters.retain(|given| !given.contains(':'));
@@ -306,18 +295,16 @@ impl Source {
         (single, ranges.map(|given| given.split_once('=').unwrap_or((given, ""))).collect())
     }
 
-    /// This source with a value of one more parameter.
     pub(crate) fn with_parameter(mut self, name: &str, value: &Rational) -> Self {
         self.parameters.push(format!("{name}={value}"));
         self
     }
 
-    /// This source with another text of the field.
     pub(crate) fn with_text(self, text: String) -> Self {
         Source { system: None, field: Some(text), file: None, block: None, ..self }
     }
 
-    /// The block that was named, of a command that needs one.
+    /// Returns the named block, or refuses if none was named.
     pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
         self.block()?.ok_or_else(|| {
             let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");
@@ -326,9 +313,8 @@ impl Source {
     }
 }
 
-/// A note on the names that a text uses and nothing declares, without those that have values.
+/// Returns a note on the undeclared names in a text that have no value.
 fn undeclared_in(block: &Block, given: &[&str]) -> Option<String> {
-    /// More of them are not listed.
     const MOST: usize = 8;
 
     let mut names = block.undeclared();

@@ -1,5 +1,4 @@
-//! From arguments to a field that is studied; what is wrong becomes a [`Refusal`] that names the
-//! option to change.
+//! Arguments to a field, as a `Study`. A [`Refusal`] names the option to change.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
@@ -10,17 +9,16 @@ use super::source::{Source, Start};
 use crate::printing::{Refusal, warn};
 
 impl Source {
-    /// The field with its given parameters.
     pub(crate) fn study(&self) -> Result<Study, Refusal> {
         self.study_at(None)
     }
 
-    /// The field with its given parameters, where a lift is chosen for the orbit of this point.
+    /// Returns the field with the given parameters. A lift is chosen along the orbit of `at`.
     pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, Refusal> {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// The same. A false claim is told before a number that is missing.
+    /// Returns the field like `study_at`, and refuses false claims before missing numbers.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, Refusal> {
         self.proved_over(at, &[])
     }
@@ -32,12 +30,12 @@ impl Source {
         Ok(study)
     }
 
-    /// The same of a block that was read from here: standard input can be read once only.
+    /// Returns the field of a block that was read already; standard input can be read only once.
     pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Reads the field; a lift without a first point is chosen along an orbit to see.
+    /// Returns the field for display; a lift without a start is chosen along some orbit.
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -51,7 +49,6 @@ impl Source {
         Ok(self.subject_of(subject, at, axes)?.study(&Systems)?)
     }
 
-    /// The subject with all that the arguments say of it.
     fn subject_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Subject, Refusal> {
         let middle = |axis: &Axis| (axis.name.clone(), axis.range.value(axis.range.count() / 2));
         let lifting = self.lifting(at.and_then(first_point), axes.iter().map(middle).collect())?;
@@ -62,17 +59,14 @@ impl Source {
     }
 }
 
-/// First points, each with its coordinates.
 type Points = Vec<Vec<Rational>>;
 
 impl Start {
-    /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
         let (study, starts, eps) = self.starts()?;
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all first points, and ε.
     pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), Refusal> {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
@@ -80,8 +74,7 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// The field, the first point, and ε, where parameters and ε may have their values from
-    /// `axes`, and have them from there alone.
+    /// Returns the field, the only start, and ε. Parameters and ε on `axes` have no other values.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -90,7 +83,7 @@ impl Start {
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all first points, and ε.
+    /// Returns the field, all starts, and ε. Parameters and ε on `axes` have no other values.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), Refusal> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;
@@ -99,7 +92,7 @@ impl Start {
     }
 }
 
-/// Spells a part of a question as the option that has its name.
+/// Spells a part of a question as the option of its name.
 pub(crate) fn option(name: &str, value: &str) -> String {
     format!("--{name} {value}").trim_end().to_owned()
 }

@@ -1,5 +1,4 @@
-//! Exact numbers, counts, times, ranges and formulas behind options; what is wrong with them
-//! becomes a [`Refusal`].
+//! Exact numbers, counts, times, ranges and formulas as values of options.
 
 use std::fmt::Display;
 
@@ -11,12 +10,12 @@ use kahan_study::{Axis, Observable, Range};
 
 use crate::printing::Refusal;
 
-/// An exact number; `what` names it in the refusal.
+/// Reads an exact number; `what` names it in the refusal.
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     numbers::number(text).map_err(|why| Refusal::new(format!("{what}: {why}")))
 }
 
-/// NAME=VALUE behind an option, as in the example.
+/// Splits NAME=VALUE; the refusal shows `example`.
 pub(crate) fn named<'a>(given: &'a str, option: &str, example: &str) -> Result<(&'a str, &'a str), Refusal> {
     let parts = given.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
     parts.ok_or_else(|| {
@@ -24,7 +23,6 @@ pub(crate) fn named<'a>(given: &'a str, option: &str, example: &str) -> Result<(
     })
 }
 
-/// Reads a count between these.
 pub(crate) fn whole<T>(least: T, most: T) -> impl TypedValueParser<Value = T>
 where
     T: Copy + Display + TryFrom<i128> + Send + Sync + 'static,
@@ -32,13 +30,12 @@ where
     move |text: &str| numbers::whole(text, least, most)
 }
 
-/// A time bound in seconds.
 pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
-/// Reads the name of one of these; `value` says it, and what it means.
+/// Reads the name of one of `known`; `value` returns its name and its help.
 pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,
@@ -52,24 +49,21 @@ pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     PossibleValuesParser::new(values).map(named)
 }
 
-/// Reads what is observed.
 pub(crate) fn observable(
     known: impl IntoIterator<Item = &'static Observable>,
 ) -> impl TypedValueParser<Value = Observable> {
     one_of(known, |of| PossibleValue::new(of.name()).help(of.meaning().trim_end_matches('.')))
 }
 
-/// Reads the name of a scalar.
 pub(crate) fn scalar() -> impl TypedValueParser<Value = ScalarKind> {
     one_of(&ScalarKind::ALL, |kind| PossibleValue::new(kind.name()).help(kind.meaning()))
 }
 
-/// Reads the order of a method.
 pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse().expect("clap takes no others"))
 }
 
-/// NAME=FROM:TO:…, as `--over` has it.
+/// Reads NAME=FROM:TO:… of `--over`.
 pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
     let (name, range) = text.split_once('=').ok_or_else(|| {
         Refusal::new(format!(
@@ -79,18 +73,18 @@ pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
     axis(name.trim(), range, &format!("--over {}", name.trim()))
 }
 
-/// FROM:TO:… behind an option, for what has this name.
+/// Reads FROM:TO:… of an option, as the range of `name`.
 pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, Refusal> {
     let range = Range::read(text).map_err(|why| Refusal::new(format!("{option}: {why}")))?;
     Ok(Axis { name: name.to_owned(), range })
 }
 
-/// One formula of the index of a site; `option` is what the text is called in reports.
+/// Reads one formula of the index of a site; `option` names the text in reports.
 pub(super) fn formula(text: &str, known: &Known, option: &str) -> Result<Formula, Refusal> {
     formula::formula(text, known).map_err(|why| refused(&why, option))
 }
 
-/// Formulas of the index of a site by name: `a = 1; b = i/n`.
+/// Reads named formulas of the index of a site: `a = 1; b = i/n`.
 pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(String, Formula)>, Refusal> {
     formula::formulas(text, known).map_err(|why| refused(&why, option))
 }

@@ -1,5 +1,4 @@
-//! Fields from files of `np.savez`, built here byte for byte. Python's tests read files that NumPy
-//! has written.
+//! Fields from files of `np.savez`, built byte by byte. Tests in Python read files of NumPy.
 
 use std::io::Write;
 
@@ -9,7 +8,7 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 
 use crate::running::{answer, kahan, refusal, text};
 
-/// A file of arrays, each with its type, its shape and its bytes.
+/// A file of arrays in the making, with the bytes of each.
 struct Npz {
     folder: tempfile::TempDir,
     files: Vec<(String, Vec<u8>)>,
@@ -43,7 +42,7 @@ impl Npz {
         self.with(name, &format!("<U{length}"), shape, data)
     }
 
-    /// Writes the file, its arrays packed or not, and has a command read it.
+    /// Writes the file, compressed or not, and runs a command on it.
     fn run<R>(&self, is_packed: bool, command: impl Fn(&str) -> R) -> R {
         let mut archive = ZipArchiveWriter::new(Vec::new());
         for (name, file) in &self.files {
@@ -102,7 +101,7 @@ fn a_file_of_arrays_is_a_field() {
         )
         .with("Q_indptr", "<i8", "(3,)", [0_i64, 0, 3].iter().flat_map(|end| end.to_le_bytes()).collect());
     assert_eq!(sparse.run(true, |path| answer(&["show", "--file", path])), wanted);
-    // Other commands read the file, too, and print no notes.
+    // Other commands read the file without notes.
     let orbit = |source: [&str; 2]| {
         let run =
             kahan(&[&["orbit"][..], &source, &["--eps", "0.01", "--at", "1/2,0", "--steps", "50"]].concat());

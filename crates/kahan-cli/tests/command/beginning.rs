@@ -2,7 +2,7 @@
 
 use crate::running::{answer, shell, text};
 
-/// `verify` proves the whole paper, which is the matter of `crates/kahan-paper/tests`.
+/// The line with `verify` is not run here: `crates/kahan-paper/tests` proves the paper.
 #[test]
 fn the_command_alone_shows_lines_that_run() {
     let told = answer(&[]);

@@ -4,7 +4,6 @@ use std::process::{Command, Stdio};
 
 use crate::running::{answer, refusal};
 
-/// A shell with this script, if it is here.
 fn shell(name: &str, arguments: &[&str]) -> Option<String> {
     let output = Command::new(name).args(arguments).stdin(Stdio::null()).output().ok()?;
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -22,7 +21,7 @@ fn every_shell_gets_the_commands_the_options_and_the_systems() {
     assert!(refusal(&["completions", "csh"]).contains("bash"));
 }
 
-/// Bash itself, where there is one: it reads the script, and completes by it.
+/// Bash, if it is installed, completes by the script.
 #[test]
 fn bash_completes_systems_and_options() {
     let folder = tempfile::tempdir().expect("a folder");

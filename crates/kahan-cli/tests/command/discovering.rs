@@ -1,5 +1,5 @@
-//! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys,
-//! refusals say why; and the catalog's further systems claim what is found of them.
+//! `kahan discover` and `kahan scan`: findings that prove again, keys of JSON, refusals. Further
+//! systems of the catalog claim what is found.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
@@ -18,7 +18,7 @@ fn texts(value: &Value) -> Vec<String> {
     all.map(|text| text.as_str().expect("a text").to_owned()).collect()
 }
 
-/// The block behind which the lines stand; reading proves the claims.
+/// Reads a block with more lines, which proves its claims.
 fn reading(field: &str, lines: &[String]) -> Checked {
     let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
     assert!(reading.diagnostics().is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics());
@@ -84,7 +84,7 @@ fn what_is_found_is_told_in_its_parts() {
 fn printed_lines_go_into_a_block_as_they_stand() {
     for (name, integrals) in [("e1", 2), ("e6", 2), ("euler", 2), ("volterra", 2), ("volterra4", 3)] {
         let page = answer(&["discover", name]);
-        // The last paragraph is claims, and nothing else is.
+        // The last paragraph consists of claims.
         let (_, claims) = page.trim_end().rsplit_once("\n\n").expect("a summary before the claims");
         let lines: Vec<String> = claims.lines().map(str::to_owned).collect();
         let block = find(name).expect("a system of the catalog").text();
@@ -93,8 +93,8 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // Integrals also behind the catalog's own claims, as no name is taken twice; a block has
-        // one density.
+        // New integrals fit behind the catalog's claims, without equal names; a block has one
+        // density.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
@@ -138,8 +138,8 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// The integrals and densities that the blocks of the further systems claim for generic parameters,
-/// against those found. Blocks claim no integral that fills a page, of 2440 characters for Clebsch.
+/// Compares claims for generic parameters with findings. Blocks do not claim integrals that fill a
+/// page, such as the 2440 characters of Clebsch's.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -148,11 +148,11 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
-        // A search without a degree goes on as long as something may be missing.
+        // A degree ends the search early.
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // What has no short formula is given by a basis.
+        // A basis stands for integrals without a short formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
@@ -164,8 +164,7 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
     }
 }
 
-/// The block that `--macro` prints compiles again with as many claims, `--latex` writes each,
-/// `--out` takes either.
+/// The block of `--macro` compiles with as many claims; `--latex` writes each of them.
 #[test]
 fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let found = object(&["discover", "euler"]);
@@ -188,8 +187,7 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
-/// Kirchhoff's case of a rigid body in a fluid: three of four integrals stand in bases. Text, LaTeX
-/// and JSON give them with the relation and how it is evaluated.
+/// Kirchhoff's rigid body in a fluid: bases stand for three of its four integrals.
 #[test]
 fn bases_are_printed_in_text_and_in_latex() {
     let kirchhoff =
@@ -219,8 +217,8 @@ fn bases_are_printed_in_text_and_in_latex() {
     }
 }
 
-/// A chain whose modified Hamiltonian takes 6 000 characters: text and LaTeX have its compact form,
-/// and the block, which must compile, the formula.
+/// A modified Hamiltonian of 6 000 characters: text and LaTeX have its compact form, the block the
+/// formula.
 #[test]
 fn a_long_modified_hamiltonian_is_printed_in_its_compact_form() {
     let chain = "adot = a*(b - c + d - e) + 1; bdot = b*(c - d + e - a) - 2; cdot = c*(d - e + a - b) + 3;
@@ -250,7 +248,7 @@ fn the_lagrange_top_has_four() {
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
 }
 
-/// All lines of the catalog took 10 546 characters when numerators and denominators were expanded.
+/// With expanded numerators and denominators the catalog took 10 546 characters.
 #[test]
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {
@@ -269,7 +267,7 @@ fn the_catalog_is_written_in_six_tenths_of_the_characters() {
     assert!(taken * 10 <= 10546 * 6, "{taken}");
 }
 
-/// Rigid bodies in a fluid and a field of gravity: all four integrals within the default time.
+/// Rigid bodies in a fluid or in gravity: all four integrals within the default time.
 #[test]
 #[ignore = "a minute each where the build is slow"]
 fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {
@@ -292,7 +290,6 @@ fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {
     }
 }
 
-/// The values of a scan of one axis at which as many integrals are seen.
 fn with_integrals(scan: &Value, name: &str, wanted: u64) -> Vec<String> {
     let points = scan["points"].as_array().expect("a list").iter();
     let chosen = points.filter(|point| point["sight"]["independent_integrals"] == wanted);
@@ -327,10 +324,10 @@ fn a_scan_names_its_special_points_in_a_table() {
         assert!(starts(&special), "{page}");
     }
     assert!(!starts(&["1/2"]) && page.contains("4 are special of 6 points"), "{page}");
-    // A field that is divided by its parameter has no map at 0.
+    // At a = 0 the field is divided by 0.
     let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:+1"]);
     assert!(page.lines().any(|line| line.starts_with("0 ") && line.contains("no map")), "{page}");
-    // What has one value is fixed.
+    // A parameter with one value is fixed.
     let scan = object(&["scan", "e7", "--eps", "1/4:1/2:+1/4", "--param", "xi=1"]);
     assert_eq!((&scan["generic"]["independent_integrals"], &scan["special"]), (&json!(2), &json!([])));
 }

@@ -1,5 +1,4 @@
-//! `--scalar dd` from outside: 32 digits, the steps of the compiled library, exact inputs, poles
-//! and overflow.
+//! `--scalar dd`: 32 digits, bits of the compiled library, exact inputs, poles and overflow.
 
 use std::process::Output;
 
@@ -25,13 +24,11 @@ fn object(arguments: &str) -> Value {
     serde_json::from_str(&answer(arguments)).expect("JSON")
 }
 
-/// Rows of a table without the names, n and t.
 fn points(csv: &str, dimension: usize) -> Vec<Vec<String>> {
     let row = |line: &str| line.split(',').skip(2).take(dimension).map(str::to_owned).collect();
     csv.lines().skip(1).map(row).collect()
 }
 
-/// As the command writes a number.
 fn written(number: Dd) -> String {
     let text = number.to_string();
     if text.contains(['.', 'e']) { text } else { text + ".0" }
@@ -60,7 +57,6 @@ fn steps_are_those_of_the_compiled_library_to_the_last_digit() {
     assert_eq!(points(&csv, 2), library(orbit.composed(Composition::KAHAN_LI_8), 20));
 }
 
-/// The exact number that a decimal is.
 fn rational(text: &str) -> BigRational {
     let (significand, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, fraction) = significand.split_once('.').unwrap_or((significand, ""));
@@ -69,8 +65,7 @@ fn rational(text: &str) -> BigRational {
     digits * ten.pow(exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32)
 }
 
-/// Inputs are rounded to 32 digits and not to 16 (0.1 is no double), and so is what is computed
-/// from them.
+/// Inputs are rounded to 32 digits, not to 16: 0.1 is not a double.
 #[test]
 fn every_object_has_the_exact_value_to_30_digits() {
     let arguments = "eval e6 --eps 0.1 --at 1/3,2/7,0.7 --json";
@@ -116,7 +111,7 @@ fn a_number_in_json_has_32_digits() {
     let orbit = object("orbit e1 --eps 1/3 --at 1/7,1/3,2 --steps 1 --scalar dd --json");
     assert_eq!(orbit["scalar"], "dd");
     assert_eq!(orbit["rows"][0][2].to_string(), "0.14285714285714285714285714285714");
-    // Other numbers are as they were: a whole one without a point, the shortest f64.
+    // Other scalars keep their formats: integers without a point, the shortest `f64`.
     assert_eq!(orbit["rows"][1][0].to_string(), "1");
     assert_eq!(orbit["steps"], 1);
     let floats = object("eval e1 --eps 1/3 --at 1/7,1/3,2 --scalar f64 --json");

@@ -1,4 +1,4 @@
-//! `kahan dynamics`, `kahan section` and `kahan chart` from outside.
+//! `kahan dynamics`, `kahan section` and `kahan chart`.
 
 use std::f64::consts::PI;
 
@@ -20,11 +20,11 @@ fn a_circle_is_known_in_closed_form() {
     let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
                   rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
-    // The map turns by 2 atan(eps): clockwise from x to its rate.
+    // The map turns clockwise, from x to its rate, by 2 atan(ε).
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
-    // Lengths are kept, but for some roundings in 500 units of time.
+    // Lengths are kept up to rounding, over 500 units of time.
     for exponent in found["spectrum"].as_array().expect("a list").iter().chain([&found["lyapunov"]]) {
         assert!(number(exponent).abs() < 1e-13);
     }
@@ -41,7 +41,7 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
     let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
-    // What the first vectors are in eigenvectors goes with 1/t.
+    // The components of the first vectors along the eigenvectors contribute O(1/t).
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
     assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
@@ -72,7 +72,7 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     }
 }
 
-/// Alone, among others, and on runs so short that the vectors have not found their order.
+/// An observable has equal values with and without others, also on very short orbits.
 #[test]
 fn a_name_means_one_thing_whatever_else_is_asked() {
     let lorenz =
@@ -105,8 +105,7 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
-/// 1/x falls by 2ε a step, from 1 over 0. A field in which each variable acts on each is not
-/// written out.
+/// 1/x falls by 2ε a step, through 0. A dense field has no expanded denominator.
 #[test]
 fn steps_over_poles_are_counted_where_they_are_asked_for() {
     let dense = |n: usize| -> String {
@@ -168,7 +167,7 @@ fn sections_are_where_the_formula_vanishes() {
     for (k, point) in points.iter().enumerate() {
         let (x, y) = (number(&point[0]), number(&point[1]));
         assert!((y - x / 2.0).abs() < 1e-14, "{point}");
-        // Half a turn of the map's circle lies between two of them, and the radius is kept.
+        // A crossing is half a turn from the next one, at an equal radius.
         assert!((x.hypot(y) - 2.0).abs() < 1e-12, "{point}");
         assert_eq!(x > 0.0, k % 2 == 1, "{point}");
     }
@@ -183,8 +182,7 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
-/// Rows of many orbits: each has those that it has alone, behind the number of its start and what
-/// varies.
+/// Each of many orbits has its own crossings, behind its start and the values of the axes.
 #[test]
 fn sections_of_many_orbits_are_one_table() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -204,7 +202,7 @@ fn sections_of_many_orbits_are_one_table() {
     assert!(missing.contains("--crossings K"), "{missing}");
 }
 
-/// The orbit jumps over a pole of the map, and the formula has poles but no zero.
+/// A sign change at a pole of the map or of the formula is not a crossing.
 #[test]
 fn jumps_are_no_crossings() {
     let over_a_pole = ["section", "--field", "xdot = x^2 + 1; ydot = 1;", "--eps", "0.05", "--at", "0.1,0"];
@@ -260,8 +258,7 @@ fn the_examples_of_the_help_run() {
     assert_eq!(examples_run("chart", folder.path()), 2);
 }
 
-/// Cells of a table: the two coordinates, and what is shown, empty where nothing is; not how orbits
-/// ended.
+/// Returns the cells of a table: both coordinates, and the colour if there is one.
 fn cells(table: &str) -> Vec<[Option<f64>; 3]> {
     let cell = |text: &str| if text.is_empty() { None } else { Some(text.parse().expect("a number")) };
     let row =
@@ -289,11 +286,11 @@ fn charts_show_what_each_orbit_does() {
         assert!(
             x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
         );
-        // The map's rates are those of its multipliers, (1 + εw)/(1 − εw) with w² = r.
+        // The exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε) with w² = r.
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
-    // The same orbits are the same numbers, wherever they stand and on whichever thread.
+    // Values do not depend on the order of the axes or on threads.
     let mirrored = chart(&["x=0:2:/3", "r=-4:4:/4"], &["--color", "lyapunov"], &file("x.csv"));
     let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
     let mut rows = cells(&table);
@@ -301,7 +298,7 @@ fn charts_show_what_each_orbit_does() {
     turned.sort_by(order);
     rows.sort_by(order);
     assert_eq!(rows, turned);
-    // Over one range the same numbers stand in a column: x is 1, as --at says.
+    // A chart over one range has the column at x = 1, from --at.
     let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
     let of_one: Vec<String> = rows
         .iter()
@@ -316,11 +313,11 @@ fn charts_show_what_each_orbit_does() {
         shape.split('"').next().map_or(0, |shape| shape.matches(['M', 'L']).count())
     };
     assert_eq!([points("line"), points("dots")], [4, 4]);
-    // Orbits escape where r is positive, and nowhere else.
+    // Orbits escape if and only if r > 0.
     let escapes =
         cells(&chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
-    // A cell whose orbit escapes shows nothing else, and the legend counts it.
+    // The cell of an escaped orbit is empty, and the legend counts it.
     let bound = |out: &str| {
         chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "lyapunov", "--escape", "1e3"], &file(out))
     };
@@ -330,7 +327,7 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
-    // d = 1 − ε²r, with a root below ε = 1/10 where r > 100.
+    // d = 1 − ε²r has a root below ε = 1/10 for r > 100.
     let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
     let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
     assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");
@@ -396,7 +393,6 @@ fn what_is_gone_through_has_no_other_value() {
     }
 }
 
-/// A chart of rows, as a table.
 fn chart_of_rows(rows: &str, arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
@@ -412,12 +408,12 @@ const ROWS: &str =
 #[test]
 fn charts_show_the_rows_of_a_file() {
     let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
-    // Values are the middles of cells, in their order; a cell without a row is empty.
+    // Values are the middles of cells, in order; a cell without rows is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"
     );
-    // Ranges show the mean of the rows in a cell; what is no number counts for nothing.
+    // Ranges show the means of the numbers in a cell.
     assert_eq!(
         of(&["--over", "y=0:0.6:/2", "--over", "p", "--column", "order"]),
         "y,p,order\n0.15,1.0,2.6666666666666665\n0.45,1.0,2.0\n0.15,3.0,2.0\n0.45,3.0,\n"
@@ -426,12 +422,11 @@ fn charts_show_the_rows_of_a_file() {
         of(&["--over", "p=4:0:/2", "--where", "y=0.1", "--column", "drift_H"]),
         format!("p,log_drift_H\n3.0,{:?}\n1.0,{:?}\n", 9_f64.log10(), 7_f64.log10())
     );
-    // Over one column, its values.
     assert_eq!(
         of(&["--over", "y", "--where", "p=1", "--where", "order=2"]),
         "y,log_sali\n0.1,0.0\n0.2,-4.0\n0.3,-2.0\n"
     );
-    // A table of a chart is drawn as the chart is.
+    // The table of a chart is drawn like the chart.
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));

@@ -1,4 +1,4 @@
-//! `kahan heights` from outside.
+//! `kahan heights`.
 
 use std::process::Output;
 
@@ -10,7 +10,6 @@ fn kahan(arguments: &[&str]) -> Output {
     running::kahan(&[&["heights"], arguments].concat())
 }
 
-/// Standard output and standard error of a run with this exit status.
 fn run(status: i32, arguments: &[&str]) -> (String, String) {
     let output = kahan(arguments);
     let error = text(&output.stderr);

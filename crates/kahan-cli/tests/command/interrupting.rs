@@ -1,5 +1,4 @@
-//! SIGINT and SIGTERM: they end every long call, no unfinished file stays behind, nor does one
-//! appear under its name.
+//! SIGINT and SIGTERM end every long call and leave no unfinished file behind.
 #![cfg(unix)]
 
 use std::fs;
@@ -15,7 +14,6 @@ fn started(arguments: &[&str]) -> Child {
     command.args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command runs")
 }
 
-/// Waits until something is true, a minute at most.
 fn wait_until(mut is_so: impl FnMut() -> bool) {
     let start = Instant::now();
     while !is_so() {
@@ -71,10 +69,10 @@ fn an_older_file_stays_as_it_was() {
     assert_eq!(fs::read_to_string(&out).expect("the file"), "kept\n");
 }
 
-/// A field of four variables that takes `discover` and `poles` long.
+/// A field on which `discover` and `poles` take long.
 const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot = x^2 - y*z + z^2;";
 
-/// Calls that take minutes or more, one for each way to work long, as words of a line.
+/// Returns calls that take minutes or more, one for each kind of long work.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
     const LINES: [&str; 24] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",
@@ -113,18 +111,16 @@ fn long_calls(folder: &Path) -> Vec<Vec<String>> {
     LINES.iter().map(|line| line.split_whitespace().flat_map(word).collect()).collect()
 }
 
-/// A run that does not outlive the test.
 struct Run(Child);
 
 impl Drop for Run {
     fn drop(&mut self) {
-        // One that has ended needs none of it.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
-/// All run at once. Each is still at work when the signals come, and ends by them.
+/// All calls run at once; the signals come while each is working.
 #[test]
 fn every_long_call_ends_by_a_signal() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! `kahan show --latex`: names, fractions, lines that fit a page, and LaTeX that is whole.
+//! `kahan show --latex`: names, fractions, lines that fit a page, balanced groups.
 
 use kahan_judge::random_fields::numbered;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
@@ -14,8 +14,7 @@ fn of_field(field: &str) -> String {
     latex(&["--field", field])
 }
 
-/// Panics unless braces, `\left … \right` and environments close in the order in which they open,
-/// display by display.
+/// Panics unless braces, `\left … \right` and environments are balanced in each display.
 fn assert_is_whole(page: &str) {
     let mut open: Vec<String> = Vec::new();
     for line in page.lines().filter(|line| !line.starts_with('%')) {
@@ -39,7 +38,7 @@ fn assert_is_whole(page: &str) {
                 _ => {}
             }
             if c == '\\' {
-                // An environment's name and an escaped sign belong to the command.
+                // The command includes the name of an environment or an escaped sign.
                 taken = match &rest[..word] {
                     "\\begin" | "\\end" => rest.find('}').map_or(word, |end| end + 1),
                     "\\" => 1 + rest[1..].chars().next().map_or(0, char::len_utf8),
@@ -52,7 +51,7 @@ fn assert_is_whole(page: &str) {
     assert!(open.is_empty(), "{open:?} stay open");
 }
 
-/// Panics where a factor of 1 is written, or a fraction over 1.
+/// Panics at a factor 1 or a denominator 1.
 fn assert_has_no_ones(page: &str) {
     for (at, _) in page.match_indices("1 ") {
         let before = page[..at].chars().next_back().unwrap_or(' ');
@@ -70,7 +69,7 @@ fn assert_has_no_ones(page: &str) {
     assert!(!page.contains("}{1}"), "a fraction over 1: {page}");
 }
 
-/// Every row of every display fits the page, but for single terms.
+/// Panics unless every row of every display fits the page, or is a single term.
 fn assert_fits(page: &str) {
     let displays = page.split("\\[").skip(1).filter_map(|rest| rest.split("\\]").next());
     assert!(displays.clone().count() > 0, "no display: {page}");
@@ -143,7 +142,7 @@ fn no_factor_of_one_is_written() {
         assert!(page.contains(&format!("H &= {latex}\n")), "{written}: {page}");
         assert_is_whole(&page);
     }
-    // The map of a field without quadratic terms in its denominator is no fraction.
+    // Without quadratic terms the map is polynomial.
     let page = of_field("xdot = 1; ydot = x;");
     assert!(page.contains("\\widetilde {x} &= x + 2\\varepsilon \\\\\n"), "{page}");
     assert!(page.contains("\\widetilde {y} &= y + 2\\varepsilon\\left(x + \\varepsilon\\right)\n"), "{page}");

@@ -9,14 +9,12 @@ const PENDULUM: &str = "xdot = v; vdot = -sin(x);";
 const KEPLER: &str = "x'' = -x/(x^2+y^2)^(3/2), y'' = -y/(x^2+y^2)^(3/2)";
 const FITZHUGH_NAGUMO: &str = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
 
-/// The object of `kahan lift --json`.
 fn lifted(field: &str, more: &[&str]) -> Value {
     let output = kahan(&[&["lift", "--field", field, "--json"][..], more].concat());
     assert_eq!(output.status.code(), Some(0), "{field}: {}", text(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("one object")
 }
 
-/// The rows of an orbit, without its heading.
 fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -27,7 +25,6 @@ fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     (heading, lines.map(numbers).collect())
 }
 
-/// The fates of the relations, as words.
 fn fates(object: &Value) -> Vec<&str> {
     let relations = object["relations"].as_array().expect("a list");
     relations.iter().map(|relation| relation["along"].as_str().unwrap_or("null")).collect()
@@ -61,7 +58,7 @@ fn an_orbit_is_in_the_original_variables() {
     assert!(heading.starts_with("n,t,x,v,sin_x,cos_x,energy"), "{heading}");
     assert_eq!((all[0][4], all[0][5]), (1.0_f64.sin(), 1.0_f64.cos()));
     assert!(own.iter().zip(&all).all(|(own, all)| own[..4] == all[..4]));
-    // Rows are those of the lift that is printed.
+    // The printed block has an equal orbit.
     let block = answer(&["lift", "--macro", "--field", PENDULUM]);
     let at = format!("1,0,{},{}", all[0][4], all[0][5]);
     let (_, of_block) = rows(&["orbit", "--field", &block, "--at", &at, "--eps", "0.05", "--steps", "20"]);

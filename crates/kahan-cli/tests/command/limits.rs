@@ -1,4 +1,4 @@
-//! The table of limits of questions in the language reference says those of the command.
+//! The table of limits in the language reference agrees with the command.
 
 use kahan_runtime::MOST_DIGITS_OF_CYCLES;
 
@@ -6,7 +6,6 @@ use crate::running::refusal;
 
 const REFERENCE: &str = include_str!("../../../../kahan-core/docs/language.md");
 
-/// The rows of the table: what is limited, and the limit.
 fn table() -> Vec<(&'static str, u64)> {
     let (_, section) =
         REFERENCE.split_once("\nQuestions about a field have limits, too.\n").expect("the table");
@@ -19,12 +18,11 @@ fn table() -> Vec<(&'static str, u64)> {
     rows.collect()
 }
 
-/// A ring of equations, each of which names the next variable.
 fn ring(variables: usize) -> String {
     (0..variables).map(|k| format!("x{k}dot = x{};", (k + 1) % variables)).collect()
 }
 
-/// Beyond each limit the command says no, and names the number that stands in the table.
+/// Beyond each limit the command refuses, and names the number in the table.
 #[test]
 fn every_limit_of_a_question_is_that_of_its_table() {
     let folder = tempfile::tempdir().expect("a folder");

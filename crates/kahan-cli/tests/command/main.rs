@@ -1,5 +1,4 @@
-//! The `kahan` command from outside: what it prints, and with which exit status. A module for each
-//! subcommand, and for what is common to all.
+//! The command `kahan`: its output and exit status, with a module for each subcommand and topic.
 
 mod arrays;
 mod atlas_folders;

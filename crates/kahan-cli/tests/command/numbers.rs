@@ -1,4 +1,4 @@
-//! Numbers as people type them, and inputs that are far too large.
+//! Numbers in many notations, and huge inputs.
 
 use crate::running::{answer, kahan, object, refusal, text};
 
@@ -68,7 +68,6 @@ fn what_is_no_count_is_told_so() {
     assert!(said.contains("4096"), "{said}");
 }
 
-/// The longest that a paragraph about one mistake may be.
 const LONGEST: usize = 900;
 
 #[test]
@@ -141,7 +140,7 @@ fn huge_files_are_quoted_shortened() {
         let beginning: String = field.chars().take(40).collect();
         let mistakes = said.matches("error: ").count();
         assert!(mistakes <= 9, "{beginning}…: {mistakes} mistakes");
-        // Each with its place, its line and its help.
+        // Each mistake has its place, line and help.
         assert!(
             said.chars().count() < mistakes * 1_300,
             "{beginning}…: {} characters: {said}",

@@ -1,5 +1,4 @@
-//! The page of one field: well formed, self-contained, and every figure made again by the command
-//! below it.
+//! `kahan page`: a well-formed, self-contained page, whose commands make its figures again.
 
 use std::fs;
 use std::path::Path;
@@ -13,13 +12,11 @@ use crate::running::{answer, kahan, refusal, text};
 #[cfg(unix)]
 use crate::running::{examples_run, shell};
 
-/// The page with these arguments, which begin after `page`.
 fn page(folder: &Path, arguments: &[&str]) -> String {
     answer(&[&["page"], arguments, &["--out", folder.to_str().expect("UTF-8")]].concat());
     fs::read_to_string(folder.join("index.html")).expect("the page")
 }
 
-/// The commands on a page, as one copies them.
 fn commands(page: &str) -> Vec<String> {
     let parts = page.split("<pre class=\"command\"").skip(1);
     let code = |part: &str| {
@@ -30,7 +27,6 @@ fn commands(page: &str) -> Vec<String> {
     parts.map(code).collect()
 }
 
-/// The drawing in the figure of this name.
 fn drawing<'a>(page: &'a str, id: &str) -> &'a str {
     let figure = page.split_once(&format!("id=\"{id}\"")).expect("the figure").1;
     let svg = figure.split_once("<svg").expect("a drawing").1;
@@ -57,12 +53,12 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     for line in &lines[1..] {
         let output = shell(line, folder.path());
         let said = text(&output.stderr);
-        // Whether there was time for a reference trajectory, and for settings that reach the
-        // tolerance, is not known here.
+        // Time may not suffice for a reference trajectory or for a setting that meets the
+        // tolerance.
         let is_short = line.starts_with("kahan trade") && said.contains("more --seconds");
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
-    // Heights depend on how much time there was.
+    // Heights depend on the available time.
     for id in ["portrait", "time", "section", "chart"] {
         let file = fs::read_to_string(folder.path().join(format!("{id}.svg"))).expect("the file");
         assert!(file.contains(drawing(&page, id)), "{id}");
@@ -104,7 +100,6 @@ fn a_page_is_well_formed_and_fetches_nothing() {
     }
 }
 
-/// What a page says below a figure.
 fn caption<'a>(page: &'a str, id: &str) -> &'a str {
     let figure = page.split_once(&format!("id=\"{id}\"")).expect("the figure").1;
     figure.split_once("<figcaption>").and_then(|(_, rest)| rest.split_once("</figcaption>")).expect("words").0
@@ -113,8 +108,8 @@ fn caption<'a>(page: &'a str, id: &str) -> &'a str {
 #[test]
 fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Two integrals, which are not claimed: each orbit runs along a curve. With values of the
-    // parameters, and their names in another order than in the equations as expanded.
+    // Two integrals that are not claimed: each orbit runs along a curve. The parameters are named
+    // in another order than in the expanded equations.
     let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
     for arguments in [
         &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],
@@ -146,7 +141,7 @@ fn a_page_says_once_what_is_taken_as_a_parameter() {
     let known = ["page", "--field", "xdot = a*y; ydot = -x;", "--seconds", "1", "--out", out];
     let output = kahan(&[&known[..], &["--param", "a=1"]].concat());
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
-    // A page needs a value for each parameter, and says so.
+    // The refusal of a missing parameter comes without notes.
     assert!(!refusal(&known).contains("note"));
 }
 
@@ -155,7 +150,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     let folder = tempfile::tempdir().expect("a folder");
     let grows = page(folder.path(), &["--field", "xdot = x; ydot = x + y;", "--seconds", "0.5"]);
     assert!(grows.contains("This orbit does not stay"));
-    // The solution is a tangent, so that there is no trajectory to follow for long.
+    // The solution is a tangent, whose pole ends the reference trajectory.
     let escapes = page(folder.path(), &["--field", "xdot = x^2 + 1;", "--seconds", "0.5"]);
     assert!(escapes.contains("Left out: "));
     let there = folder.path().join("index.html");
@@ -167,7 +162,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     assert_eq!(fs::read_to_string(&there).expect("the page"), before);
 }
 
-/// A pendulum of two parameters, one with a value, in the words that people use.
+/// A pendulum with two parameters, one with a value, in the notation of a book.
 const PENDULUM: &str = "x'' = -g*sin(x) - k*x', g = 2";
 
 #[cfg(unix)]
@@ -206,7 +201,7 @@ fn the_lift_of_a_page_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
     let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
     assert!(shown.contains("decays at the rate -1."), "{shown}");
-    // Where a point is given, along its orbit; a quadratic field has no lift to show.
+    // A given point chooses the lift along its orbit; a quadratic field has no lift to show.
     let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
     assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
     let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);

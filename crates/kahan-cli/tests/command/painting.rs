@@ -1,10 +1,9 @@
-//! What is drawn has a colour where every program that reads SVG finds it: in an attribute of the
-//! element, or of one around it.
+//! Checks that every drawn element of an SVG has a colour in an attribute, its own or that of an
+//! ancestor.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// The drawings in a text.
 pub(crate) fn drawings(text: &str) -> Vec<&str> {
     let parts = text.match_indices("<svg").map(|(start, _)| &text[start..]);
     parts
@@ -12,7 +11,7 @@ pub(crate) fn drawings(text: &str) -> Vec<&str> {
         .collect()
 }
 
-/// What `fill` and `stroke` are, from outside to inside.
+/// The inherited values of `fill` and `stroke`.
 #[derive(Clone, Default)]
 struct Paint {
     fill: Option<String>,
@@ -20,7 +19,7 @@ struct Paint {
 }
 
 impl Paint {
-    /// Of an element within what is painted so.
+    /// Returns the paint of an element inside this paint.
     fn of(&self, element: &BytesStart<'_>) -> Self {
         let mut paint = self.clone();
         for attribute in element.attributes() {
@@ -46,7 +45,7 @@ fn is_colour(value: &str) -> bool {
     is_code || ["white", "black"].contains(&value)
 }
 
-/// Holds a drawing to what stands above; how many elements it draws.
+/// Checks a drawing. Returns the number of drawn elements.
 pub(crate) fn painted(svg: &str) -> usize {
     let mut reader = Reader::from_str(svg);
     let (mut around, mut count) = (vec![Paint::default()], 0);
@@ -56,7 +55,7 @@ pub(crate) fn painted(svg: &str) -> usize {
         {
             count += 1;
             assert!(paint.is_seen(), "{element:?} has no plain colour");
-            // What is not said of a text or of an area is black.
+            // The default for texts and areas is black.
             let is_said = paint.fill.is_some() || element.name().as_ref() == "line";
             assert!(is_said, "{element:?} is filled with black");
         }

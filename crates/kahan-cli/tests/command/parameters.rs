@@ -1,4 +1,4 @@
-//! Parameters that are given.
+//! Values of parameters, and undeclared names.
 
 use serde_json::json;
 
@@ -6,7 +6,7 @@ use crate::running::{answer, kahan, object, refusal, text};
 
 #[test]
 fn are_put_in_before_the_map_is_reduced() {
-    // E9 at xi = 1 is E3, whose map loses the factor 1 + eps*z.
+    // E9 at ξ = 1 is E3, whose map loses the factor 1 + eps*z.
     let special = object(&["show", "e9", "--param", "xi=1", "--json"]);
     let e3 = object(&["show", "e3", "--json"]);
     for key in ["field", "A", "map"] {
@@ -30,7 +30,6 @@ fn may_not_make_the_field_divide_by_zero() {
     assert!(paragraph.contains("a = 1") && paragraph.contains("divides by zero"), "{paragraph}");
 }
 
-/// What a run that succeeds says beside its answer.
 fn said(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -63,9 +62,8 @@ fn that_nothing_declares_are_said_once_by_every_command() {
     );
     let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];
     assert_eq!(said(&family), k);
-    // The time is no parameter.
     assert!(refusal(&["show", "--field", "xdot = t*x;"]).contains("write one more equation, `tdot = 1;`"));
-    // A value, a range, a header and a program declare a name.
+    // A value, a range, a header or a program declares a name.
     let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";
     let of_lv = ["--field", lv, "--at", "1,2"];
     for arguments in [

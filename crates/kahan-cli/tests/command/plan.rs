@@ -1,15 +1,13 @@
-//! `kahan show --plan` from outside: a row for every object, the step line by line, and what is
-//! said where it eliminates.
+//! `kahan show --plan`: a row for every object, the step line by line, notes on elimination.
 
 use crate::running::{answer, kahan, object, text};
 
-/// So dense that neither its map nor its elimination is written in straight lines.
+/// A field so dense that neither its map nor its elimination is a straight-line program.
 const DENSE: &str = "
     adot = (a+b+c+d+e+f+g+h)^2 + a*b; bdot = (a-b+2*c+d-e+f+g+h)^2 + b*c; cdot = (a+b-c+d+3*e+f-g+h)^2 + c*d;
     ddot = (a+2*b+c-d+e+f+g-h)^2 + d*e; edot = (3*a+b+c+d-e+f+g+h)^2 + e*f; fdot = (a+b+c-2*d+e-f+g+h)^2 + f*g;
     gdot = (a-b+c+d+e+5*f-g+h)^2 + g*h; hdot = (a+b+7*c+d-e+f+g-h)^2 + h*a;";
 
-/// The rows of the table: from the line of titles to the next empty line.
 fn rows(page: &str) -> Vec<&str> {
     page.lines().skip_while(|line| !line.starts_with("object")).take_while(|line| !line.is_empty()).collect()
 }

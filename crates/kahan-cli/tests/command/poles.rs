@@ -1,4 +1,4 @@
-//! `kahan poles` from outside.
+//! `kahan poles`.
 
 use serde_json::{Value, json};
 

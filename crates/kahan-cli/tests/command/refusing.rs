@@ -1,4 +1,4 @@
-//! What a user meets who writes something wrong.
+//! Refusals of wrong input.
 
 use crate::running::refusal;
 

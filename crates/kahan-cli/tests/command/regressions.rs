@@ -1,4 +1,4 @@
-//! What once went wrong.
+//! Bugs of the past.
 
 use crate::running::{BEYOND_THE_BUDGET, answer, kahan, text};
 

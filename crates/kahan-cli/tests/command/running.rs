@@ -1,22 +1,21 @@
-//! Running the command as a user does.
+//! Runs the command as a user does.
 
 use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A field whose closed form is beyond the budget of terms.
+/// A field whose closed form exceeds the budget of terms.
 pub(crate) const BEYOND_THE_BUDGET: &str = "
     adot = (a + b + c + d + e)*(a*2 + 1); bdot = (a + b + c + d + e)*(b*2 + 1);
     cdot = (a + b + c + d + e)*(c*2 + 1); ddot = (a + b + c + d + e)*(d*2 + 1);
     edot = (a + b + c + d + e)*(e*2 + 1);";
 
-/// A run of the command.
 pub(crate) fn kahan(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
 }
 
-/// A run of a line that begins with `kahan`, as one copies it, in a folder.
+/// Runs a line that begins with `kahan`, in a folder.
 #[cfg(unix)]
 pub(crate) fn shell(line: &str, folder: &Path) -> Output {
     let arguments = line.strip_prefix("kahan ").expect("a command");
@@ -29,8 +28,8 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// Standard output of a run that must succeed; all that may be said beside it is that names are
-/// taken as parameters.
+/// Returns standard output of a run that succeeds. Standard error may have a note on undeclared
+/// names.
 pub(crate) fn answer(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     let said = text(&output.stderr);
@@ -44,7 +43,6 @@ pub(crate) fn object(arguments: &[&str]) -> Value {
     serde_json::from_str(&answer(arguments)).expect("one JSON object")
 }
 
-/// The one paragraph of a refusal.
 pub(crate) fn refusal(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     let paragraph = text(&output.stderr);
@@ -55,7 +53,7 @@ pub(crate) fn refusal(arguments: &[&str]) -> String {
     paragraph
 }
 
-/// Runs the examples of a command's help in a folder; how many there are.
+/// Runs the examples of a command's help in a folder. Returns their number.
 #[cfg(unix)]
 pub(crate) fn examples_run(command: &str, folder: &Path) -> usize {
     let help = answer(&[command, "--help"]);

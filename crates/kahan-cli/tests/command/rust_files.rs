@@ -1,4 +1,4 @@
-//! `--file`: standard input, and every block of a Rust file.
+//! `--file`: standard input, and the blocks of a Rust file.
 
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -31,7 +31,6 @@ fn main() {
 }
 "#;
 
-/// A file with this text, for as long as the folder is there.
 fn file(folder: &tempfile::TempDir, text: &str) -> String {
     let path = folder.path().join("blocks.rs");
     std::fs::write(&path, text).expect("a file");

@@ -1,4 +1,4 @@
-//! `kahan show` and `kahan list`, in every form, and the help.
+//! `kahan show` in every form, `kahan list`, and help.
 
 use std::fs;
 use std::io::Read;
@@ -35,7 +35,6 @@ fn the_factor_that_was_divided_out_is_named() {
     assert!(answer(&["show", "e1"]).contains("1 + eps*x"));
 }
 
-/// A file of the emitter's golden expansions.
 fn golden(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../kahan-emit/golden").join(file)
 }
@@ -49,7 +48,7 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
     };
     let (whole, shown) = golden_and_shown("e3");
     assert_eq!(shown, whole);
-    // The other golden files leave out what stands in that one.
+    // Other golden files leave out parts of the first one.
     for name in ["parameters", "anonymous"] {
         let (part, shown) = golden_and_shown(name);
         let mut lines = shown.lines();
@@ -64,7 +63,6 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
     assert!(special.contains("pub struct E9;") && !special.contains("__p_xi"), "{special}");
 }
 
-/// The commands that `kahan --help` lists.
 fn commands() -> Vec<String> {
     let help = answer(&["--help"]);
     let listed = help.split("\nOptions:").next().expect("what stands above");
@@ -78,7 +76,7 @@ fn commands() -> Vec<String> {
 fn the_help_of_every_command_fits_a_screen() {
     for command in commands().iter().map(|name| Some(&**name)).chain([None]) {
         let help = answer(&[command.as_slice(), &["--help"]].concat());
-        // The list of all commands is longer, and no wider than the narrowest terminal.
+        // The list of commands is longer, and as narrow as the narrowest terminal.
         let (lines, width) = if command.is_some() { (40, 100) } else { (50, 80) };
         assert!(help.lines().count() <= lines, "{help}");
         assert!(help.lines().all(|line| line.chars().count() <= width), "{help}");
@@ -133,7 +131,7 @@ fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() 
     assert_eq!(answer(&["show", "--file", file, "--macro"]), shown);
     let found = answer(&["discover", "--file", file, "--macro", "--seconds", "3"]);
     assert!(found.starts_with(&format!("kahan! {{\n{kept}")), "{found}");
-    // What is fixed is gone with what was said of it.
+    // Documentation of fixed parameters is removed with them.
     let fixed = answer(&["show", "--file", file, "--macro", "--param", "nu=0"]);
     assert!(
         fixed.contains("/// The drive.") && !fixed.contains("Damping") && fixed.contains("/// driven."),
@@ -155,7 +153,7 @@ fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() 
     let again = folder.path().join("again.rs");
     std::fs::write(&again, &found).expect("a file");
     assert!(answer(&["verify", "--file", again.to_str().expect("UTF-8")]).contains("proved"), "{found}");
-    // A line of documentation is broken nowhere.
+    // Lines of documentation are not broken.
     let long = format!("/// {}", "word ".repeat(40).trim_end());
     let found =
         answer(&["discover", "--field", &format!("{long}\nstruct S;\nxdot = y; ydot = -x;"), "--macro"]);

@@ -1,4 +1,4 @@
-//! `kahan sweep` hands everything on to a program of its own.
+//! `kahan sweep` passes its arguments to another program.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -7,9 +7,9 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// A run of the command in this folder, which finds programs there only: where cargo puts the
-/// command, it may have put kahan-sweep. A link needs no file that is written, which could not run
-/// while another test starts a process.
+/// Runs the command in a folder, the only place where it finds programs: cargo may put kahan-sweep
+/// beside the command. A link avoids writing a file, which could not run while another test starts
+/// a process.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
     let command = env!("CARGO_BIN_EXE_kahan");

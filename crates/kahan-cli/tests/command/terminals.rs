@@ -1,14 +1,12 @@
-//! What fits the screen, on a terminal and elsewhere.
+//! Widths of lines, on a terminal and elsewhere.
 
 use crate::running::{answer, kahan, text};
 
-/// Six variables, so that tables and matrices are wide.
 const WIDE: &str = "xdot = y*z; ydot = -x*z; zdot = x*y + u; udot = v*w; vdot = -u*w; wdot = 0*u; \
                     integral a_rather_long_name_of_an_integral = w^2;";
-/// Numbers of thirty digits, whose images have more than a line.
+/// A number of thirty digits, with images of more than a line.
 const LONG: &str = "123456789012345678901234567891/7";
 
-/// Runs that print tables, with standard output's text.
 fn tables() -> Vec<(Vec<String>, String)> {
     let mut runs: Vec<Vec<&str>> = vec![vec!["list"], vec!["verify", "general"]];
     for system in ["euler", "lv", "e3", "e7", "volterra4", "lagrange", "zhukovsky"] {
@@ -43,8 +41,8 @@ fn tables() -> Vec<(Vec<String>, String)> {
     done.collect()
 }
 
-/// Formulas, which stay whole elsewhere than on a terminal: equations, statements with their
-/// source, claims, code, notes.
+/// Returns whether a line is a formula, a statement, a claim, code or a note. Only terminals break
+/// these.
 fn is_formula(line: &str) -> bool {
     let line = line.trim_start();
     let is_named = ["integral ", "density ", "bracket ", "choice", "let orbit", "note ", "random-"];
@@ -56,8 +54,8 @@ fn is_formula(line: &str) -> bool {
 fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     for (arguments, page) in tables() {
         for line in page.lines() {
-            // A number has no space inside; brackets and commas are those of a vector or of a
-            // matrix.
+            // A cell is a number without spaces, possibly with the brackets and commas of a vector
+            // or matrix.
             let cell = line.trim().trim_start_matches(['[', '(']).trim_end_matches([']', ')', ',']).trim();
             let fits = line.chars().count() <= 80 || !cell.contains(' ') || is_sentence(&arguments, line);
             let has_formulas = !["list", "eval", "heights"].contains(&arguments[0].as_str());
@@ -66,7 +64,7 @@ fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     }
 }
 
-/// Sentences below the tables, which go on in one line for who reads them by a program.
+/// Returns whether a line is a sentence below a table. Only terminals break sentences.
 fn is_sentence(arguments: &[String], line: &str) -> bool {
     let of_discover = arguments[0] == "discover" && line.ends_with('.');
     of_discover
@@ -112,7 +110,6 @@ fn piped_formulas_are_whole() {
     }
 }
 
-/// On a real terminal of 80 and of 50 columns.
 #[cfg(unix)]
 mod on_a_terminal {
     use std::fs::File;
@@ -124,12 +121,12 @@ mod on_a_terminal {
 
     use super::WIDE;
 
-    /// The standard output as a terminal of this many columns shows it.
+    /// Returns standard output as a terminal of this width shows it.
     fn shown(columns: u16, arguments: &[&str]) -> String {
         on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
     }
 
-    /// The text that a terminal shows of the streams that `connect` gives it.
+    /// Returns what a terminal shows of the streams that `connect` gives it.
     fn on_terminal(
         columns: u16,
         arguments: &[&str],
@@ -145,11 +142,10 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // The command's own copy of the screen would keep it open.
+        // The command's copy would keep the terminal open.
         drop(command);
         let mut read = Vec::new();
-        // The last reader of the screen is gone when the command is: Linux then says so by an
-        // error.
+        // On Linux reading a terminal without a writer ends with an error.
         let _ = File::from(terminal).read_to_end(&mut read);
         assert!(child.wait().expect("it ends").success(), "{arguments:?}");
         String::from_utf8(read).expect("text").replace("\r\n", "\n")

@@ -1,21 +1,19 @@
-//! What the command says in other units of length and time: every number is that in ordinary units,
-//! times a power of two.
+//! Other units of length and time: every number changes by a power of two.
 
 use serde_json::Value;
 
 use crate::running::{answer, object, text};
 
-/// A driven oscillator, in units in which lengths are 2^−k and times 2^−j times as large.
+/// A driven oscillator whose lengths are scaled by 2^−k and times by 2^−j.
 const FIELD: &str = "xdot = nu*y; ydot = nu*(0.1/q - x - 0.2*y + 0.3*q*x^2);";
 const UNITS: [[i32; 2]; 4] = [[40, 0], [-250, 0], [0, 30], [17, -40]];
 
-/// n·2^exponent, as one writes it, with all digits.
 fn scaled(n: i64, exponent: i32) -> String {
     let power = f64::from(exponent.abs()).exp2();
     if exponent < 0 { format!("{n}/{power:.0}") } else { format!("{:.0}", n as f64 * power) }
 }
 
-/// The arguments of a command in a unit: a start of 3/4, 1/4 and an ε of 1/8.
+/// Returns arguments in a unit: the start (3/4, 1/4) and ε = 1/8, scaled.
 fn arguments(command: &str, [k, j]: [i32; 2], more: &[&str]) -> Vec<String> {
     let (start, eps) = (format!("{},{}", scaled(3, -k - 2), scaled(1, -k - 2)), scaled(1, -j - 3));
     let values = [format!("q={}", scaled(1, k)), format!("nu={}", scaled(1, j))];
@@ -28,8 +26,7 @@ fn run<R>(run: impl Fn(&[&str]) -> R, arguments: &[String]) -> R {
     run(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
-/// The numbers of a table below its heading, those in each column times a power of two; cells may
-/// be empty.
+/// Returns the numbers of a table, each column scaled by a power of two. Cells may be empty.
 fn numbers(table: &str, exponents: &[i32]) -> Vec<Option<f64>> {
     let rows = table.lines().skip(1).flat_map(|row| row.split(',').zip(exponents));
     rows.map(|(cell, exponent)| Some(cell.parse::<f64>().ok()? * f64::from(*exponent).exp2())).collect()

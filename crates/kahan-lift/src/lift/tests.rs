@@ -17,7 +17,7 @@ fn smallest(text: &str) -> Lift {
     lifted(text, &Options { which: Which::Smallest, ..Options::default() }).expect(text)
 }
 
-/// The right-hand side of variable `index` with the expressions of the new variables put in.
+/// Substitutes the expressions of the new variables into the right-hand side of a variable.
 fn restricted(lift: &Lift, index: usize) -> Laurent {
     let component = &lift.field.components[index];
     let states = lift.states.len();
@@ -47,7 +47,8 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
     sum.scale(&RationalFunction::one().checked_div(&divisor).expect("not 0"))
 }
 
-/// The equations, restricted to the relations, are the original ones and what follows from them.
+/// Checks that the lifted equations become the original ones, and their derivatives, under the
+/// expressions of the new variables.
 fn check_restriction(lift: &Lift, text: &str) {
     for index in 0..lift.variables().len() {
         let expected = match index.checked_sub(lift.states.len()) {
@@ -63,7 +64,6 @@ fn check_restriction(lift: &Lift, text: &str) {
     }
 }
 
-/// Systems with the largest number of new variables that the smallest lift may have.
 const ORDERS: [(&str, usize); 45] = [
     ("x' = p; p' = -x^3", 1),
     ("x' = y; y' = mu*(1 - x^2)*y - x", 1),
@@ -148,7 +148,6 @@ fn fields_of_many_functions_have_a_lift() {
     check_restriction(&smallest(text), text);
 }
 
-/// Mechanical systems: the text, and whether every relation is kept as well.
 const MECHANICAL: [&str; 12] = [
     "x' = v; v' = -g*sin(x)",
     "x' = p; p' = x - x^3",
@@ -181,7 +180,7 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     }
 }
 
-/// Central forces in the plane: the factor of −(x, y), and the largest order of the energy lift.
+/// Central forces in the plane: the factor of −(x, y), and the largest allowed number of variables.
 const CENTRAL: [(&str, usize); 6] = [
     ("6/(x^2 + y^2)^4 - 12/(x^2 + y^2)^7", 8),
     ("(x^2 + y^2)^(-5/6)", 6),
@@ -202,13 +201,11 @@ fn energies_of_central_forces_are_kept() {
     }
 }
 
-/// A number below `bound` from a stream of random bytes.
 fn below(random: &mut Vec<u8>, bound: u8) -> u8 {
     random.pop().expect("enough bytes") % bound
 }
 
-/// A field of at most four states: sums of at most four terms of degree at most five, some with
-/// quotients and functions.
+/// Returns random equations: up to four states, sums of up to four terms, some with functions.
 fn random_field(seed: u64) -> String {
     let mut shake = Shake256::new(&seed.to_le_bytes());
     let mut random: Vec<u8> = (0..16).flat_map(|_| shake.next_seed()).collect();
@@ -267,7 +264,7 @@ fn lifts_of_two_thousand_random_fields_restrict_to_them() {
     check_random_fields(60..2060);
 }
 
-/// Roots of 1 ± 1/x²: a relation is solved for the term with the negative exponent.
+/// Roots of 1 ± 1/x²: their relations are solved for a term with a negative exponent.
 #[test]
 fn roots_of_sums_with_poles_are_read() {
     for text in [
@@ -328,7 +325,6 @@ fn first_values_are_those_of_the_expressions() {
     let values = lift.embed(&[x, v], &[]);
     for (new, value) in lift.new.iter().zip(values) {
         let expression = new.expression.as_ref().expect("an expression");
-        // The expression, read again, as the only equation of a field.
         let again =
             lifted(&format!("x' = v; v' = 0*x; w' = {expression}"), &Options::default()).expect(expression);
         let slope = Builder::embedding(&again.ring, &again.ring.field).values(&[x, v, 0.0], &[])[2];
@@ -343,10 +339,10 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
         orbit: Some((start.to_vec(), parameters.to_vec())),
         ..Options::default()
     };
-    // The relation of van der Pol's field is kept, whatever the orbit.
+    // Van der Pol's relation is kept along every orbit.
     let van_der_pol = lifted("x' = y; y' = mu*(1 - x^2)*y - x", &Options::default()).expect("a lift");
     assert_eq!(van_der_pol.relations[0].formula.as_deref(), Some("x2 - x^2 + eps^2*y^2"));
-    // Written with 2u, the relation u = v² of FitzHugh and Nagumo grows; with 2v² it decays.
+    // FitzHugh–Nagumo: errors of u = v² grow if its equation holds 2u, and decay if it holds 2v².
     let text = "v' = v - v^3/3 - w + 1/2; w' = 2/25*(v + 7/10 - 4/5*w)";
     let nagumo = lifted(text, &at(&[0.0, 0.0], &[])).expect("a lift");
     assert!(nagumo.text().contains("v2dot = v + 2*v^2"), "{}", nagumo.text());

@@ -1,5 +1,6 @@
-//! A text in items: equations, values, and whatever else the language has. A line end or a comma
-//! ends an item only where another one begins.
+//! Splits a text into items: equations, values, claims and other statements.
+//!
+//! A line end or a comma separates items only where the next item begins behind it.
 
 use std::ops::Range;
 
@@ -9,24 +10,21 @@ use crate::token::TokenKind;
 use super::Reader;
 use super::left::Left;
 
-/// Tokens that belong together.
 pub(super) struct Item {
-    /// The tokens, without what separates them from the next item.
+    /// The tokens, without the separator behind them.
     pub(super) tokens: Range<usize>,
-    /// The left side of an equation or a value.
     pub(super) left: Option<Left>,
-    /// Whether a `;` separates it from the next.
     pub(super) is_ended: bool,
 }
 
 impl Reader<'_> {
-    /// The items of the text; a last word `done` is none.
+    /// Splits the text into items, up to the word `done`.
     pub(super) fn items(&self) -> Vec<Item> {
         let mut items = Vec::new();
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Options of XPP are skipped; another directive stays an item, which is refused.
+                // Options of XPP are skipped; other directives are refused later.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(Item { tokens: at..end, left, is_ended: false }));
                 at = end;
@@ -42,12 +40,11 @@ impl Reader<'_> {
         items
     }
 
-    /// The token behind the item that begins at `start`.
     fn end_of(&self, start: usize, left: Option<&Left>) -> usize {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
         let is_next = |at: usize| {
-            // Behind `when` stand relations: `a = 1, b = 2`.
+            // Behind `when`, `a = 1, b = 2` are relations.
             let is_left = |left: Left| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()
                 || self.left(at).is_some_and(is_left)
@@ -55,7 +52,7 @@ impl Reader<'_> {
                 || self.line_of_directive(at).is_some()
                 || self.is_done(at)
         };
-        // Values may stand side by side: `a=1 b=2`.
+        // Values may be separated by spaces: `a=1 b=2`.
         let is_value = left.is_some_and(Left::is_value);
         let in_call = left.is_some_and(|left| left.is_in_call);
         let mut depth = usize::from(in_call);
@@ -68,7 +65,7 @@ impl Reader<'_> {
                 }
                 TokenKind::Open('{') if depth == 0 && word == "for" => return at + 1,
                 TokenKind::Open(_) => depth += 1,
-                // The end of a family.
+                // This brace ends the family.
                 TokenKind::Close('}') if depth == 0 => return at + usize::from(at == start),
                 TokenKind::Close(_) if depth == 1 && in_call => return at,
                 TokenKind::Close(bracket) => {
@@ -84,7 +81,7 @@ impl Reader<'_> {
         self.given.len()
     }
 
-    /// Whether a line ends before a token.
+    /// Returns whether a token is the first of its line. The end of the text counts as a line.
     pub(super) fn begins_line(&self, place: usize) -> bool {
         if place == 0 || place == self.given.len() {
             return true;
@@ -93,14 +90,13 @@ impl Reader<'_> {
         self.text.get(between).is_some_and(|between| between.contains('\n'))
     }
 
-    /// Whether an item with a keyword of the language begins here.
     fn is_keyword(&self, at: usize) -> bool {
         let is_word =
             |word| matches!(word, "for" | "const" | "hamiltonian") || ClaimKind::of_keyword(word).is_some();
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Whether `done` ends the text here: alone on its line, or as the last word.
+    /// Returns whether `done` ends the text here: on a line of its own, or as the last word.
     fn is_done(&self, at: usize) -> bool {
         self.at(at) == "done"
             && self.begins_line(at + 1)

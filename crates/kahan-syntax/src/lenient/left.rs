@@ -1,4 +1,4 @@
-//! Left sides of equations and of values, in the manners of books and of other programs.
+//! Left-hand sides of equations and values, in the notations of books and other programs.
 
 use crate::lexer::{primes, starts_identifier};
 use crate::spelling::without_dots;
@@ -6,8 +6,10 @@ use crate::token::TokenKind;
 
 use super::Reader;
 
-/// How derivatives are written, by their order without primes and dots. `X` is the name of a state,
-/// behind which the time may stand; `′` any number of primes, `Ẋ` a name with dots above it.
+/// Notations of a derivative, with their order before primes and dots are counted.
+///
+/// `X` stands for the name of a state, with or without the time `(t)` behind it. `′` stands for any
+/// number of primes, `Ẋ` for a name with dots above it.
 const DERIVATIVES: [(usize, &str); 4] = [
     (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
     (1, "\\ dot { X }|\\ frac { dX } { dt }"),
@@ -15,47 +17,39 @@ const DERIVATIVES: [(usize, &str); 4] = [
     (0, "X ′|( X ) ′|Ẋ|X"),
 ];
 
-/// No derivative has a higher order.
 const HIGHEST_ORDER: usize = 8;
 
-/// Words before values.
 const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
-/// Declaring words at the beginning of a line; elsewhere these are names.
+/// Words that declare values at the beginning of a line only, and are names elsewhere.
 const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
-/// A state or a derivative of it.
 pub(super) struct Derivative {
     pub(super) name: String,
-    /// How often it is derived; 0 for the state itself.
+    /// The order of the derivative, 0 for the state itself.
     pub(super) order: usize,
-    /// The token behind it.
     pub(super) end: usize,
 }
 
-/// A left side with its sign of equality.
 pub(super) struct Left {
     pub(super) of: Derivative,
-    /// The arguments of a function; empty for other quantities.
+    /// The names of the arguments if a function is defined, otherwise empty.
     pub(super) arguments: Vec<String>,
-    /// Whether it is the value at the time 0: `x(0) =`.
+    /// Whether the left side is the value at time 0: `x(0) =`.
     pub(super) is_first: bool,
-    /// Whether it stands in `Eq(…, …)`.
+    /// Whether the equation is written `Eq(…, …)`.
     pub(super) is_in_call: bool,
-    /// Whether a word says that it is a value: `par a =`.
     pub(super) is_declared: bool,
-    /// The first token of the right side.
     pub(super) right: usize,
 }
 
 impl Left {
-    /// Whether it is that of a value, and not of an equation.
+    /// Returns whether the left side is that of a value, not of a differential equation.
     pub(super) fn is_value(&self) -> bool {
         self.of.order == 0 || self.is_first
     }
 }
 
 impl Reader<'_> {
-    /// The left side that begins here.
     pub(super) fn left(&self, at: usize) -> Option<Left> {
         let begins =
             || AT_BEGINNINGS.contains(&self.at(at)) && self.begins_line(at) && !self.begins_line(at + 1);
@@ -74,7 +68,6 @@ impl Reader<'_> {
         Some(Left { of, arguments, is_first, is_in_call, is_declared, right: end + length })
     }
 
-    /// The derivative that begins here, or the name.
     pub(super) fn derivative(&self, at: usize) -> Option<Derivative> {
         let matching = |(order, patterns): &(usize, &str)| {
             patterns.split('|').find_map(|pattern| self.matching(at, pattern, *order))
@@ -107,7 +100,7 @@ impl Reader<'_> {
         Some(Derivative { name, order, end: at + time(at) })
     }
 
-    /// Whether one token of this text stands here in parentheses or square brackets.
+    /// Returns whether `(inside)` or `[inside]` begins at `at`.
     pub(super) fn is_group(&self, at: usize, inside: &str) -> bool {
         self.at(at + 1) == inside && matches!((self.at(at), self.at(at + 2)), ("(", ")") | ("[", "]"))
     }

@@ -1,4 +1,4 @@
-//! Values of parameters, first values of states, and quantities that are no states.
+//! Values of parameters, initial values of states, and auxiliary quantities.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -11,11 +11,10 @@ use super::left::Left;
 use super::xpp::Function;
 use super::{Placed, Reader, mistake};
 
-/// How far quantities may refer to each other, as deep as parentheses nest.
 const DEEPEST: usize = 256;
 
 impl Reader<'_> {
-    /// Notes the states, and finds names for derivatives below the order of their equations.
+    /// Notes the states, and names the derivatives below the order of each equation.
     pub(super) fn name_derivatives(&mut self, items: &[Item]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {
@@ -42,8 +41,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes values and quantities out of the text. Returns what is written in the place of each
-    /// item; `None` where that is the item itself.
+    /// Takes values and quantities out of the text. Returns, for each item, the tokens that replace
+    /// it, or `None` if it stays.
     pub(super) fn read_quantities(&mut self, items: &[Item]) -> Vec<Option<Vec<Placed>>> {
         let mut instead = vec![None; items.len()];
         let is_value = |item: &Item| item.left.as_ref().is_some_and(Left::is_value);
@@ -60,7 +59,6 @@ impl Reader<'_> {
             let Some(left) = item.left.as_ref().filter(|left| left.is_value()) else { continue };
             let (name, right) = (left.of.name.as_str(), right(item));
             if !left.arguments.is_empty() {
-                // The parser reports a second formula of a name.
                 instead[place] = known.insert(name.to_owned()).then(Vec::new);
                 let function = Function { arguments: left.arguments.clone(), right };
                 self.functions.entry(name.to_owned()).or_insert(function);
@@ -73,7 +71,7 @@ impl Reader<'_> {
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
-                    // The parser reports a second formula of a name.
+                    // A repeated name stays in the text, and the parser reports it.
                     quantities.extend(known.insert(name.to_owned()).then_some((place, name, right)));
                     continue;
                 }
@@ -111,7 +109,7 @@ impl Reader<'_> {
             values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
-        // Known quantities are put into those that use them; a circle is left to the parser.
+        // Quantities are expanded once those they use are known; the parser reports a cycle.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
             let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));

@@ -1,5 +1,4 @@
-//! Right sides: names and roots in the manner of the language, quantities put in, and what to write
-//! for products without their sign.
+//! Right-hand sides: expands quantities and roots, and explains products without `*`.
 
 use std::ops::Range;
 
@@ -11,11 +10,10 @@ use crate::token::{Token, TokenKind};
 use super::left::{Derivative, Left};
 use super::{Placed, Reader, mistake, placed};
 
-/// The most tokens that quantities add to a text.
 pub(super) const MOST_TOKENS: usize = 200_000;
 
 impl Reader<'_> {
-    /// An equation, or the chain of equations that one of a higher order is.
+    /// Writes an equation. One of order n becomes a chain of n equations of order 1.
     pub(super) fn equation(&mut self, tokens: &Range<usize>, left: &Left) -> Vec<Placed> {
         let mut right = self.written(left.right..tokens.end, true);
         self.explain_products(&mut right);
@@ -32,7 +30,6 @@ impl Reader<'_> {
         out
     }
 
-    /// Some tokens in the manner of the language.
     pub(super) fn written(&mut self, tokens: Range<usize>, in_equation: bool) -> Vec<Placed> {
         let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
         let mut at = tokens.start;
@@ -60,14 +57,13 @@ impl Reader<'_> {
         out
     }
 
-    /// The name of a derivative that has one, and the token behind it.
     fn named_derivative(&self, at: usize) -> Option<(&str, usize)> {
         let Derivative { name, order, end } = self.derivative(at)?;
         Some((self.states.get(&name)?.get(order.checked_sub(1)?)?, end))
     }
 
-    /// Writes a name, or what stands for it: `x` for `x(t)`, the formula of a quantity, the value
-    /// of a root. Returns the token behind it.
+    /// Writes a name or its replacement: `x` for `x(t)`, the formula of a quantity, the value of a
+    /// root. Returns the token behind it.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<Placed>) -> usize {
         if let Some(end) = self.write_call(at, in_equation, out) {
             return end;
@@ -100,7 +96,8 @@ impl Reader<'_> {
         end
     }
 
-    /// The root of a number, `sqrt(2)`: a number, or a parameter that has it as its value.
+    /// Returns the root of a number, such as `sqrt(2)`. An irrational root becomes a parameter
+    /// whose value is the nearest `f64`.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);
@@ -120,7 +117,7 @@ impl Reader<'_> {
         Some(name)
     }
 
-    /// Where operands stand side by side, says what to write for all of the right side.
+    /// Finds products without `*` and proposes the whole right-hand side with them.
     fn explain_products(&self, right: &mut [Placed]) {
         let texts =
             |four: &[Placed]| four.iter().map(|(token, _)| token.text.to_string()).collect::<Vec<_>>();
@@ -160,8 +157,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The letters of a short word as a product, if one of them is a state and nothing defines the
-    /// word.
+    /// Returns the letters of a short undefined word as a product, if one of them is a state.
     fn letters(&self, word: &str) -> Option<String> {
         let letters = || word.chars().map(String::from);
         let is_word = (2..=3).contains(&letters().count()) && word.chars().all(char::is_alphabetic);
@@ -171,7 +167,6 @@ impl Reader<'_> {
     }
 }
 
-/// Whether two neighbours are operands of a product without its sign.
 fn are_side_by_side(left: &Token, right: &Token) -> bool {
     use TokenKind::{Close, Identifier, Literal, Open};
     match (&left.kind, &right.kind) {

@@ -9,19 +9,14 @@ use crate::token::TokenKind;
 use super::right::MOST_TOKENS;
 use super::{Placed, Reader, mistake, placed};
 
-/// The largest number of calls within calls.
 const DEEPEST: usize = 64;
 
-/// A function that the text defines.
 #[derive(Clone, Debug)]
 pub(super) struct Function {
-    /// The names of its arguments.
     pub(super) arguments: Vec<String>,
-    /// The tokens of its formula.
     pub(super) right: Range<usize>,
 }
 
-/// Directives that are refused, with the reasons.
 const REFUSED: [(&str, &str); 9] = [
     ("wiener", "makes the equations random, and a field is deterministic"),
     ("markov", "makes the equations random, and a field is deterministic"),
@@ -34,7 +29,6 @@ const REFUSED: [(&str, &str); 9] = [
     ("special", "is a sum over an array: write out its terms"),
 ];
 
-/// Functions that are refused, with the reasons.
 const CALLS: [(&str, &str); 5] = [
     ("delay", "is a value of the past"),
     ("del_shft", "is a value of the past"),
@@ -44,8 +38,8 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// The end of the line, if it begins here with a directive: options behind `@` or `%`, or one
-    /// that is refused.
+    /// Returns the end of a line that begins at `at` with a directive: options behind `@` or `%`,
+    /// or a refused directive.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -61,14 +55,12 @@ impl Reader<'_> {
             .then(|| (at + 1..).find(|&end| self.begins_line(end)).expect("the text ends"))
     }
 
-    /// Whether an array `x[1..4]` begins here.
     fn is_array(&self, at: usize) -> bool {
         let is_number =
             |at: usize| self.given.get(at).is_some_and(|(token, _)| token.kind == TokenKind::Literal);
         self.is_name(at) && self.at(at + 1) == "[" && is_number(at + 2) && self.at(at + 3) == "."
     }
 
-    /// The mistake in place of a directive that is refused.
     pub(super) fn refused(&self, tokens: &Range<usize>) -> Option<Placed> {
         let start = tokens.start;
         self.line_of_directive(start)?;
@@ -84,7 +76,7 @@ impl Reader<'_> {
         Some(mistake(&self.bytes(tokens.clone()), message, format!("leave it out, or see {ON_TEXTS}")))
     }
 
-    /// The names `(x, y)` that begin at `at`, and the token behind them.
+    /// Reads argument names `(x, y)`. Returns them and the token behind them.
     pub(super) fn argument_names(&self, at: usize) -> Option<(Vec<String>, usize)> {
         let mut names = Vec::new();
         let mut at = at;
@@ -95,7 +87,7 @@ impl Reader<'_> {
         (!names.is_empty() && self.at(at) == ")").then_some((names, at + 1))
     }
 
-    /// The names in some tokens, and in the formulas of the functions that they call.
+    /// Returns the names in some tokens and in the formulas of the functions that they call.
     pub(super) fn needs(&self, tokens: &Range<usize>) -> HashSet<&str> {
         let (mut found, mut left) = (HashSet::new(), vec![tokens.clone()]);
         while let Some(tokens) = left.pop() {
@@ -108,8 +100,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Writes the formula of a function in place of its call, or a mistake if the function is
-    /// refused. Returns the token behind the call, and `None` if no call begins at `at`.
+    /// Replaces a call by the formula of its function, or by a mistake if the function is refused.
+    /// Returns the token behind the call, or `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,
@@ -164,7 +156,7 @@ impl Reader<'_> {
         Some(end)
     }
 
-    /// The arguments of a call whose bracket is at `open`, and the token behind it.
+    /// Returns the arguments of the call whose bracket is at `open`, and the token behind it.
     fn call(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
         let (mut depth, mut start, mut given) = (0, open + 1, Vec::new());
         for at in open..self.given.len() {

@@ -1,4 +1,4 @@
-//! Items: `const`, equations, and where a claim begins.
+//! Items of a block: reads constants and equations, and dispatches claims.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{derivative, without_dots};
@@ -15,8 +15,8 @@ use super::{Parsed, error};
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads one item. On a mistake the cursor stays inside the item; what was learnt of it is in the
-/// block already.
+/// Reads one item. After a mistake the cursor is inside the item, and the block holds the parts
+/// that were read.
 pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
@@ -77,7 +77,7 @@ fn equation<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed
     outcome
 }
 
-/// Reads `= expr;`. The expression is there where all but the `;` was read.
+/// Reads `= expr;`. Returns the expression even if only the `;` is missing.
 pub(super) fn defined<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, Parsed<()>) {
     match equals(cursor).and_then(|()| parse_expr(cursor)) {
         Ok(value) => (Some(value), semicolon(cursor)),
@@ -85,7 +85,6 @@ pub(super) fn defined<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, 
     }
 }
 
-/// The state of the left-hand side `left`.
 fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<Name> {
     let span = left.span;
     if let Some(state) = left.text.strip_suffix("dot") {
@@ -127,16 +126,15 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
-/// Notes the equation of the state that `left` means, so that the field keeps its dimension and its
-/// names.
+/// Records an equation without a value, so that the field keeps its dimension and its names.
 fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     let state = Name { text: meant, span: left.span };
     block.equations.push(Equation { state: state.clone(), value: None });
     block.misspelt_states.extend([left, state]);
 }
 
-/// What `x_dot`, `xddot` and `x_ddot` mean that are read as equations of `x_`, `xd` and `x_d`, and
-/// the order of the derivative; `None` where these are states, as the rest of the block names them.
+/// Returns the state and the order that `x_dot`, `xddot` and `x_ddot` probably mean, unless the
+/// block uses `x_`, `xd` or `x_d` as a state.
 fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     let single = state.trim_end_matches('d');
     let order = 1 + state.len() - single.len();
@@ -146,14 +144,13 @@ fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     (!is_state && is_marked).then(|| (meant.to_owned(), order))
 }
 
-/// Whether a name may be that of the state which a left-hand side writes in another way: the block
-/// names it, or it is one letter.
+/// Returns whether a name is probably a state: the block uses it, or it is one letter.
 fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// The state that a left-hand side without `dot` probably means, and the order of its derivative:
-/// `x` for `xdto`, `xDot`, `dxdt`, `dx` and `ẋ`.
+/// Returns the state and the order that a left-hand side without `dot` probably means: `x` for
+/// `xdto`, `xDot`, `dxdt`, `dx` and `ẋ`.
 fn meant(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

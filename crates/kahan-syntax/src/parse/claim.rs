@@ -10,7 +10,6 @@ use super::cursor::{Cursor, End};
 use super::expr::parse_expr;
 use super::{Parsed, error};
 
-/// Reads a claim, which the cursor is at the keyword of.
 pub(super) fn claim<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>, kind: ClaimKind) -> Parsed<()> {
     cursor.advance();
     let name = cursor.expect_name("the name of a claim")?;
@@ -20,14 +19,13 @@ pub(super) fn claim<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>, kind: Clai
     outcome
 }
 
-/// Reads `hamiltonian NAME = expr;`.
 pub(super) fn hamiltonian<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     let outcome = claim(cursor, block, ClaimKind::Integral);
     block.hamiltonians.extend(block.claims.pop());
     outcome
 }
 
-/// Fills `claim`; its body is set only when all of it was read.
+/// Reads the rest of a claim. The body is set only if all of it was read.
 fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     let body = match claim.kind {
         ClaimKind::Bracket => ClaimBody::Tensor(entries(cursor, &claim.name)?),
@@ -50,7 +48,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     Ok(())
 }
 
-/// Reads `= expr by expr`. Where an operand is due, `by` is a name.
+/// Reads `= expr by expr`. An operand may have the name `by`.
 fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     equals(cursor)?;
     let end = mem::replace(&mut cursor.end, End::By);
@@ -66,7 +64,6 @@ fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     Ok(ClaimBody::Recurrence { function, next: parse_expr(cursor)? })
 }
 
-/// Reads `{ {x,y} = expr; … }`.
 fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<TensorEntry>> {
     if !cursor.is_open(0, '{') {
         let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
@@ -109,7 +106,6 @@ fn entry(cursor: &mut Cursor<'_>) -> Parsed<TensorEntry> {
     Ok(TensorEntry { row, column, value })
 }
 
-/// Leaves the braces of a bracket in which a mistake was found.
 fn leave_group(cursor: &mut Cursor<'_>) {
     while !cursor.is_at_end() && !cursor.begins_item(0) {
         if cursor.is_close('}') {
@@ -123,7 +119,6 @@ fn leave_group(cursor: &mut Cursor<'_>) {
     }
 }
 
-/// Reads `when expr = expr, …` if it is there.
 fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parsed<()> {
     if cursor.identifier(0) != Some("when") {
         return Ok(());

@@ -1,4 +1,4 @@
-//! A place in the token list, with what every parsing function asks of it.
+//! The reading position in the token list, and the questions that parsing functions ask there.
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -9,34 +9,30 @@ use crate::token::{Span, Token, TokenKind};
 
 use super::Parsed;
 
-/// A reading position in a token list.
 pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
     at: usize,
-    /// What may end the expression that is read.
+    /// The token that ends the current expression, besides those that always do.
     pub(super) end: End,
-    /// What the index of a site is called, if the block holds a family: `i`, unless that is the
-    /// mistake.
+    /// The name of the index of a site, if the block holds a family. Only `i` is correct.
     pub(super) index: Option<&'a str>,
-    /// Whether the block asks for a lift.
     pub(super) is_lifted: bool,
-    /// All names in the tokens, each with whether it stands elsewhere than before a `=`.
+    /// All names in the tokens, each with whether it occurs elsewhere than before a `=`.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
-/// What may end an expression besides `;`, `,` and a closing bracket.
+/// The tokens that end an expression, besides `;`, `,` and closing brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
-    /// Nothing.
+    /// No other token.
     Semicolon,
-    /// The next item: behind the `when` of a bracket.
+    /// The first token of the next item: behind the `when` of a bracket.
     Item,
     /// `=`: on the left side of a relation behind `when`.
     Equals,
     /// `by`: in the function of a drift.
     By,
-    /// Any punctuation that is no operator: there is no block, and the reader of the formula says
-    /// what may follow.
+    /// Any punctuation except operators: outside of blocks, where the caller checks the rest.
     Formula,
 }
 
@@ -49,7 +45,6 @@ impl<'a> Cursor<'a> {
         Cursor { index: has_sites.then_some("i"), end: End::Semicolon, ..Cursor::of_formulas(tokens) }
     }
 
-    /// At the beginning of tokens that are no block, but formulas.
     pub(super) fn of_formulas(tokens: &'a [Token]) -> Self {
         Cursor { tokens, at: 0, end: End::Formula, index: None, is_lifted: false, names: OnceCell::new() }
     }
@@ -68,12 +63,11 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Whether this name stands anywhere in the tokens.
     pub(super) fn mentions(&self, name: &str) -> bool {
         self.names().contains_key(name)
     }
 
-    /// Whether this name stands anywhere but before a `=`.
+    /// Returns whether a name occurs elsewhere than before a `=`.
     pub(super) fn uses(&self, name: &str) -> bool {
         self.names().get(name).is_some_and(|is_used| *is_used)
     }
@@ -82,7 +76,6 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// The tokens from a place up to here, on one line.
     pub(super) fn written_since(&self, start: usize) -> String {
         let tokens = self.tokens[..self.at.min(self.tokens.len())].get(start..).unwrap_or_default();
         tokens.iter().enumerate().fold(String::new(), |line, (index, token)| {
@@ -99,7 +92,7 @@ impl<'a> Cursor<'a> {
         self.tokens.get(self.at + ahead)
     }
 
-    /// The token `behind` tokens before the next one.
+    /// Returns a token that was read; 1 is the last one.
     pub(super) fn before(&self, behind: usize) -> Option<&'a Token> {
         self.tokens.get(self.at.checked_sub(behind)?)
     }
@@ -108,12 +101,11 @@ impl<'a> Cursor<'a> {
         self.at += 1;
     }
 
-    /// The span of the next token, or of the last one at the end.
+    /// Returns the span of the next token, or of the last one at the end.
     pub(super) fn here(&self) -> Span {
         Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
     }
 
-    /// The span of the token just read.
     pub(super) fn behind(&self) -> Span {
         Span::token(self.at.saturating_sub(1))
     }
@@ -122,7 +114,6 @@ impl<'a> Cursor<'a> {
         self.peek(ahead).filter(|token| token.kind == TokenKind::Identifier).map(|token| &*token.text)
     }
 
-    /// The identifier `ahead` tokens from here, with its place.
     pub(super) fn name(&self, ahead: usize) -> Option<Name> {
         let text = self.identifier(ahead)?.to_owned();
         Some(Name { text, span: Span::token(self.at + ahead) })
@@ -140,21 +131,21 @@ impl<'a> Cursor<'a> {
         self.peek(0).is_some_and(|token| token.kind == TokenKind::Close(c))
     }
 
-    /// Whether the next two tokens are `first` and `second` and touch, as in `**`.
+    /// Returns whether the next two tokens are `first` and `second` and touch, as in `**`.
     pub(super) fn is_pair(&self, first: char, second: char) -> bool {
         self.is_punctuation(0, first)
             && self.is_punctuation(1, second)
             && self.peek(0).is_some_and(|token| token.touches_next)
     }
 
-    /// Reads the punctuation `c` if it is next.
+    /// Reads the punctuation `c`, if it is next. Returns whether it was.
     pub(super) fn take(&mut self, c: char) -> bool {
         let found = self.is_punctuation(0, c);
         self.at += usize::from(found);
         found
     }
 
-    /// Reads a name or says what was expected.
+    /// Reads a name, or fails with `what` was expected.
     pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
         let missing = || self.missing(Kind::Syntax, self.here(), what, "write a name here");
         let name = self.name(0).ok_or_else(missing)?;
@@ -162,19 +153,17 @@ impl<'a> Cursor<'a> {
         Ok(name)
     }
 
-    /// The mistake that the next token is where `what` should stand.
     pub(super) fn missing(&self, kind: Kind, span: Span, what: &str, help: impl Into<String>) -> Diagnostic {
         Diagnostic::new(kind, span, format!("expected {what}, found {}", self.describe_next()), help)
     }
 
-    /// The next token in words.
     pub(super) fn describe_next(&self) -> String {
         let whole = if self.end == End::Formula { "formula" } else { "block" };
         self.peek(0).map_or_else(|| format!("the end of the {whole}"), |token| format!("`{}`", token.text))
     }
 
-    /// Whether an item begins `ahead` tokens from here: `xdot =`, `const c =`, `integral H =`,
-    /// `bracket P {`; of formulas, `x =`.
+    /// Returns whether an item begins `ahead` tokens from here, such as `xdot =`, `const c =` or
+    /// `bracket P {`. In formulas an item is `x =`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
         if self.end == End::Formula {
@@ -191,19 +180,17 @@ impl<'a> Cursor<'a> {
         equation || (named && is_keyword)
     }
 
-    /// Whether `x[i]dot` stands `ahead` tokens from here.
     fn begins_equation_of_family(&self, ahead: usize) -> bool {
         self.index.is_some() && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
-    /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the
-    /// next item. Always moves on.
+    /// Skips a broken item that began at `start`: past its `;`, or up to the next item.
     pub(super) fn skip_item(&mut self, start: usize) {
         self.skip_until(|cursor| cursor.is_punctuation(0, ';') || cursor.at > start && cursor.begins_item(0));
         self.take(';');
     }
 
-    /// Skips tokens and bracketed groups up to a token where `ends` says so.
+    /// Skips tokens and bracketed groups up to a token that satisfies `ends`.
     pub(super) fn skip_until(&mut self, ends: impl Fn(&Self) -> bool) {
         while !self.is_at_end() && !ends(self) {
             match self.peek(0).map(|token| &token.kind) {
@@ -213,8 +200,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Skips a bracketed group that begins here and returns its span; to the end if it never
-    /// closes.
+    /// Skips a bracketed group, to the end if it is not closed. Returns its span.
     pub(super) fn skip_group(&mut self) -> Span {
         let start = self.here();
         let mut depth = 0usize;
@@ -232,8 +218,8 @@ impl<'a> Cursor<'a> {
         start.to(self.behind())
     }
 
-    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does, and returns the tokens
-    /// between its brackets, too.
+    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does. Returns its span and the
+    /// tokens between its brackets.
     pub(super) fn take_group(&mut self) -> (Span, &'a [Token]) {
         let group = self.skip_group();
         let is_closed = matches!(self.tokens[group.last].kind, TokenKind::Close(_));
@@ -241,7 +227,6 @@ impl<'a> Cursor<'a> {
         (group, self.tokens.get(group.first + 1..last).unwrap_or_default())
     }
 
-    /// The mistake that the next token is, if the lexer could not read it.
     pub(super) fn unreadable(&self) -> Option<Diagnostic> {
         match &self.peek(0)?.kind {
             TokenKind::Unreadable(why) => {

@@ -1,4 +1,4 @@
-//! Expressions.
+//! Expressions, by recursive descent.
 //!
 //! | binds | operator | note |
 //! |---|---|---|
@@ -7,10 +7,9 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and parentheses. What else a language has, its [`Dialect`] reads:
-//! values at sites in a family, calls and any exponents in a formula. Everything that may stand
-//! there in other languages (paths, indices, `**`, juxtaposition, and in a block calls) is
-//! recognised and answered with the way to write it here.
+//! Operands are numbers, names and parentheses. A [`Dialect`] adds sites of a family, or calls and
+//! general exponents of a formula. Notation of other languages (paths, indices, `**`,
+//! juxtaposition) is refused with a proposal.
 
 use crate::diagnostics::Kind;
 use crate::rational::Rational;
@@ -23,22 +22,19 @@ use super::mistakes::{after_operand, missing_operand};
 use super::number::parse_number;
 use super::{Parsed, error};
 
-/// How deep parentheses and unary signs may nest.
 const DEEPEST_NESTING: usize = 256;
 
-/// What a language has besides arithmetic.
+/// The syntax of a language beyond arithmetic.
 pub(super) trait Dialect: Sized {
-    /// Reads on where a name, which stands at `span`, was just read; `None` if that is all.
+    /// Reads on behind a name at `span`. Returns `None` for a plain name.
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;
 
-    /// Reads the exponent behind `base^`.
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, _: usize) -> Parsed<ExprKind<Self>> {
         Ok(ExprKind::Power(Box::new(base), exponent(cursor)?))
     }
 }
 
-/// Reads an expression that ends before `;`, `,`, a closing bracket, `when` or the end of the
-/// block.
+/// Reads an expression. It ends before `;`, `,`, a closing bracket, `when` or the end of tokens.
 pub(super) fn parse_expr<X: Dialect>(cursor: &mut Cursor<'_>) -> Parsed<Expr<X>> {
     let expr = sum(cursor, 0)?;
     match cursor.unreadable() {
@@ -47,7 +43,6 @@ pub(super) fn parse_expr<X: Dialect>(cursor: &mut Cursor<'_>) -> Parsed<Expr<X>>
     }
 }
 
-/// Reads a sum, which may be one term.
 pub(super) fn sum<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let term = |(negative, expr)| Term { negative, expr };
     chain(cursor, depth, ['+', '-'], product, |terms| ExprKind::Sum(terms.into_iter().map(term).collect()))
@@ -59,8 +54,9 @@ fn product<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>>
     chain(cursor, depth, ['*', '/'], unary, join)
 }
 
-/// Operands between operators, each with whether the second operator, the inverse of the first,
-/// stands before it; a single operand as it is.
+/// Reads operands between two operators, of which the second is the inverse of the first.
+///
+/// Each operand comes with whether the inverse precedes it. A single operand is returned unchanged.
 fn chain<X>(
     cursor: &mut Cursor<'_>,
     depth: usize,
@@ -75,7 +71,6 @@ fn chain<X>(
         return Ok(first);
     }
     let mut span = first.span;
-    // Most chains are products of two or three factors.
     let mut operands = Vec::with_capacity(3);
     operands.push((false, first));
     while goes_on(cursor) {
@@ -119,7 +114,6 @@ fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     after_operand(cursor, Expr { kind, span: start.to(cursor.behind()) })
 }
 
-/// Reads `[-] INTEGER`.
 fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
     let help = || {
         format!("write an integer literal, as in `x^2`; of other powers {LIFTS}: {NOT_QUADRATIC} shows how")
@@ -147,7 +141,7 @@ fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
-/// Reads a number, a name and what belongs to it, or what stands in parentheses.
+/// Reads a number, a name with its suffix, or an expression in parentheses.
 pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let span = cursor.here();
     let Some(token) = cursor.peek(0) else { return missing_operand(cursor) };
@@ -186,7 +180,6 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
     }
 }
 
-/// Reads what stands between the `(` that is next and its `)`.
 pub(super) fn in_parentheses<T>(
     cursor: &mut Cursor<'_>,
     depth: usize,

@@ -13,16 +13,14 @@ use super::{Parsed, error};
 
 const SHAPE: &str = "write `for i in periodic { x[i]dot = …; }`, or `for i in open { … }`";
 
-/// The largest offset of a neighbour.
 const FARTHEST: i64 = 64;
 
-/// Whether the next item is a family.
 pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some("for")
         && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && cursor.index.is_none())
 }
 
-/// Reads a family; mistakes in an equation end that equation only.
+/// Reads a family. A mistake in an equation ends only that equation.
 pub(super) fn family(
     cursor: &mut Cursor<'_>,
     block: &mut Block,
@@ -35,7 +33,6 @@ pub(super) fn family(
     if index.text != "i" {
         let message = format!("the index of a site is called `i`, not `{}`", index.text);
         diagnostics.report(Kind::Name, index.span, message, "write `for i in …` and `x[i]`");
-        // The rest is read as it was meant.
         cursor.index = found.or(cursor.index);
     }
     if cursor.identifier(0) != Some("in") {
@@ -62,7 +59,7 @@ pub(super) fn family(
     while !cursor.is_at_end() && !cursor.is_close('}') {
         if let Err(diagnostic) = equation(cursor, block) {
             diagnostics.push(diagnostic);
-            // Past its `;`, or up to the `}` of the family.
+            // Skips past the `;`, or up to the `}` of the family.
             cursor.skip_until(|cursor| cursor.is_close('}') || cursor.is_punctuation(0, ';'));
             cursor.take(';');
         }
@@ -81,7 +78,6 @@ pub(super) fn family(
     Ok(())
 }
 
-/// Reads `x[i]dot = expr;`.
 fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     let array = cursor.expect_name("an equation")?;
     let is_at_site = cursor.is_open(0, '[') && cursor.index.is_some() && cursor.identifier(1) == cursor.index;
@@ -109,7 +105,7 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     outcome
 }
 
-/// A block without a family has neither sites nor sums over them.
+/// Sites and sums over sites. Without a family neither is read.
 impl Dialect for InFamily {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
         if cursor.index.is_some() && cursor.is_open(0, '[') {
@@ -124,7 +120,7 @@ impl Dialect for InFamily {
     }
 }
 
-/// Reads the index of `x[i+1]`, whose array was just read: how far from site i it is.
+/// Reads the index of `x[i+1]` behind its array. Returns the distance from site i.
 fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     let opening = cursor.position();
     let group = cursor.skip_group();
@@ -164,7 +160,6 @@ fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     }
 }
 
-/// The mistake of `x[i]dot = …` outside of a family.
 pub(super) fn outside(cursor: &Cursor<'_>) -> Diagnostic {
     let message = "an equation at a site stands in the braces of its family";
     Diagnostic::new(Kind::Syntax, cursor.here(), message, SHAPE)

@@ -1,7 +1,7 @@
-//! Formulas outside of blocks: expressions with calls of functions and any exponents.
+//! Formulas outside of blocks: expressions with function calls and general exponents.
 //!
-//! In: the tokens of a text that is nothing else. Out: its syntax, or the first mistake in it. The
-//! reader must not know which functions there are: that is for whoever gives a formula its value.
+//! In: the tokens of a text that holds only formulas. Out: their syntax, or the first mistake. The
+//! caller that evaluates a formula decides which functions exist.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Expr, ExprKind, InFormula, Name};
@@ -12,10 +12,10 @@ use super::cursor::Cursor;
 use super::expr::{Dialect, atom, in_parentheses, parse_expr, sum};
 use super::{Parsed, error};
 
-/// Reads one formula: `1 + cos(2*pi*i/n)/2`, `x^y`.
+/// Reads one formula, such as `1 + cos(2*pi*i/n)/2` or `x^y`.
 ///
 /// # Errors
-/// The first mistake, also where the formula ends before the tokens do.
+/// The first mistake; tokens behind the formula are one.
 ///
 /// ```
 /// use kahan_syntax::{lexer::lex, parse::parse_formula};
@@ -31,7 +31,7 @@ pub fn parse_formula(tokens: &[Token]) -> Result<Expr<InFormula>, Diagnostic> {
     Ok(formula)
 }
 
-/// Reads formulas by name, as many as there are: `x = 1; y = i/n;`.
+/// Reads a list of named formulas: `x = 1; y = i/n;`. The list may be empty.
 ///
 /// # Errors
 /// The first mistake.
@@ -76,7 +76,7 @@ impl Dialect for InFormula {
         Ok(Some(InFormula::Call { function: name.to_owned(), arguments }))
     }
 
-    /// `2^-x` is 2^(−x).
+    /// Reads an exponent, which may have a sign: `2^-x` is 2^(−x).
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, depth: usize) -> Parsed<ExprKind<Self>> {
         let sign = cursor.here();
         let is_negative = cursor.take('-');
@@ -101,7 +101,6 @@ mod tests {
     use crate::lexer::lex;
     use crate::syntax::{Expr, ExprKind, InFormula};
 
-    /// The formula with all its parentheses.
     fn grouped(expr: &Expr<InFormula>) -> String {
         let list = |parts: Vec<String>| format!("({})", parts.join(" "));
         match &expr.kind {

@@ -1,7 +1,7 @@
 //! The header: `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are
-//! not understood; whoever emits Rust finds them at their places.
+//! Parameters are bare names; the macro adds their type and the type parameter. Attributes are kept
+//! as tokens, for the crate that emits Rust.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, Written};
@@ -10,10 +10,8 @@ use crate::token::{Span, Token, TokenKind};
 use super::Parsed;
 use super::cursor::Cursor;
 
-/// The keyword that asks for a lift.
 const LIFT: &str = "lift";
 
-/// Whether the next token is the keyword `lift`.
 pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
     let is_keyword = cursor.is_punctuation(1, ';')
         || cursor.is_punctuation(1, '#')
@@ -21,8 +19,7 @@ pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some(LIFT) && is_keyword
 }
 
-/// Reads the header, where the block begins with one, and the place of its `lift`. A block without
-/// a header may begin with `lift;`.
+/// Reads the header, or `lift;` without a header. Sets `lift` to the place of that keyword.
 pub(super) fn parse_header(
     cursor: &mut Cursor<'_>,
     lift: &mut Option<Span>,
@@ -83,7 +80,7 @@ fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Di
             "`struct`",
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
         );
-        // `enum Name` and the like are read on as if they were a struct, so that the type exists.
+        // An `enum Name` is read on as a struct, so that the type exists.
         if cursor.identifier(0).is_none() || cursor.identifier(1).is_none() {
             return Err(wrong);
         }
@@ -140,7 +137,6 @@ fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
     )
 }
 
-/// Reads `{ a, b }`, which `close` ends; every parameter may carry attributes.
 fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnostics: &mut Diagnostics) {
     cursor.advance();
     while cursor.peek(0).is_some_and(|token| !matches!(token.kind, TokenKind::Close(_))) {
@@ -182,7 +178,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
                     "separate parameters by `,`".to_owned(),
                 )
             };
-            // Behind a forgotten comma the next parameter is read as one.
+            // After a missing comma the next name is read as a parameter.
             if cursor.identifier(0).is_none() {
                 skip_to_comma_or_end(cursor);
             }
@@ -198,7 +194,6 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
     }
 }
 
-/// Skips documentation and attributes.
 fn attributes(cursor: &mut Cursor<'_>) -> Written {
     let (begin, mut lines) = (cursor.here(), docs(cursor));
     let mut span = None;
@@ -216,7 +211,6 @@ fn attributes(cursor: &mut Cursor<'_>) -> Written {
     Written { lines, span }
 }
 
-/// The documentation before the next token.
 fn docs(cursor: &Cursor<'_>) -> Vec<String> {
     cursor.peek(0).map_or_else(Vec::new, |token| token.docs.to_vec())
 }
@@ -226,13 +220,12 @@ fn skip_to_comma(cursor: &mut Cursor<'_>) {
     cursor.take(',');
 }
 
-/// Stops at the next `,` or the end of this list.
 fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
     let is_close = |token: &Token| matches!(token.kind, TokenKind::Close(_));
     cursor.skip_until(|cursor| cursor.is_punctuation(0, ',') || cursor.peek(0).is_some_and(is_close));
 }
 
-/// Leaves a broken header: past its braces or its `;`, or up to the first item.
+/// Skips a broken header: past its braces or its `;`, or up to the first item.
 fn skip_header(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| {
         cursor.begins_item(0) || cursor.is_open(0, '{') || cursor.is_punctuation(0, ';')

@@ -1,4 +1,4 @@
-//! What a word means that stands where a keyword should: `invariant H = …` means an `integral`.
+//! Words that stand in place of a keyword: for `invariant H = …` the help proposes `integral`.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Block, Claim, ClaimKind, Constant};
@@ -7,7 +7,7 @@ use super::cursor::Cursor;
 
 const KEYWORDS: [&str; 5] = ["integral", "density", "bracket", "drift", "const"];
 
-/// Words of the trade for each keyword, in small letters and without underscores.
+/// Synonyms of each keyword, in small letters and without underscores.
 const SYNONYMS: [(&str, &str); 5] = [
     (
         "integral",
@@ -20,14 +20,13 @@ const SYNONYMS: [(&str, &str); 5] = [
     ("const", "constant let static define def val var"),
 ];
 
-/// Words for what the header declares.
 const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
 
-/// The keyword that `word` means, by its sense or else by its letters.
+/// Returns the keyword that `word` probably means: by a synonym, else by its spelling.
 fn meant(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace('_', "");
     let synonym = SYNONYMS.iter().find(|(_, words)| words.split(' ').any(|known| known == word));
-    // `poison` means `poisson`.
+    // One wrong letter in a synonym: `poison` for `poisson`.
     let slip = || {
         let is_near = |known: &str| word.len() > 4 && strsim::levenshtein(&word, known) == 1;
         SYNONYMS.iter().find(|(_, words)| words.split(' ').any(is_near)).map(|(keyword, _)| *keyword)
@@ -36,12 +35,10 @@ fn meant(word: &str) -> Option<&'static str> {
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)
 }
 
-/// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as
-/// known from here on.
+/// Returns the mistake of an item `WORD NAME …` with an unknown word, and notes its name.
 pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;
-    // `first integral H = …`
     let ahead =
         if KEYWORDS.contains(&cursor.identifier(1)?) && cursor.identifier(2).is_some() { 2 } else { 1 };
     let name = cursor.name(ahead)?;
@@ -52,7 +49,6 @@ pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Opt
         return Some(wrong(format!("parameters stand in the header: `struct Name {{ {} }}`", name.text)));
     }
     if ahead == 2 {
-        // What follows is read as the item that it is.
         return Some(wrong(format!("did you mean `{} {} …`?", cursor.identifier(1)?, name.text)));
     }
     let keyword = meant(word)?;

@@ -1,5 +1,5 @@
-//! What stands around an operand and belongs to another language: calls, paths, indices,
-//! juxtaposition, statements. Each is answered with the way to write it here.
+//! Notation of other languages around an operand: calls, paths, indices, juxtaposition and
+//! statements. Each mistake proposes the notation of this language.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};
@@ -9,7 +9,7 @@ use crate::token::{Span, Token, TokenKind};
 use super::cursor::{Cursor, End};
 use super::{Parsed, error};
 
-/// The operator just read (or `=`) is followed by something that is no operand.
+/// Reports that no operand follows the operator or `=` just read.
 pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     let found = cursor.describe_next();
     let before = cursor.behind();
@@ -39,7 +39,7 @@ pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     error(Kind::Syntax, before.to(cursor.here()), message, help)
 }
 
-/// A name is a whole operand: no call, path, field, method or index follows it.
+/// Checks that no call, path, field, method or index follows a name.
 pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<()> {
     if is_statement(name) && cursor.is_open(0, '(') {
         return no_statement(span.to(cursor.skip_group()));
@@ -89,8 +89,7 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     Ok(())
 }
 
-/// `self.mu`, `physics::RATE` or `mu[0]` stands where a name should; the cursor is behind its first
-/// name.
+/// Reports `self.mu`, `physics::RATE` or `mu[0]`. The cursor is behind the first name.
 fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
     let mut access = name.to_owned();
     let mut last = name;
@@ -117,20 +116,18 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
     error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-/// Functions that solve equations of their own.
+/// Analytic functions, which satisfy differential equations.
 const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
-/// Those that are lifted.
+/// Analytic functions that `kahan lift` turns into states.
 const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
-/// Functions with kinks or jumps.
 const ROUGH: &str = "abs heav flr sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
 
-/// Whether a name is that of a function elsewhere.
 pub(crate) fn is_function(name: &str) -> bool {
     [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
-/// What stands instead of a call with these arguments: of states, new states; of numbers and
-/// parameters, a constant or a parameter.
+/// Returns the proposal for a function call: a new state if an argument has states, otherwise a
+/// constant or a parameter.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
     if ROUGH.split(' ').any(|known| known == name) {
         return format!(
@@ -175,8 +172,7 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
     }
 }
 
-/// Whether the name begins a statement of Rust. (A state may have the name of a keyword; what
-/// follows tells.)
+/// Returns whether the name begins a statement of Rust. A state may have that name, too.
 pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
@@ -187,7 +183,7 @@ fn no_statement<T>(span: Span) -> Parsed<T> {
     error(Kind::NotAPolynomial, span, message, help)
 }
 
-/// After an operand stands an operator or the end of the expression.
+/// Checks that an operator or the end of the expression follows an operand.
 pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<Expr<X>> {
     let Some(token) = cursor.peek(0) else { return Ok(operand) };
     let span = operand.span.to(cursor.here());
@@ -195,7 +191,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
-        // What compares is reported where `=` is expected.
+        // Comparisons are reported by the reader of the `=`.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),

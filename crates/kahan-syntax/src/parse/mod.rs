@@ -1,12 +1,9 @@
 //! Tokens to syntax: a recursive-descent parser of the language of `kahan!`.
 //!
-//! Never through Rust's own expression parser, whose `^` binds looser than `+`. A mistake ends its
-//! item, not the block: the parser skips to the next `;` (or to the next line that begins an item)
-//! and goes on, so that several mistakes are reported at once. Whatever the tokens, it returns a
-//! block and never panics.
-//!
-//! The same expressions, with calls of functions, stand outside of blocks: [`parse_formula`] reads
-//! one, [`parse_formulas`] a list with names.
+//! Rust's own expression parser is not used: there `^` binds looser than `+`. A mistake ends its
+//! item: the parser skips to the next `;` or item and goes on, so that it reports several mistakes
+//! at once. For any tokens it returns a block and never panics. Outside of blocks,
+//! [`parse_formula`] reads one formula with calls of functions, [`parse_formulas`] a named list.
 
 mod block;
 mod claim;
@@ -28,24 +25,24 @@ pub use formula::{parse_formula, parse_formulas};
 pub(crate) use mistakes::{is_function, is_statement};
 pub(crate) use number::product;
 
-/// What a parsing function gives: its syntax, or the first mistake in it.
+/// The result of a parsing function: syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;
 
 fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
     Err(Diagnostic::new(kind, span, message, help))
 }
 
-/// Whether a block begins with `lift`, so that [`parse_lifted`] reads it.
+/// Returns whether a block begins with `lift`; [`parse_lifted`] reads such blocks.
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
     let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
-    // Whoever reads the block reports its mistakes.
+    // The function that parses the block reports its mistakes.
     drop(diagnostics.finish());
     block.lift.is_some()
 }
 
-/// Reads a whole block. Of one that asks for a lift it reads the header only, and says so.
+/// Reads a block. Of one that asks for a lift it reads only the header, and reports that.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -69,7 +66,7 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     block
 }
 
-/// Reads a block that is to be lifted: its equations may hold functions and any powers.
+/// Reads a block to be lifted, whose equations may hold functions and general powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -87,7 +84,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
     block
 }
 
-/// A claim of a lift is about its quadratic field, so no constant in it holds a function.
+/// Reports constants with functions in claims, which are about the lifted quadratic field.
 fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {
@@ -117,7 +114,6 @@ fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagno
     }
 }
 
-/// A block with its header, and the place behind it.
 fn begin<'a, X>(tokens: &'a [Token], diagnostics: &mut Diagnostics) -> (Cursor<'a>, Block<X>) {
     let (mut cursor, mut block) = (Cursor::new(tokens), Block::default());
     block.header = header::parse_header(&mut cursor, &mut block.lift, diagnostics);
@@ -125,7 +121,6 @@ fn begin<'a, X>(tokens: &'a [Token], diagnostics: &mut Diagnostics) -> (Cursor<'
     (cursor, block)
 }
 
-/// Reads the items behind the header.
 fn items<X>(
     cursor: &mut Cursor<'_>,
     block: &mut Block<X>,

@@ -1,5 +1,4 @@
-//! Literal text to an exact rational: `0.1` is 1/10, with as many digits as are written, never
-//! through `f64`.
+//! Literals as exact rationals: `0.1` is 1/10, without a detour through `f64`.
 
 use num_bigint::BigInt;
 use num_traits::Num;
@@ -11,10 +10,8 @@ use crate::token::Span;
 
 use super::{Parsed, error};
 
-/// The most digits of a literal.
 const MOST_DIGITS: i64 = 2 * LARGEST_EXPONENT;
 
-/// The exact value of the literal `text`.
 pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
     if !text.starts_with(|c: char| c.is_ascii_digit()) {
         return error(Kind::Number, span, format!("{text} is not a number"), "write a number or a name");
@@ -50,7 +47,6 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
     }
 }
 
-/// The number and the name that touch each other in `2x`.
 pub(crate) fn product(text: &str) -> Option<(&str, &str)> {
     let suffix = Numeral::scan(text).rest;
     let is_product = radix(text).is_none() && !suffix.is_empty() && !is_type_suffix(suffix);

@@ -1,8 +1,8 @@
 //! Sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine words: a product is reduced crosswise before it is formed, a sum
-//! by Knuth's rule (The Art of Computer Programming 4.5.1), so no result ever needs a second gcd
-//! and only true growth goes to big integers.
+//! Small operands stay in machine words. Factors are reduced crosswise before they are multiplied,
+//! and sums follow Knuth (The Art of Computer Programming, 4.5.1), so results are in lowest terms.
+//! Results that exceed 63 bits become big integers.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -12,7 +12,7 @@ use num_traits::Pow;
 use super::{Rational, Repr, gcd};
 
 impl Rational {
-    /// The quotient; `None` if `divisor` is zero.
+    /// Returns the quotient, or `None` if `divisor` is 0.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());
@@ -20,7 +20,7 @@ impl Rational {
         Some(self * &divisor.recip()?)
     }
 
-    /// The reciprocal; `None` for zero.
+    /// Returns the reciprocal, or `None` for 0.
     pub fn recip(&self) -> Option<Self> {
         match &self.0 {
             Repr::Small { num: 0, .. } => None,
@@ -30,8 +30,9 @@ impl Rational {
         }
     }
 
-    /// The power, `None` for zero to a negative exponent; 0^0 is 1. The result has about |exponent|
-    /// times the bits.
+    /// Returns the power, or `None` for 0 to a negative exponent; 0⁰ = 1.
+    ///
+    /// The result has about |exponent| times the bits.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -40,18 +41,19 @@ impl Rational {
         {
             return Some(Self::from_reduced(i128::from(num), i128::from(den)));
         }
-        // Powers of coprime numbers are coprime: no gcd.
+        // Powers of coprime numbers are coprime.
         let (num, den) = (Pow::pow(base.numerator(), exponent), Pow::pow(base.denominator(), exponent));
         Some(Self::from_normal(BigRational::new_raw(num, den)))
     }
 
-    /// |self|.
+    /// Returns |self|.
     pub fn abs(&self) -> Self {
         if self.is_negative() { -self } else { self.clone() }
     }
 
-    /// The greatest positive rational g such that self/g and other/g are integers: gcd of the
-    /// numerators over lcm of the denominators; gcd(0, b) = |b|.
+    /// Returns the largest g > 0 for which self/g and other/g are integers; gcd(0, b) = |b|.
+    ///
+    /// g = gcd of the numerators / lcm of the denominators
     pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) = (&self.0, &other.0) {
             let num = gcd(a.unsigned_abs(), c.unsigned_abs());
@@ -60,7 +62,7 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // Coprime: a prime in the lcm divides b or d, hence not both numerators.
+            // Coprime: a prime of the lcm divides b or d, so it does not divide both numerators.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
@@ -74,7 +76,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // Sums of floats need shifts in place of a greatest common divisor.
+        // Sums of floats need shifts instead of a greatest common divisor.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());
@@ -162,7 +164,6 @@ impl Neg for Rational {
     }
 }
 
-/// By value, as far as callers chain operations; each forwards to the operation on references.
 macro_rules! forward_by_value {
     ($($operator:ident $method:ident),*) => {$(
         impl $operator for Rational {

@@ -1,26 +1,20 @@
-//! Where a numeral ends, and where its parts meet.
+//! Splits a numeral at the start of a text into its parts.
 
-/// The numeral at the start of a text, which ends where Rust's lexer ends it: `1..2` and `1.x`
-/// begin with `1`.
+/// The parts of a numeral, which ends as in Rust: `1..2` and `1.x` begin with the numeral `1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numeral<'a> {
-    /// The digits before the point, and underscores.
     pub(crate) whole: &'a str,
-    /// Those behind it.
     pub(crate) fraction: &'a str,
-    /// The exponent with its sign.
     pub(crate) exponent: &'a str,
-    /// The text behind the numeral.
     pub(crate) rest: &'a str,
 }
 
 impl<'a> Numeral<'a> {
-    /// The number of bytes of the numeral that begins a text.
     pub(crate) fn length_in(text: &'a str) -> usize {
         text.len() - Self::scan(text).rest.len()
     }
 
-    /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`. Parts that are not there are empty.
+    /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`. Absent parts are empty.
     pub(crate) fn scan(text: &'a str) -> Self {
         let is_digit = |c: char| c.is_ascii_digit() || c == '_';
         let digits = |text: &'a str| text.split_at(text.find(|c| !is_digit(c)).unwrap_or(text.len()));

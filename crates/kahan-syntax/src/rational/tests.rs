@@ -9,7 +9,6 @@ fn q(text: &str) -> Rational {
     Rational::parse(text).unwrap_or_else(|| panic!("{text} should read as a number"))
 }
 
-/// A seeded stream of awkward rationals around the border between small and big.
 fn samples() -> Vec<Rational> {
     let edges =
         [0, 1, -1, 2, 3, -6, 12, 1 << 31, (1 << 31) + 1, -(1 << 53) - 1, i64::MAX, i64::MIN, i64::MIN + 1];
@@ -129,7 +128,7 @@ fn bits_measure_the_larger_part() {
     assert_eq!(q("1/18446744073709551616").bits(), 65);
 }
 
-/// Rust's decimal parser rounds correctly, so it is the oracle.
+/// Compares with Rust's decimal parser, which rounds correctly.
 fn agrees_with_the_standard_library(text: &str) {
     let exact = q(text);
     assert_eq!(exact.to_f64().to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text} as f64");
@@ -234,7 +233,6 @@ fn numbers_are_read_as_people_type_them() {
     }
 }
 
-/// Floats and their halves, and numbers between them, in every range of exponents.
 #[test]
 fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
     let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
@@ -247,7 +245,7 @@ fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
         };
         assert_eq!(exact, Rational::from(BigRational::from_float(value).unwrap()), "{value}");
         assert_eq!(exact.to_f64().to_bits(), value.to_bits() & if value == 0.0 { 0 } else { u64::MAX });
-        // With more bits than a float has: rounded as by long division.
+        // More bits than a float has: compared with long division.
         for odd in [bits | 1, bits >> 5 | 1, bits >> 9 | 1] {
             for shift in [0_u32, 3, 40, 63, 64, 200, 1022, 1023, 1070, 1140] {
                 let exact = Rational::from(BigRational::new(odd.into(), BigInt::one() << shift));

@@ -1,7 +1,5 @@
-//! Rationals as text: `p`, `p/q` and decimals in, `p` or `p/q` out.
-//!
-//! A decimal means exactly what its digits say: 0.1 is one tenth. Nothing here passes through a
-//! float.
+//! Rationals as text: reads `p`, `p/q` and decimals, writes `p` or `p/q`. Decimals are exact: 0.1
+//! is one tenth.
 
 use std::fmt;
 
@@ -10,15 +8,14 @@ use num_bigint::BigInt;
 use super::numeral::Numeral;
 use super::{Rational, Repr};
 
-/// The largest size of a decimal exponent: larger ones are refused, so that no short text makes a
-/// long number.
+/// The largest size of a decimal exponent, so that short texts make no huge numbers.
 pub(crate) const LARGEST_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// A decimal or a quotient of two, with a sign in front: `3/7`, `-2`, `0.25`, `1e-3`, `1_000`,
-    /// `.5`, `5.`.
+    /// Reads a decimal or a quotient of two, with an optional sign: `3/7`, `-2`, `0.25`, `1e-3`,
+    /// `1_000`, `.5`, `5.`.
     ///
-    /// `None` for what is no such number, divides by zero, or has an exponent beyond ±4096.
+    /// Returns `None` for other texts, for a zero divisor, and for exponents beyond ±4096.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
@@ -30,7 +27,7 @@ impl Rational {
     }
 }
 
-/// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.e3`.
+/// Reads a decimal without a sign, also `.5` and `5.e3`.
 fn decimal(text: &str) -> Option<Rational> {
     if let Some(value) = short_decimal(text) {
         return Some(value);
@@ -45,8 +42,7 @@ fn decimal(text: &str) -> Option<Rational> {
     Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
 }
 
-/// A decimal of up to 18 digits without an exponent and separators, as most are; `None` for
-/// others.
+/// Reads a decimal of at most 18 digits without exponent and separators, the usual case.
 fn short_decimal(text: &str) -> Option<Rational> {
     const MOST_DIGITS: usize = 18;
 
@@ -65,7 +61,6 @@ fn short_decimal(text: &str) -> Option<Rational> {
     (digits > 0).then(|| Rational::new(numerator, denominator))
 }
 
-/// A non-empty string of digits.
 fn natural(digits: &str) -> Option<Rational> {
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;
@@ -82,7 +77,6 @@ fn decimal_exponent(text: &str) -> Option<i64> {
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-/// The text without each `_` that stands between two digits.
 fn without_separators(text: &str) -> String {
     let is_digit =
         |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
@@ -91,7 +85,7 @@ fn without_separators(text: &str) -> String {
     kept.map(|(_, c)| c).collect()
 }
 
-/// `p`, or `p/q` where q is not 1.
+/// Writes `p`, or `p/q` if q ≠ 1.
 impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
@@ -102,7 +96,6 @@ impl fmt::Display for Rational {
     }
 }
 
-/// The same text as `Display`: the representation is nobody's concern.
 impl fmt::Debug for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

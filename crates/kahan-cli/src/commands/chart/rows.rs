@@ -1,4 +1,4 @@
-//! The rows of a result, on the cells of a chart.
+//! Rows of a result, averaged over the cells of a chart.
 
 use std::path::Path;
 
@@ -7,24 +7,20 @@ use kahan_study::{Axis, Range};
 use crate::printing::{Refusal, joined};
 use crate::reading::{self, named, number, over};
 
-/// What is drawn, and of which rows.
+/// The rows of a file to draw, and the column that they show.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
-    /// What is gone through: the name of a column, whose values are then the middles of the cells,
-    /// or a range.
+    /// Ranges, or names of columns, whose values are then the middles of the cells.
     pub(super) over: &'a [String],
-    /// The column that is shown.
     pub(super) column: String,
-    /// NAME=VALUE: only the rows in which that column is that.
     pub(super) chosen: &'a [String],
 }
 
-/// The most cells of a chart of rows.
 const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
-    /// The cells, and the mean of what their rows show, row by row from below; not a number where
-    /// there is none.
+    /// Returns the axes and the mean of each cell, row by row from below; NaN for cells without
+    /// numbers.
     pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), Refusal> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
@@ -69,7 +65,6 @@ impl<'a> Rows<'a> {
         let mut cells = vec![Cell::default(); count];
         for row in rows {
             let place = |axis: usize| ranges[axis].range.place(columns[axis][row]);
-            // The first axis runs fastest.
             let cell = axes.clone().rev().try_fold(0, |cell, axis| Some(cell * counts[axis] + place(axis)?));
             if let Some(cell) = cell {
                 cells[cell].add(shown(values[row]));
@@ -91,7 +86,7 @@ impl<'a> Rows<'a> {
         Ok((ranges, cells.into_iter().map(Cell::mean).collect()))
     }
 
-    /// No row is in the file, or none is chosen.
+    /// Returns the refusal of a file without rows that satisfy the conditions.
     fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> Refusal {
         const MOST: usize = 8;
         let there = chosen.iter().zip(columns).find(|((_, value), column)| !column.contains(value));
@@ -109,17 +104,15 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// NAME=VALUE.
 fn choice(given: &str) -> Result<(&str, f64), Refusal> {
     let (name, value) = named(given, "--where", "order=2")?;
     Ok((name, number(value, "--where")?.to_f64()))
 }
 
-/// What the rows in a cell show.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     rows: usize,
-    /// Those that show a number, and their sum.
+    /// The number of rows with a number.
     numbers: usize,
     sum: f64,
 }

@@ -1,7 +1,7 @@
 //! Orbits of every start over all values of parameters, ε and coordinates, as one table.
 //!
-//! In: starts, and ranges by name. Out: for each start and each combination of values an orbit,
-//! which begins when its turn comes, so that memory does not grow with its rows.
+//! In: starts, and ranges by name. Out: one orbit for each start and each combination of values. An
+//! orbit begins in its turn, so memory does not grow with the number of rows.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
@@ -12,17 +12,16 @@ use super::{Orbit, Question};
 use crate::printing::{Answer, Refusal};
 use crate::reading;
 
-/// The values that ranges have together, one of each, the last range running fastest.
+/// All combinations of values of the axes; the last axis varies fastest.
 struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The fields of the first ones, each with its map.
+    /// The fields of the first combinations, each with its map.
     few: Vec<Study>,
 }
 
 impl Orbit {
-    /// Writes the orbits over the ranges.
     pub(super) fn over(&self) -> Result<Answer, Refusal> {
         let axes: Vec<Axis> = self.over.iter().map(|text| reading::over(text)).collect::<Result<_, _>>()?;
         let (study, starts, eps) = self.start.starts_over(&axes)?;
@@ -49,7 +48,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // Nothing is written before each value and each start has begun once.
+        // All combinations and starts begin once before the first row, as one may be refused.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;
@@ -75,7 +74,7 @@ impl Orbit {
         self.write(head, &names, orbits, |(start, index, values), table, watch| {
             let ending = asked(start, &values)
                 .and_then(|asked| Ok(asked.begin(&all.study(index)?)?.rows(0..u64::MAX, table, watch)));
-            // An orbit without a first point ends there.
+            // An orbit without a first point ends at step 0.
             Ok(ending.unwrap_or_else(|why| Ending {
                 end: End::Range(0),
                 step: 0,
@@ -86,7 +85,6 @@ impl Orbit {
         })
     }
 
-    /// A value as it stands in the rows of its orbit.
     fn cell(&self, value: &Rational) -> Kept {
         match self.scalar {
             ScalarKind::Exact => Kept::Exact(vec![Exact::Number(value.into())]),
@@ -102,7 +100,6 @@ impl<'a> Combinations<'a> {
         Ok(Combinations { study, axes, count, few: Vec::new() })
     }
 
-    /// The values of one of them.
     fn values(&self, index: usize) -> Vec<Rational> {
         let mut rest = index;
         let mut values: Vec<Rational> = self
@@ -119,7 +116,6 @@ impl<'a> Combinations<'a> {
         values
     }
 
-    /// The field at the values of one of them.
     fn study(&self, index: usize) -> Result<Study, StudyError> {
         if let Some(study) = self.few.get(index) {
             return Ok(study.clone());
@@ -133,8 +129,7 @@ impl<'a> Combinations<'a> {
     }
 }
 
-/// The most combinations of values, each of which is begun once before the first row.
 const MOST: usize = 1 << 20;
 
-/// The combinations whose maps are kept from one start to the next.
+/// The number of combinations whose maps are cached.
 const KEPT: usize = 1024;

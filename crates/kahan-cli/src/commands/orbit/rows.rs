@@ -1,7 +1,7 @@
-//! The table of orbits: where it goes, and what becomes of an orbit that ends early.
+//! The table of orbits: its destination, and the endings of its orbits.
 //!
-//! In: what is known before the first row, where each orbit is among several, and who hands on its
-//! rows. Out: the table, and an answer that says why orbits ended. What a step is, this module must
+//! In: a head, and orbits that write their own rows. Out: the table, and an answer that says why
+//! orbits ended. This module must not know how steps are made.
 //! not know.
 
 use kahan_study::{Ending, Kept};
@@ -12,8 +12,8 @@ use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn
 use crate::reading::option;
 
 impl Orbit {
-    /// Opens the table, lets it be filled orbit by orbit, closes it. `places` are the names of the
-    /// first columns, which each orbit has the cells of.
+    /// Writes a table, orbit by orbit. `places` are the names of the first columns, whose cells
+    /// each orbit brings.
     pub(super) fn write<O>(
         &self,
         head: Value,
@@ -29,11 +29,11 @@ impl Orbit {
         let sink = file.map_or_else(|| Ok(Sink::standard()), Sink::table)?;
         let stops = match self.write_into(sink, &head, orbits, fill) {
             Ok(stops) => stops,
-            // Nobody wants more rows, which is no error.
+            // A reader that goes away ends the table without an error.
             Err(Broken::ReaderGone) => Vec::new(),
             Err(Broken::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
         };
-        // With rows in a file, the object that describes them is the answer.
+        // With rows in a file, the answer is the object that describes them.
         let answer = match file {
             Some(path) if self.json => {
                 head.insert("out".to_owned(), json!(path.display().to_string()));
@@ -48,7 +48,6 @@ impl Orbit {
         Ok(answer.but(complaint(&stops)))
     }
 
-    /// How orbits ended.
     fn write_into<O>(
         &self,
         sink: Sink,
@@ -73,9 +72,8 @@ impl Orbit {
     }
 }
 
-/// How orbits ended, as it stands in an object: `ended`, `ended_step`, under `stopped` why it
-/// ended early or null, and under `note` a finding about it, if there is one; of several orbits
-/// lists of these.
+/// Returns how orbits ended, for an object: `ended`, `ended_step`, `stopped` (null for complete
+/// orbits) and possibly `note`. Several orbits have lists.
 fn ended(endings: &[Ending]) -> Map<String, Value> {
     let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,
@@ -93,7 +91,7 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-/// The same for standard error: of several orbits, how many ended early, and why the first of them.
+/// Says how many orbits ended early, and why the first of them did.
 fn complaint(endings: &[Ending]) -> Option<String> {
     let early = endings.iter().enumerate();
     let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));

@@ -1,5 +1,4 @@
-//! The figures of a page. Each draws or tabulates the answer to a question, and is shown with the
-//! call of the command that asks it.
+//! The figures of a page: answers to questions, drawn or tabulated, each with its command line.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::hilbert::default_degree;
@@ -20,13 +19,11 @@ use super::super::picture::shown::{Drawn, Shown, What};
 use super::super::picture::starts::{At, Spread};
 use crate::printing::{Prompt, Refusal};
 
-/// A field, and the words that name it.
 pub(super) struct Field {
     pub(super) words: Vec<String>,
     pub(super) study: Study,
 }
 
-/// A question about a field: the call that asks it, and its answer.
 pub(super) struct Asked {
     line: Line,
     pub(super) answer: Result<Answer, StudyError>,
@@ -38,7 +35,7 @@ impl Asked {
         Asked { line: Line::asking(&field.words, &question), answer }
     }
 
-    /// The answer above its call; where there is none, why.
+    /// Returns the answer, or the reason why there is none, above the command line.
     pub(super) fn html(&self) -> Markup {
         html! {
             @match &self.answer {
@@ -50,57 +47,50 @@ impl Asked {
     }
 }
 
-/// What the figures are of.
+/// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
-    /// The field with the values of its parameters.
+    /// The field with values of its parameters.
     pub(super) valued: &'a Field,
-    /// The same with its integrals: the claimed ones, or where none are, those that were found.
+    /// The field with values and with integrals: claimed ones, otherwise those that were found.
     pub(super) kept: &'a Field,
-    /// The field with what was given only.
+    /// The field with the given values only.
     pub(super) generic: &'a Field,
     pub(super) variables: &'a [String],
     pub(super) shown: &'a ShownOrbit,
-    /// The time that the page may take.
+    /// The time for the whole page, in seconds.
     pub(super) seconds: f64,
 }
 
-/// The time beyond which no picture of orbits is waited for.
 const SECONDS: f64 = 10.0;
-/// First points of pictures of many orbits.
 const STARTS: usize = 5;
-/// Shares of the time.
 const SEARCH: f64 = 0.35;
 const POLES: f64 = 0.1;
 const HEIGHTS: f64 = 0.06;
 const TRADE: f64 = 0.25;
 
 impl Subject<'_> {
-    /// So many steps from the first point.
     fn one_orbit(&self, steps: u64) -> Shown {
         let ShownOrbit { eps, start, .. } = self.shown;
         Shown::portrait(eps.clone(), vec![At::Point(start.clone())], steps)
     }
 
-    /// So many seconds, of which the page has this share.
+    /// Returns a share of the time in seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
 
-    /// Field, A, b, map and Jacobian, and the claims that come with the field.
     pub(super) fn formulas(&self) -> Markup {
         let asked = Show { form: Form::Latex, jacobian: false };
         Asked::of(self.generic, Question::Show(asked)).html()
     }
 
-    /// What the map preserves, found from the equations alone.
     pub(super) fn search(&self) -> Asked {
-        // With a degree the search ends where that is looked at, and every page says the same.
+        // With a degree the result does not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
         Asked::of(self.generic, Question::Discover(asked))
     }
 
-    /// What becomes of singularities, and of the heights of an exact orbit.
     pub(super) fn growth(&self) -> Markup {
         let poles = Poles { seconds: self.share(POLES), ..Poles::default() };
         let heights = Shown { what: What::Heights, seconds: self.share(HEIGHTS), ..self.one_orbit(400) };
@@ -113,7 +103,6 @@ impl Subject<'_> {
         }
     }
 
-    /// Orbits in space or in the plane, in time, and where they cross a plane.
     pub(super) fn orbits(&self) -> Markup {
         let portrait = self.many_orbits(if self.variables.len() == 1 { 200 } else { 4000 });
         let first = &self.variables[0];
@@ -132,13 +121,11 @@ impl Subject<'_> {
         }
     }
 
-    /// Exponents, indicators, rotation numbers, drift.
     pub(super) fn dynamics(&self) -> Markup {
         let asked = Observe::new(self.shown.eps.clone(), self.shown.start.clone(), self.steps());
         Asked::of(self.kept, Question::Observe(asked)).html()
     }
 
-    /// Which orbits are chaotic.
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
         let ShownOrbit { eps, start, .. } = self.shown;
@@ -146,7 +133,7 @@ impl Subject<'_> {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
         };
-        // The first range of a chart runs fastest, and the last axis of a question.
+        // The first range of a chart varies fastest, as does the last axis of a question.
         let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
             let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
             let range = range.expect("printed numbers make a range");
@@ -168,9 +155,9 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))
     }
 
-    /// The cheapest settings on a shown like that of the figures.
+    /// Returns the cheapest settings over a horizon like that of the figures.
     pub(super) fn settings(&self) -> Markup {
-        /// Steps of the figures that the horizon takes.
+        /// The number of steps of the figures in the horizon.
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
         let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
@@ -179,7 +166,6 @@ impl Subject<'_> {
         Asked { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
     }
 
-    /// A picture of `kahan picture`, with words on what it shows.
     fn picture(&self, id: &str, title: &str, asked: &Shown, words: impl Fn(&[Visits]) -> Markup) -> Markup {
         let drawn = asked.drawn(&self.valued.study).and_then(|Drawn { picture, notes }| {
             if picture.points == 0 {
@@ -192,27 +178,27 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// The steps of exponents, fewer where there are many variables, each with its tangent vector.
+    /// Returns the number of steps for exponents; tangent vectors make it fall with the dimension.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
-    /// The steps of each orbit of a section: their number grows with the time that there is, and
-    /// falls with the number of variables.
+    /// Returns the number of steps for a section: it grows with the time and falls with the
+    /// dimension.
     fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
-    /// Cells of a chart of stability in a row: their number grows with the time that there is, and
-    /// falls with the number of variables.
+    /// Returns the cells in a row of the chart: they grow with the time and fall with the
+    /// dimension.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// So many steps from points between the first and the middle of its orbit.
+    /// Asks for orbits from points between the start and the middle of its orbit.
     fn many_orbits(&self, steps: u64) -> Shown {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
@@ -225,8 +211,8 @@ impl Subject<'_> {
         Shown { spread, seconds: SECONDS, ..Shown::portrait(eps.clone(), at, steps) }
     }
 
-    /// The middle of what the third variable takes on its orbit, or where that one hardly moves, of
-    /// what the one takes that moves most.
+    /// Returns the plane through the middle of the third variable, or of the one that varies most
+    /// if the third hardly varies.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -242,7 +228,7 @@ impl Subject<'_> {
         }
     }
 
-    /// A variable over what its orbit takes, and a tenth more on either side.
+    /// Returns the range of a variable on its orbit, with a tenth more on either side.
     fn range(&self, k: usize) -> [f64; 2] {
         let [low, high] = self.shown.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.shown.size);
@@ -250,7 +236,7 @@ impl Subject<'_> {
     }
 }
 
-/// A drawing with notes and words on it, or why there is none.
+/// A drawing with notes and an explanation, or the reason why there is none.
 pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
 
 pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
@@ -272,16 +258,14 @@ pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Marku
     }
 }
 
-/// How to make it again.
 pub(super) fn command(line: &Line) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
 }
 
-/// What a section shows, by what is seen of its orbits.
+/// Explains a section by the number and the places of its crossings.
 fn crossings(orbits: &[Visits], variables: usize) -> Markup {
-    /// Fewer crossings show no pattern.
     const PATTERN: usize = 40;
-    /// Places that are visited so often on the average are the same again and again.
+    /// The mean number of visits from which places count as repeated.
     const OFTEN: usize = 10;
 
     let of = |chosen: fn(&Visits) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();
@@ -310,15 +294,14 @@ fn crossings(orbits: &[Visits], variables: usize) -> Markup {
     }
 }
 
-/// A number on an interval of this length, to about a thousandth of it.
+/// Rounds a number to between 1/1000 and 1/100 of an interval of this length.
 fn between(value: f64, length: f64) -> String {
     let unit = 10_f64.powf((length / 100.0).log10().floor());
-    // An interval of no length has no thousandths.
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };
     decimal(rounded)
 }
 
-/// Three digits, as one writes them: 12.3, -0.05, 400.
+/// Formats a number with three digits: 12.3, -0.05, 400.
 fn decimal(value: f64) -> String {
     let rounded: f64 = format!("{value:.2e}").parse().expect("a printed float is one");
     if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }

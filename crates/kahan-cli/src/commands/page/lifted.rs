@@ -1,5 +1,5 @@
-//! The page of a lifted field: the lift is chosen once, along the orbit of the figures, and every
-//! command on the page makes the same choice, since its text begins there.
+//! The page of a lifted field. The lift is chosen once, along the orbit of the figures. The text on
+//! the page begins at that point, so that each command chooses it again.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{Look, relations};
@@ -13,8 +13,8 @@ use crate::printing::{Refusal, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
-    /// The source and its block; of a lifted field with a text that begins at the point along whose
-    /// orbit the lift is chosen.
+    /// Returns the source and its block. The text of a lifted field gets the start along whose
+    /// orbit the lift was chosen.
     pub(super) fn begun(&self, block: &Block) -> Result<(Source, Block), Refusal> {
         let as_given = (self.source.clone(), block.clone());
         let study = self.source.study_of_block(block, self.at.as_deref())?;
@@ -37,8 +37,8 @@ impl Page {
 }
 
 impl Subject<'_> {
-    /// The equations before and after the lift, and what becomes of the relations. `written` is the
-    /// text as it was given.
+    /// Returns the equations before and after the lift, and the behaviour of the relations.
+    /// `written` is the given text.
     pub(super) fn lift(&self, written: &str) -> Markup {
         let (eps, start) = (&self.shown.eps, joined(&self.shown.start, ","));
         let found = match self.valued.study.lift_found(Some(eps.to_f64())) {

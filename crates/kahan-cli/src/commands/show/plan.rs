@@ -1,4 +1,5 @@
-//! `kahan show --plan`: what each generated function costs, and the step in straight lines.
+//! `kahan show --plan`: the cost of each generated function, and the straight-line program of the
+//! step.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
@@ -8,9 +9,7 @@ use kahan_study::{Costs, Listing, Planned};
 
 use crate::printing::page::{Page, paragraph};
 
-/// The width of the column of names.
 const NAMES: usize = 23;
-/// The widths of the columns of numbers, with what stands above them.
 const COLUMNS: [(&str, usize); 6] =
     [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7)];
 
@@ -22,7 +21,6 @@ pub(super) fn text(planned: &Planned) -> String {
     page.line(&row("object", &titles));
     for costs in &planned.objects {
         let label = label(planned, &costs.object);
-        // A long name stands above its numbers.
         if label.chars().count() < NAMES {
             page.line(&row(&label, &cells(costs)));
         } else {
@@ -62,7 +60,6 @@ pub(super) fn text(planned: &Planned) -> String {
     page.text
 }
 
-/// Constants with their number.
 fn label(planned: &Planned, name: &str) -> String {
     let step = planned.derived.step();
     let counted = match name {
@@ -73,12 +70,10 @@ fn label(planned: &Planned, name: &str) -> String {
     counted.map_or_else(|| name.to_owned(), |step| format!("{name} ({})", step.constants.outputs.len()))
 }
 
-/// Which step is taken when.
 const GENERAL: &str = "This step is divided by the time step, which shortens the way from a state to the next. Floats take \
     it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general step, which divides by no eps: \
     exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 
-/// A step in three parts.
 fn step_section(page: &mut Page, name: &str, step: &Listing) {
     if step.constants.is_empty() {
         page.section(&format!("constants of the {name}"), ["none"]);
@@ -91,7 +86,7 @@ fn step_section(page: &mut Page, name: &str, step: &Listing) {
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
-/// Up to which size of a step its error is near that of elimination.
+/// Says up to which step size the error is near that of elimination.
 fn domain(holds_to: u32) -> Vec<String> {
     let end = if holds_to == LARGEST_SIZE {
         "as far as was looked."
@@ -104,12 +99,10 @@ fn domain(holds_to: u32) -> Vec<String> {
     ))
 }
 
-/// Why there are no lines to show.
 const ALONG_COUPLINGS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination along the couplings of the variables, in an order found \
     beforehand; where a pivot is small, with pivoting. What it does depends on the numbers that it meets, so nothing is counted here. \
     det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
 
-/// What the columns mean.
 fn notes() -> Vec<String> {
     let [a, b] = [Node(0), Node(1)];
     let cycles = [
@@ -143,7 +136,6 @@ fn cells(costs: &Costs) -> [String; 6] {
         .map(|count| count.map_or_else(|| "-".to_owned(), |count| count.to_string()))
 }
 
-/// A row of the table, the numbers to the right.
 fn row(name: &str, cells: &[String; 6]) -> String {
     let mut line = format!("{name:<NAMES$}");
     for (cell, (_, width)) in cells.iter().zip(COLUMNS) {

@@ -56,10 +56,8 @@ pub(super) fn text(sheet: &Sheet) -> String {
     page.text
 }
 
-/// The map where N and D are not written out.
 const MINORS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole";
 
-/// A claim with what there is to note behind it.
 fn claim(claim: &ClaimShown) -> String {
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];
     let notes: Vec<&str> = notes.into_iter().filter(|note| !note.is_empty()).collect();
@@ -67,7 +65,7 @@ fn claim(claim: &ClaimShown) -> String {
     format!("{}{comment}", claim.statement)
 }
 
-/// The same of a sheet whose formulas are in LaTeX.
+/// Formats a sheet whose formulas are in LaTeX.
 pub(super) fn latex(sheet: &Sheet) -> String {
     let equations = |accent: &str, right: &[String]| {
         let states = sheet.variables.iter().map(|state| format!("{accent} {{{}}}", Latex.name(state)));
@@ -107,7 +105,6 @@ pub(super) fn latex(sheet: &Sheet) -> String {
     page.text
 }
 
-/// `left = matrix` in LaTeX.
 fn matrix_latex(left: &str, environment: &str, rows: &[Vec<String>]) -> String {
     let room = PAGE_WIDTH.saturating_sub(breaking::width_of(left) + 3);
     format!("{left} = {}", breaking::matrix(environment, rows, room))

@@ -1,4 +1,4 @@
-//! Every line is within the width, or is one word.
+//! Every line fits the width, or is one word.
 
 use kahan_algebra::render::{folded, lines};
 

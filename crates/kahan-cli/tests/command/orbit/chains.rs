@@ -1,4 +1,4 @@
-//! Chains of any number of sites: formulas, files, what is kept.
+//! Chains of any number of sites: formulas, files, conserved sums.
 
 use super::*;
 use crate::running::{answer, kahan, object, refusal};
@@ -13,7 +13,6 @@ const SHORE: &str = "for i in open { n[i]dot = n[i]*(r[i] - n[i] - mu*(n[i-1] + 
 
 const SPRINGS: &str = "for i in open { a[i]dot = a[i]*(b[i+1] - b[i]); b[i]dot = 2*(a[i]^2 - a[i-1]^2); }";
 
-/// An orbit of a chain with these further arguments.
 fn chain<'a>(field: &'a str, further: &[&'a str]) -> Vec<&'a str> {
     [&["orbit", "--field", field, "--eps", "1e-3"], further].concat()
 }
@@ -23,7 +22,6 @@ fn wave<'a>(further: &[&'a str]) -> Vec<&'a str> {
     chain(WAVE, &[&given, further].concat())
 }
 
-/// The rows of a table, without its names.
 fn numbers(table: &str) -> Vec<Vec<f64>> {
     table
         .lines()
@@ -32,7 +30,6 @@ fn numbers(table: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The header of an array and its numbers.
 fn array(file: &Path) -> (String, Vec<f64>) {
     let bytes = fs::read(file).expect("the file");
     let (header, data) = bytes.split_at(128);
@@ -51,7 +48,7 @@ fn a_short_chain_is_the_block_that_is_written_out() {
         chain(SHORE, &[&common[..], &["--start", "n = (1 + i)/2", "--param", "r = 1 + i/n"]].concat());
     let (plain, family) = (answer(&plain), answer(&family));
     assert_eq!(plain.lines().next(), family.lines().next());
-    // Both solve the same equations of numbers of size one, five times.
+    // Both solve equal equations with numbers of size 1, five times.
     for (a, b) in numbers(&plain).iter().flatten().zip(numbers(&family).iter().flatten()) {
         assert!((a - b).abs() < 1e-14, "{a} {b}");
     }
@@ -65,7 +62,7 @@ fn a_wave_keeps_its_mass_and_its_modified_energy() {
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0, 40.0]);
     let drift =
         |column: usize| rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max);
-    // Forty steps of four hundred sites, each rounded; the energy itself is not kept.
+    // Rounding of forty steps of four hundred sites; the unmodified energy is not kept.
     assert!(drift(4) < 1e-12 && drift(6) < 1e-11 && drift(5) > 1e-9, "{table}");
 }
 
@@ -96,7 +93,7 @@ fn an_orbit_goes_on_from_a_file() {
     };
     let formulas = "b = cos(i); a = exp(-i)/2";
     springs(formulas, "6", "6", &whole);
-    // Of two rows the last is where the next orbit begins.
+    // The next orbit begins at the last of two rows.
     springs(formulas, "3", "3", &first);
     let (header, values) = array(&first);
     assert_eq!(header, "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 50, 2), }");
@@ -106,7 +103,7 @@ fn an_orbit_goes_on_from_a_file() {
     fs::write(&middle, format!("a,b\n{}\n", rows.join("\n"))).expect("a file");
     springs(path_text(&middle), "3", "3", &second);
     assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
-    // Names say which column is which.
+    // A heading says which column is which.
     let turned: Vec<String> =
         values[100..].chunks(2).map(|site| format!("{:?},{:?}", site[1], site[0])).collect();
     fs::write(&middle, format!("b,a\n{}\n", turned.join("\n"))).expect("a file");
@@ -180,12 +177,10 @@ fn mistakes_are_told() {
     }
 }
 
-/// A file of NumPy's with this shape.
 pub(super) fn numpy(file: &Path, shape: &str, values: &[f64]) {
     numpy_of(file, "'<f8'", shape, values);
 }
 
-/// A file of NumPy's with floats of this type.
 pub(super) fn numpy_of(file: &Path, descr: &str, shape: &str, values: &[f64]) {
     let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
     let mut bytes = [b"\x93NUMPY\x01\x00\x76\x00".as_slice(), format!("{header:<117}\n").as_bytes()].concat();
@@ -204,7 +199,7 @@ fn files_are_read_by_their_shape() {
     let values: Vec<f64> = (0..12).map(f64::from).collect();
     numpy(&file, "(3, 2)", &values[..6]);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[..6]);
-    // Of several states, as --out writes them, the last.
+    // Of several states the last is the start.
     numpy(&file, "(2, 3, 2)", &values);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[6..]);
     for shape in ["(2, 3)", "(6,)", "(1, 6)"] {

@@ -71,12 +71,10 @@ fn places_without_a_file_are_refused() {
     }
 }
 
-/// A run that is ended with the test.
 struct Endless(Child);
 
 impl Drop for Endless {
     fn drop(&mut self) {
-        // It may have ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

@@ -1,4 +1,4 @@
-//! What a user meets besides numbers: refusals, pipes, help.
+//! Refusals, pipes and help.
 
 use super::*;
 
@@ -14,7 +14,6 @@ fn refusal(arguments: &[&str]) -> String {
 #[test]
 fn rows_come_while_they_are_made_and_a_reader_that_goes_away_is_no_error() {
     for json in [false, true] {
-        // An orbit of weeks.
         let mut command = command(&["e6", "--eps", "0.1", "--at", "1,2,3", "--steps", "1000000000000"]);
         if json {
             command.arg("--json");

@@ -1,5 +1,4 @@
-//! `kahan orbit` from outside: its numbers against known orbits and the generated maps, its files,
-//! its manners.
+//! `kahan orbit`: numbers against known orbits and generated maps, files, refusals.
 
 mod chains;
 mod files;
@@ -33,7 +32,7 @@ fn kahan(arguments: &[&str]) -> Output {
     command(arguments).output().expect("the command runs")
 }
 
-/// Standard output of a run that must succeed and complain of nothing, nor draw a progress bar.
+/// Returns standard output of a run without any output on standard error.
 fn answer(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -41,7 +40,6 @@ fn answer(arguments: &[&str]) -> String {
     text(&output.stdout)
 }
 
-/// A table's names, and its cells.
 fn table(csv: &str) -> (Vec<String>, Vec<Vec<String>>) {
     assert!(csv.ends_with('\n'), "{csv}");
     let mut lines = csv.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
@@ -55,7 +53,6 @@ fn folder() -> TempDir {
     tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).expect("a folder")
 }
 
-/// The names of everything in a folder.
 fn contents(folder: &TempDir) -> Vec<String> {
     let entries = fs::read_dir(folder.path()).expect("the folder can be read");
     let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("UTF-8");
@@ -70,13 +67,12 @@ fn path_text(path: &Path) -> &str {
 
 const ALL: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
 
-/// The independent vectors of a system.
+/// Returns the independently computed test vectors of a system.
 fn vectors(system: &str) -> Value {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../tests/data/{system}.json"));
     serde_json::from_str(&fs::read_to_string(path).expect("the vectors are there")).expect("JSON")
 }
 
-/// `p/1` is written `p`.
 fn exact(value: &Value) -> String {
     let text = value.as_str().expect("a string");
     text.strip_suffix("/1").unwrap_or(text).to_owned()
@@ -86,7 +82,6 @@ fn point(values: &Value) -> String {
     values.as_array().expect("a list").iter().map(exact).collect::<Vec<_>>().join(",")
 }
 
-/// `--param NAME=V` for each parameter.
 fn parameters(values: &Value) -> Vec<String> {
     let values = values.as_object().expect("an object");
     values

@@ -1,5 +1,4 @@
-//! `kahan orbit --order` from outside: the library's compositions, what their integrals do, and
-//! where they end.
+//! `kahan orbit --order`: bits of the library's compositions, their integrals, and their poles.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;
@@ -8,14 +7,13 @@ use serde_json::Value;
 
 use super::kahan;
 
-/// The object that `--json` prints.
 fn object(arguments: &[&str]) -> Value {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
     serde_json::from_slice(&output.stdout).expect("one object")
 }
 
-/// Rows of the table without n and t. From text, which `f64` reads exactly.
+/// Returns the rows without n and t; `f64` reads the texts exactly.
 fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
@@ -24,7 +22,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// Where the target fuses, generated code rounds a multiply-add once and the command twice.
+/// On a target with fused multiply-adds, generated code rounds once and the command twice.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
@@ -49,14 +47,13 @@ fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
     }
 }
 
-/// The largest change of an integral along the orbit, at ε = 0.05 in f64 over 200 steps.
+/// Returns the largest change of an integral over 200 steps at ε = 0.05 in `f64`.
 fn change(order: &str, column: usize) -> f64 {
     let rows = rows(&["e6", "--eps", "0.05", "--at", "1/2,1/4,-3/4", "--steps", "200", "--order", order]);
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Kahan's map keeps H at its ε to rounding; a composition keeps that of no map, but the flow's, up
-/// to what its order leaves.
+/// Kahan's map keeps H at its ε up to rounding; a composition keeps H at ε = 0 to its order.
 #[test]
 fn a_composition_keeps_the_integral_of_the_flow_to_its_order() {
     assert!(change("2", 3) < 1e-14);
@@ -74,7 +71,7 @@ fn a_field_of_one_s_own_is_composed_with_single_precision_too() {
     let single = rows(&[&field[..], &more[..], &["f32"]].concat());
     let double = rows(&[&field[..], &more[..], &["f64"]].concat());
     for (single, double) in single.iter().zip(&double) {
-        // Ten steps of 17 stages, each a few units of 6e-8 off.
+        // Ten steps of 17 stages, each with an error of a few units of 6e-8.
         assert!(single.iter().zip(double).all(|(a, b)| (a - b).abs() < 1e-4), "{single:?} {double:?}");
     }
     assert!(single != double);

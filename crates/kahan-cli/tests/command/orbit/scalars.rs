@@ -1,4 +1,4 @@
-//! The numbers: those of the vectors, of the generated maps, in every scalar and order.
+//! Numbers in every scalar and order, against test vectors and generated maps.
 
 use super::*;
 
@@ -19,7 +19,6 @@ fn exact_orbits_are_those_of_the_vectors() {
             assert_eq!(rows.len(), iterates.len() + 1);
             for (row, expected) in rows.iter().zip(std::iter::once(&orbit["x0"]).chain(iterates)) {
                 assert_eq!(row[2..2 + states].join(","), point(expected), "{system}");
-                // Integrals are conserved exactly.
                 assert_eq!(row[2 + states..], rows[0][2 + states..], "{system}");
                 seen += 1;
             }
@@ -41,7 +40,7 @@ fn the_time_is_twice_the_half_step_times_n() {
     );
 }
 
-/// Rows of `kahan orbit`, and of the generated map in the same scalar: states, then integrals.
+/// Compares `kahan orbit` with the generated map in one scalar: states, then integrals.
 macro_rules! assert_same_bits {
     ($scalar:ty, $name:literal, $map:expr, $at:expr, [$($more:literal),*], $integrals:expr) => {{
         let map = $map;
@@ -177,7 +176,7 @@ fn no_steps_are_one_row() {
 
 #[test]
 fn an_integral_without_a_value_is_an_empty_cell_and_null() {
-    // H = y/x of E3 at x = 0, where the map stays.
+    // H = y/x of E3 is undefined at x = 0, where the map has a fixed point.
     for scalar in ["exact", "f64", "f32"] {
         let arguments = ["e3", "--eps", "1/10", "--at", "0,1,0", "--steps", "1", "--scalar", scalar];
         let (names, rows) = table(&answer(&arguments));

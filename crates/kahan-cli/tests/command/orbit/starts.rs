@@ -1,10 +1,9 @@
-//! `--at` with a file: a row for each first point.
+//! `--at` with a file: one orbit for each row.
 
 use super::chains::{numpy, numpy_of};
 use super::*;
 use crate::running;
 
-/// A file with this text.
 fn file(folder: &TempDir, text: &str) -> String {
     let path = folder.path().join("starts.csv");
     fs::write(&path, text).expect("a file");
@@ -31,7 +30,7 @@ fn a_file_of_one_row_is_the_point_written_out() {
             assert_eq!(answer(&orbits(&file(&folder, text), further)), written, "{text:?} {further:?}");
         }
     }
-    // One tenth is no float: an array has the float.
+    // 0.1 in an array is the nearest float.
     let array = folder.path().join("starts.npy");
     numpy(&array, "(1, 2)", &[0.1, 3.0]);
     let of_array = answer(&orbits(path_text(&array), &["--scalar", "exact"]));
@@ -109,7 +108,7 @@ fn of_several_rows_each_begins_an_orbit() {
 
 #[test]
 fn an_orbit_that_ends_early_ends_alone() {
-    // E1: 1/x changes by 2ε; from x = 2/3 there is no third step at ε = −1/4.
+    // E1 at ε = −1/4: 1/x changes by 2ε, and from x = 2/3 the third step meets a pole.
     let folder = folder();
     let path = file(&folder, "x,y,z\n1/9,1,1\n2/3,1,1\n1/8,1,1\n2/3,1,1\n");
     let asked = ["e1", "--eps", "-1/4", "--at", &path, "--steps", "4", "--scalar", "exact"];
@@ -233,7 +232,7 @@ fn other_commands_take_a_file_of_one_row_and_pictures_several() {
     assert_eq!(picture(&[&several]), picture(&["1/3,2", "1,2"]));
 }
 
-/// Every start has an orbit for each value: the rows of the single calls, behind their places.
+/// Each start has an orbit for each value, with the rows of a single call.
 #[test]
 fn ranges_give_an_orbit_for_each_value_and_start() {
     let folder = folder();
@@ -264,7 +263,6 @@ fn ranges_give_an_orbit_for_each_value_and_start() {
         }
         assert_eq!(rows, expected, "{further:?}");
     }
-    // A coordinate may be gone through, too, and the object has the columns and how each ended.
     let line = [&field[..], &["--at", "1,2", "--param", "a=1", "--param", "b=1", "--eps", "1/8", "--json"]];
     let object = |more: &[&str]| -> Value {
         serde_json::from_str(&answer(&[&line.concat(), more].concat())).expect("JSON")

@@ -1,5 +1,5 @@
-//! `kahan trade` at the edges: near a pole, at numbers that are very large or small, with no time,
-//! and where `Dd` is the cheapest.
+//! `kahan trade` at the edges: near a pole, at very large or small numbers, without time, and where
+//! double-double is cheapest.
 
 use std::process::Output;
 
@@ -24,23 +24,22 @@ fn complaint(arguments: &[&str], status: i32) -> String {
     String::from_utf8(output.stderr).expect("UTF-8")
 }
 
-/// x = tan t, with a pole at t = π/2 ≈ 1.5708, 0.0068 after the horizon: errors are relative to
-/// what the trajectory reaches before the horizon, not to what it reaches soon after.
+/// x = tan t with the horizon 0.0068 before the pole π/2 ≈ 1.5708. Errors are relative to the
+/// trajectory before the horizon.
 #[test]
 fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     let scene = ["--field", "xdot = x^2 + 1;", "--at", "0", "--horizon", "1.564", "--tolerance", "1e-4"];
     let object = json(&scene);
-    // tan is 1 + tan² ≈ 2·10⁴ times as sensitive as its argument is known.
+    // tan amplifies the error of its argument by 1 + tan² ≈ 2·10⁴.
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // As steep as the end is, it is short: a step as fine as its slope, 300, asks for would be a
-    // waste.
+    // The steep end is short, and needs no steps as fine as its slope of 300 suggests.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
-/// (x, ε) ↦ (λx, ε/λ) is a symmetry of E6: at λ = 2⁻¹²⁵ and 2¹²⁵, as small and as large as `f32`
-/// can bear, errors in `f64` are the same.
+/// (x, ε) ↦ (λx, ε/λ) is a symmetry of E6. Errors in `f64` are equal at λ = 2⁻¹²⁵ and 2¹²⁵, the
+/// limits of `f32`.
 #[test]
 fn a_homogeneous_field_is_served_alike_at_every_scale() {
     let of = |point: &str, horizon: &str| {
@@ -74,7 +73,7 @@ fn a_homogeneous_field_is_served_alike_at_every_scale() {
     }
 }
 
-/// ε over this horizon is beyond the range of `f32`, which has no setting then, not one that rests.
+/// ε over this horizon exceeds the range of `f32`, which then has no setting.
 #[test]
 fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     let scene = ["e1", "--at", "1e-60,1e-60,1e-60", "--horizon", "1e60", "--tolerance", "1e-4"];
@@ -84,7 +83,7 @@ fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     assert!(settings.iter().all(|setting| number(setting, "eps") > 0.0), "{object}");
 }
 
-/// Slow ẋ = −x² beside a slope that grows for ever, to 20 000 by the end: E1.
+/// E1: slow ẋ = −x² beside a slope that grows to 20 000.
 #[test]
 fn a_slope_across_the_motion_does_not_ask_for_fine_steps() {
     let object = json(&["e1", "--at", "1,1,1", "--horizon", "10000", "--tolerance", "1e-2"]);
@@ -100,8 +99,8 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// The integrals of E6 to a few units of `f64`: it takes compensated steps fifty times as fine as
-/// they are in double-double, which cost ten times as much each.
+/// Integrals of E6 to a few units of `f64`: compensated steps are fifty times finer than those in
+/// double-double, which cost ten times as much.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =
@@ -130,12 +129,12 @@ fn a_tolerance_beyond_32_digits_is_told_from_a_sensitive_solution() {
     let scene = ["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", "1e-30"];
     let refusal = complaint(&scene, 2);
     assert!(refusal.contains("choose a tolerance above ") && !refusal.contains("sensitive"), "{refusal}");
-    // What it names is accepted.
+    // The tolerance that the refusal names is accepted.
     let named = refusal.trim_end().rsplit(' ').next().expect("a number");
     json(&["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", named]);
 }
 
-/// A long horizon is long, not a pole: E6 through this point is periodic.
+/// E6 through this point is periodic, so a long horizon meets no pole.
 #[test]
 fn a_long_horizon_is_not_taken_for_an_escape() {
     let refusal = complaint(&["e6", "--at", "1,1/2,1/3", "--horizon", "1e12", "--seconds", "0.2"], 2);

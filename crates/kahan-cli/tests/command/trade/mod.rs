@@ -1,7 +1,5 @@
-//! `kahan trade`: the front is a front, the choice does what it says, and refusals say why.
-//!
-//! Prices are times and never asserted beyond being positive; errors are computed again, from the
-//! library's own orbits.
+//! `kahan trade`: its front, its choice and its refusals. Prices are times, of which only the sign
+//! is tested; errors are computed again from orbits of the library.
 
 mod edges;
 
@@ -26,7 +24,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
 }
 
-/// ε to the last bit, which reading JSON may miss, of an orbit that ends at the horizon.
+/// Returns ε to the last bit, which JSON may round, of an orbit that ends at the horizon.
 fn eps_of(setting: &Value, horizon: f64) -> f64 {
     let eps = horizon / (2.0 * number(setting, "steps"));
     match setting["scalar"].as_str() {
@@ -35,7 +33,7 @@ fn eps_of(setting: &Value, horizon: f64) -> f64 {
     }
 }
 
-/// What is not a number is worse than any.
+/// Returns an error; NaN counts as infinite.
 fn error(setting: &Value, key: &str) -> f64 {
     setting[key].as_f64().unwrap_or(f64::INFINITY)
 }
@@ -83,8 +81,8 @@ fn every_setting_has_the_keys_and_the_front_is_a_front() {
     assert!(cheaper.map(miss).all(|miss| miss > 1e-6), "a cheaper setting does too");
 }
 
-/// The largest distance of the setting's orbit from the trajectory, every point of it, relative to
-/// the trajectory's size.
+/// Returns the largest distance of the setting's orbit from the trajectory, relative to the size of
+/// the trajectory.
 fn error_of(setting: &Value, horizon: f64) -> f64 {
     let start = ["1", "1/2", "1/3"].map(|text| Rational::parse(text).expect("a number").to_big());
     let asked =
@@ -145,8 +143,7 @@ fn the_choice_meets_its_tolerance_when_it_is_run_again() {
         let choice = &object["choice"];
         let (claimed, again) = (number(choice, "trajectory_error"), error_of(choice, 3.0));
         assert!(claimed <= limit, "{choice}");
-        // The same orbit against the same trajectory; a point that was not looked at may lie a
-        // little further off.
+        // The command looks at fewer points, so its error may be a little smaller.
         assert!(again >= 0.999 * claimed && again <= 1.05 * claimed, "{claimed} against {again}");
         let rust = choice["rust"].as_str().expect("a line");
         assert!(rust.starts_with("let orbit = ") && rust.contains("E6") && rust.ends_with(");"), "{rust}");
@@ -174,8 +171,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// The Euler top's claims are 1 at ε = 0, whatever the state: the coefficient of ε² is what a
-/// composition has to keep.
+/// At ε = 0 the claims of the Euler top are 1 everywhere; a composition keeps the coefficient of
+/// ε².
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];
@@ -198,7 +195,7 @@ fn a_field_of_the_users_own_is_run_and_pasted_as_it_was_given() {
     let object = json(&[&field[..], &["--horizon", "1", "--tolerance", "1e-4", "--seconds", "60"]].concat());
     assert_eq!(object["timing"], "measured");
     assert_eq!(object["reference"]["second_method"], "composition");
-    // What the reference may err by is a hundredth of the tolerance, and not there to be used.
+    // The error of the reference, at most a hundredth of the tolerance, counts as well.
     let difference = number(&object["reference"], "difference");
     assert!(difference <= 1e-6 && difference + number(&object["choice"], "trajectory_error") <= 1e-4);
     let rust = object["choice"]["rust"].as_str().expect("a line");
@@ -216,7 +213,7 @@ fn the_text_names_the_choice_and_what_stands_behind_it() {
     }
     assert!(output.stderr.is_empty(), "no progress without a terminal");
 
-    // The first that is tried, and no float of 53 bits has a relative error of 1e-20.
+    // No float of 53 bits has a relative error of 1e-20.
     let output = kahan(&[&E6_SCENE[..], &["--tolerance", "1e-20"]].concat());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("too coarse f64, order 8: at best "), "{text}");
@@ -288,7 +285,7 @@ fn what_cannot_be_measured_is_refused_with_a_reason() {
 
 #[test]
 fn a_tolerance_that_nothing_meets_is_a_complaint_with_the_best() {
-    // Not even 32 digits keep integrals to 40.
+    // 32 digits do not keep integrals to 40.
     let output = kahan(&[
         "trade",
         "e6",
