@@ -1,4 +1,4 @@
-//! The hyperbolic solutions of dE3 and dE5 on both branches, against exact orbits.
+//! The hyperbolic solutions of dE3 and dE5 on both branches, compared with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -11,8 +11,7 @@ use crate::solutions::exact_orbits::{
 use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
-    // Both branches, every sign, both signs of ε, and points next to the border between the
-    // branches.
+    // Both branches, all signs, both signs of ε, and points near the border of the branches.
     let points = [
         ("1/2", ["3/2", "1/3", "5/2"]),
         ("1/2", ["3/2", "-1/3", "-5/2"]),
