@@ -1,4 +1,4 @@
-//! The weakenings of what is told of orbits: periodic points, tangent vectors, and the way through
+//! Weakenings of results on orbits: periodic points, tangent vectors, and continuation through
 //! poles.
 
 use super::list::Weakening;
@@ -167,7 +167,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(EXPONENTS, "vectors that are scaled too seldom", "kahan-core/src/observe/carried.rs",
         "const PAUSE: u64 = 16;",
         "const PAUSE: u64 = 64;"),
-    // The way through poles.
+    // Continuation through poles.
     of(POLES, "a step that forgets where it came from", "kahan-core/src/map/orbit/projective/through.rs",
         " && is_far_from_singular(&map.matrix(&next, -eps))",
         ""),

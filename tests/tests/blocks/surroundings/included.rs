@@ -1,4 +1,4 @@
-//! Blocks in files: what stands there is what the macro would be given.
+//! Blocks in included files, equal to blocks in place.
 
 use kahan_core::prelude::*;
 
