@@ -45,8 +45,7 @@ struct Probe {
     source: String,
 }
 
-/// Measures every block with a checkout's `kahan-core`, in rounds of one build for each block and
-/// for an empty crate.
+/// Measures every block with a checkout's `kahan-core`, in rounds with an empty crate.
 pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     let core = fs::canonicalize(checkout.join("kahan-core"))
         .with_context(|| format!("{} has no folder kahan-core; is it a checkout?", checkout.display()))?;

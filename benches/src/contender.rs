@@ -43,8 +43,7 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// Makes a contender with a loop of its own: `orbit` takes an initial state and a number of
-    /// steps.
+    /// Makes a contender of `orbit`, which takes an initial state and a number of steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,

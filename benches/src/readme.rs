@@ -142,8 +142,7 @@ fn tiers(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Returns the shares of silently wrong results by regime and tier, and of errors in the stable
-/// tier.
+/// Returns the shares of silently wrong results, and of errors in the stable tier.
 fn extremes(judged: &Value) -> Result<Table> {
     let cells = judged["cells"].as_array().context("no cells in `kahan extremes --json`")?;
     let mut regimes: Vec<&str> = cells.iter().filter_map(|cell| cell["regime"].as_str()).collect();

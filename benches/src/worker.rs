@@ -26,8 +26,7 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a worker and returns its path; `native` builds for this processor in a separate target
-/// folder.
+/// Builds a worker and returns its path; native builds have a target folder of their own.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // …/target/release/program

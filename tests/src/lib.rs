@@ -1,5 +1,4 @@
-//! Shared parts of the tests: exact numbers, both back ends, the oracle, random fields and rounding
-//! bounds.
+//! Shared parts of the tests: exact numbers, back ends, the oracle, random fields, rounding bounds.
 
 pub mod back_end;
 pub mod doubles;

@@ -270,8 +270,7 @@ pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// Returns x₁, …, x_steps in four ways: by `step`, by the prepared map, by its orbit, and by the
-/// map's orbit.
+/// Returns x₁, …, x_steps by `step`, by the prepared map, by its orbit, and by the map's orbit.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {

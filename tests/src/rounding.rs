@@ -47,8 +47,7 @@ pub struct Place {
     pub next: Vector,
 }
 
-/// Error bounds for float steps of one system, by the closed form or by elimination, as in the
-/// macro's code.
+/// Error bounds for float steps, by the closed form or by elimination, as in the macro's code.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,

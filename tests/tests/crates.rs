@@ -120,8 +120,7 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// Returns the crates for which the profiles `release` and `sweep` of a manifest set a level, with
-/// the level; `*` for all.
+/// Returns the crates whose level the profiles `release` and `sweep` set, with the level.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";

@@ -236,8 +236,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Returns the paths at the beginning of a `use` tree or an expression, with braces expanded, up to
-/// two names long.
+/// Returns the paths that begin a `use` tree or expression, expanded, up to two names long.
 fn paths(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim_start();
     let Some(inside) = tree.strip_prefix('{') else {

@@ -102,8 +102,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// Compares the maps made at run time from one text: the interpreter, projective integers and the
-/// map's step.
+/// Compares a text's run-time maps: interpreter, projective integers and the map's step.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
@@ -178,8 +177,7 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a random field that moves all variables but the last along one ray, so 1 − εu·z cancels
-/// n − 2 times.
+/// Returns a field that moves all variables but the last along one ray; 1 − εu·z cancels.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));
@@ -211,8 +209,7 @@ fn random_fields_have_their_values() {
     random_fields_agree::<6>(606);
 }
 
-/// In floats the interpreter has the bits of the map's step, even at points rounded next to a
-/// removable pole.
+/// Float interpreters have the bits of the map's step, also next to a removable pole.
 #[test]
 fn float_interpreters_agree_beside_removable_poles() {
     let system = read_unproved(find("e3").expect("E3").text());

@@ -2,8 +2,7 @@
 //! independent operations in registers to hide the latency. They avoid closures, which use these
 //! instructions only if inlined in time.
 
-// `unsafe`: calls functions compiled for more instructions than the program, after checking that
-// the processor has them.
+// `unsafe`: calls functions compiled for instructions whose presence was checked.
 #![allow(unsafe_code)]
 
 /// Computes `divisions` divisions of `f64`, four at a time; does nothing without AVX2.

@@ -23,8 +23,7 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Counts additions, multiplications and multiply-adds of one step, including estimated divisions;
-/// 0 for steps without lanes.
+/// Counts sums, products and multiply-adds of one step; 0 for steps without lanes.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {

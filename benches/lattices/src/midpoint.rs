@@ -112,8 +112,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             let evaluated = begun.elapsed();
             let mut at = Newton { kdv: Kdv { h }, right }.at(eps, sites).expect("a chain");
             let mut next = m.clone();
-            // Touches the new memory before the clock starts, as allocation is not part of the
-            // method.
+            // Touches the new memory before the clock starts.
             at.step(&mut next);
             next.clone_from(&m);
             let begun = Instant::now();
@@ -155,8 +154,7 @@ fn field(u: &[f64], h: f64) -> Vec<f64> {
     f
 }
 
-/// Applies the classical Runge–Kutta method of order four, with steps small enough for a negligible
-/// error.
+/// Applies the classical Runge–Kutta method of order four, with negligible error.
 fn runge_kutta(map: &Kdv<f64>, start: &[f64], time: f64, steps: u32) -> Vec<f64> {
     let at = map.at(1.0, start.len()).expect("a chain");
     let dt = time / f64::from(steps);

@@ -1,5 +1,4 @@
-//! Energies of conservative systems: the one preserved exactly by a lift's map, and that of the
-//! original equations.
+//! Energies of conservative systems: of a lift's map, which preserves its own, and of the field.
 
 use kahan_lift::{Reembedding, Which};
 
@@ -68,8 +67,7 @@ pub(crate) fn energy() {
     }
 }
 
-/// Systems with polynomial or trigonometric potentials, whose energies have no drift without a
-/// projection.
+/// Systems with polynomial or trigonometric potentials, without drift of the energy.
 const SMOOTH: [&str; 8] = [
     "quartic oscillator",
     "Duffing",
@@ -80,8 +78,7 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest ratio of the errors in the last and the first eighth of the time; more indicates a
-/// trend.
+/// The largest ratio of the errors in the last and first eighth of the time.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;

@@ -177,8 +177,7 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns for each tolerance the least time of a run with an error within it; later runs have
-/// finer settings.
+/// Returns the least time within each tolerance; later runs have finer settings.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

@@ -210,8 +210,7 @@ pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }
 
-/// Returns the largest difference of `b`'s components from the first ones of `a`, relative to the
-/// size of `b`.
+/// Returns the largest difference of components that both have, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
     // `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };

@@ -62,7 +62,7 @@ kahan! {
         u[i]dot = p[i];
         p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
     }
-    // Expanded, because the bond to the left wall, u[0] - 0, is no summand of the form u[i+1] - u[i].
+    // Expanded: the bond to the left wall, u[0] - 0, has not the form u[i+1] - u[i].
     hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
 }
 

@@ -1,5 +1,4 @@
-//! Many trajectories at once, by the macro's code and at run time. A unit is one step of [`POINTS`]
-//! trajectories.
+//! Many trajectories at once, by the macro's code and at run time; a unit has [`POINTS`] steps.
 
 use std::hint::black_box;
 

@@ -70,8 +70,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// With (da)_i = dᵢaᵢ the numerators of p are e∘(p × a) − da × (p × a); those of m follow from them
-/// during the division.
+/// With da = (dᵢaᵢ), p's numerators are e∘(p × a) − da × (p × a); m's follow during the division.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

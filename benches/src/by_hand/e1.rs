@@ -47,8 +47,7 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Uses k/(2ε) = h + x with h = 1/(2ε), and t/ε = 2h − x: one addition precedes the division that
-/// closes the chain.
+/// Uses k/(2ε) = h + x and t/ε = 2h − x with h = 1/(2ε): one addition before the division.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
     move |[x, y, z]| {

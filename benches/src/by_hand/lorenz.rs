@@ -6,8 +6,7 @@
 //! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D,
 //! - D = cT + X(kX + sY).
 //!
-//! The flow contracts volumes, so no integral can drift, and all functions of ε and the parameters
-//! are prepared.
+//! The flow contracts volumes, so no integral can drift, and all constants are prepared.
 
 use kahan_bench_fields::Lorenz;
 

@@ -47,8 +47,7 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Computes numerators and D/(2ε) with prepared coefficients: two parallel multiplications and two
-/// sums precede the division.
+/// Prepares coefficients: two parallel products and two sums precede the division by D/(2ε).
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

@@ -20,8 +20,7 @@ struct Row {
     instructions: Option<f64>,
 }
 
-/// Times the steps of `systems` if there is an `effort`, and counts instructions if valgrind is
-/// installed.
+/// Times the steps of `systems` for an `effort`; counts instructions if valgrind is installed.
 pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(systems.len());
     let (mut sections, mut limits, mut by_lu) = (Vec::new(), Vec::new(), Vec::new());

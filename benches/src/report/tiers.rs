@@ -14,8 +14,7 @@ const FAST: &str = "fast";
 /// The fast tier with separate calls for each step, like the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: reference, whether in the native build (with multiply-adds), and the
-/// largest permitted ratio.
+/// The tiers with a limit: reference, native build (with multiply-adds) or not, largest ratio.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
@@ -56,8 +55,7 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
-/// Returns each tier's price relative to the fast tier in the default build, for systems of two and
-/// three variables.
+/// Returns each tier's price relative to the fast tier, in the default build, up to 3 variables.
 pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
     let lines = measure(&mut worker, effort)?;

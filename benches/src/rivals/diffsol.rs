@@ -3,8 +3,7 @@
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;
 
-/// Returns the state after `time`, with both tolerances `tolerance`. Panics if the integration
-/// fails.
+/// Returns the state after `time`, or panics; `tolerance` is both tolerances.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N>,

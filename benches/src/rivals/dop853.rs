@@ -14,8 +14,7 @@ impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for 
     }
 }
 
-/// Returns the state after `time`, with both tolerances `tolerance`. Panics if the integration
-/// fails.
+/// Returns the state after `time`, or panics; `tolerance` is both tolerances.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N> + Clone,

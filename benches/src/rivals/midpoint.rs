@@ -1,5 +1,4 @@
-//! The implicit midpoint rule x̃ = x + h·f(½(x + x̃)) with Newton's method, the simplest geometric
-//! integrator.
+//! The implicit midpoint rule x̃ = x + h·f(½(x + x̃)) with Newton's method.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};

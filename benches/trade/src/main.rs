@@ -30,8 +30,7 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest permitted cost of the command's and the library's choice, relative to the best
-/// setting.
+/// The largest cost of the command's and the library's choice, relative to the best setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
 /// The command checks some points of an orbit, more where it moves fast; this program checks all.
 const UNSEEN: f64 = 1.02;

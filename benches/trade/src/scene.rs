@@ -113,8 +113,7 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
 
     /// Measures the nanoseconds per unit of time once.
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// The least number of timed steps, in all and in one piece, as starting an orbit takes
-        /// time.
+        /// The least number of timed steps, in all and in one piece; starting takes time.
         const STEPS: usize = 400;
         const PIECE: usize = 64;
         // Far beyond the horizon states may slow arithmetic: an epidemic's end is subnormal in

@@ -250,8 +250,7 @@ const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 
 impl Frame {
-    /// Returns the largest frame that leaves room for tick labels and names, `above` for a legend,
-    /// and `beside` on the right.
+    /// Returns the largest frame with room for labels, `above` for a legend, `beside` on the right.
     fn around(sheet: Sheet, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
@@ -286,8 +285,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical extent for names beside the frame: between the legend and the lower
-    /// axis's name.
+    /// Returns the vertical extent for names beside the frame.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }
@@ -311,8 +309,7 @@ impl Frame {
     }
 }
 
-/// Draws the name of an axis centred at a place, or as near as its extent between `from` and `to`
-/// permits.
+/// Draws the name of an axis, centred at a place as far as its extent permits.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);

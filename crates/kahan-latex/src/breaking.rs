@@ -83,8 +83,7 @@ pub fn display(formula: &str, width: usize) -> String {
 
 const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
 
-/// Writes a matrix in the environment `name` with `width` characters for all columns. Wide entries
-/// get several lines.
+/// Writes a matrix in the environment `name`, breaking entries to fit `width` characters.
 #[must_use]
 pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);

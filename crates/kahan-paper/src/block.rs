@@ -15,8 +15,7 @@ use super::formula::mutations;
 use super::identity::Evidence;
 use super::registry::outcome;
 
-/// Decides one claim of a system, and describes the evidence. Takes milliseconds, at most about a
-/// second.
+/// Decides one claim of a system with its evidence, in milliseconds, at most a second.
 #[must_use]
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
@@ -59,8 +58,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
     let claim = claim_text(system, &system.claims[index]);
     let block = macro_block(&before);
-    // The context is the text between the macro's brace and the claim: header, constants, equations
-    // and earlier claims.
+    // The context precedes the claim: header, constants, equations and earlier claims.
     let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
         return (0, None);
     };
@@ -75,8 +73,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
         let mutated = format!("{mutated}{condition}");
         let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
-        // Texts that no longer parse as a claim, such as too large exponents, don't count as
-        // failures.
+        // Texts that no longer parse, such as too large exponents, don't count as failures.
         let Ok(changed) = read_unproved(&tokens).system() else { return false };
         tried += 1;
         let claim = changed.claims.last();

@@ -52,8 +52,7 @@ pub(super) enum Basis {
 pub(super) struct Misprint {
     /// The printed relation, in the language of formulas.
     pub(super) printed: String,
-    /// The point as definitions of all names, and the values of both sides; empty if a measured
-    /// value refutes the formula.
+    /// The point and both sides' values as definitions; empty if a measurement refutes the formula.
     pub(super) counterexample: String,
 }
 
@@ -157,8 +156,7 @@ impl Claim {
         self
     }
 
-    /// Prefixes the statement with the definitions that it uses, which are then shown, checked and
-    /// mutated with it.
+    /// Prefixes the statement with the definitions that it uses, for display, checks and mutations.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self

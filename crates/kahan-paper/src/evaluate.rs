@@ -17,7 +17,7 @@ pub(super) trait Calculus: Arithmetic<Constant = Rational> {
         Err(Trouble::Unknown(name.to_owned()))
     }
 
-    /// Evaluates base^exponent for an exponent that is no integer literal.
+    /// Evaluates base^exponent if the exponent is not an integer literal.
     fn power(&self, _: &Self::Value, _: &Self::Value) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown("^".to_owned()))
     }

@@ -107,8 +107,7 @@ impl Figure {
         ALL.into_iter()
     }
 
-    /// Computes the orbit exactly, in up to a few seconds. Panics if the system is missing from the
-    /// catalog.
+    /// Computes the orbit exactly, in up to some seconds. Panics for a system outside the catalog.
     #[must_use]
     pub fn measure(&self) -> Measurement {
         let entry = find(self.system).expect("a figure is about a system of the catalog");

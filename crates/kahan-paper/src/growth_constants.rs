@@ -1,5 +1,4 @@
-//! The limits C₁ of h(yₙ)/n for dE7 and dE8, which follow from the closed solutions and the prime
-//! number theorem.
+//! The limits C₁ of h(yₙ)/n for dE7 and dE8, by the prime number theorem.
 
 use kahan_algebra::rational::Rational;
 
@@ -50,8 +49,7 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M, where M is the denominator of τ + 1/2,
-/// and 1 for M = 1.
+/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M for the denominator M of τ + 1/2, or 1.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

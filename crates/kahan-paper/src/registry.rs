@@ -78,8 +78,7 @@ impl Paper {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// Applies `work` to every claim on `threads` threads (default: all cores). Results keep the
-    /// order of the claims.
+    /// Applies `work` to every claim on `threads` threads (default: all cores), keeping the order.
     pub fn for_all<R: Send>(
         &self,
         claims: &[&Claim],
@@ -114,8 +113,7 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions in force for a claim: the field's, the general ones, the given ones,
-    /// and its own.
+    /// Returns the definitions for a claim: the field's, the general, the given, and its own.
     pub(super) fn definitions(
         &self,
         claim: &Claim,

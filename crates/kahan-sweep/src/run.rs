@@ -56,8 +56,8 @@ pub(crate) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Computes the missing parts of a shard. Fails with a sentence for parts of another plan, or a
-    /// disk that refuses writes.
+    /// Computes the missing parts of a shard; fails for foreign parts and a disk that refuses
+    /// writes.
     pub(crate) fn shard(&self, shard: Shard) -> Result<End, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
@@ -66,8 +66,7 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // Another process may have finished the part while this process still had a
-                    // journal.
+                    // Another process may have finished a part of which this one had a journal.
                     part.tidy();
                     continue;
                 }
@@ -172,8 +171,7 @@ struct Work {
 }
 
 impl Work {
-    /// Adds rows, and updates the journal when due. Returns an error unless the last update failed,
-    /// too.
+    /// Adds rows and updates the journal when due; returns only the first of successive errors.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

@@ -46,8 +46,8 @@ impl<T: Real> Modulus<T> {
         T::pi() * T::half() / arithmetic_geometric_mean(T::one(), self.complement)
     }
 
-    /// Returns the nome q = exp(−π K(k′)/K(k)), for 0 ≤ k < 1. Near k = 0 the relative error grows
-    /// like ln(1/q) units.
+    /// Returns the nome q = exp(−π K(k′)/K(k)), 0 ≤ k < 1; relative error O(ln(1/q)) units near k =
+    /// 0.
     pub fn nome(&self) -> T {
         if self.k.is_zero() {
             return T::zero();
@@ -143,8 +143,7 @@ fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     }
 }
 
-/// Expands R_F about equal arguments up to degree 7, in E₂ = XY + YZ + ZX and E₃ = XYZ with X + Y +
-/// Z = 0.
+/// Expands R_F about equal arguments up to degree 7, in E₂ = XY + YZ + ZX, E₃ = XYZ, X + Y + Z = 0.
 fn rf_series<T: Real>([dx, dy, dz]: [T; 3]) -> T {
     let e2 = dx * dy - dz.square();
     let e3 = dx * dy * dz;

@@ -38,8 +38,7 @@ pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument for full precision; the smallest term of Stirling's series is about
-/// e^(−2πx).
+/// Returns the least argument for full precision (smallest term of Stirling's series: e^(−2πx)).
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }

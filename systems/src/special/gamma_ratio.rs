@@ -59,8 +59,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // The logarithmic derivative of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin
-        // 2πσ/(cos cos).
+        // The reflection's logarithmic derivative, π tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos
+        // cos).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;
@@ -117,8 +117,7 @@ fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T
     sum_in_inverse_squares(w, terms.map(|m| term(m, binomial_sum(2 * m + 1, sigma, &middle))))
 }
 
-/// Returns Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n, by Horner's scheme in σ². The slice
-/// holds v₀, v₂, v₄, ….
+/// Returns Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n, from v₀, v₂, v₄, …, by Horner's scheme.
 pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let square = sigma.square();
     let mut binomial = T::one();

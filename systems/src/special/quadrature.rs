@@ -32,8 +32,8 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
     let quarter_turn = T::pi() * T::half();
-    // f at the two nodes ±u, times their weight. Each node is given by its distance to its end, 1 −
-    // tanh s = 2/(e^{2s} + 1).
+    // f at the nodes ±u, times the weight; nodes by their distance to the ends, 1 − tanh s =
+    // 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise / (rise + T::one());

@@ -39,8 +39,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Rotates the angle, because Chebyshev's recurrence for sin jz and cos jz loses digits near z =
-    // 0.
+    // Rotates the angle; Chebyshev's recurrence for sin jz loses digits near z = 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).

@@ -1,5 +1,4 @@
-//! The transcendental integrals of dE7 and dE8 along exact orbits, their special cases, and the
-//! digamma bracket.
+//! The transcendental integrals of dE7 and dE8, their special cases, and the digamma bracket.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};

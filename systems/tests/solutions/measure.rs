@@ -31,8 +31,7 @@ pub(crate) fn assert_close(value: &Precise, expected: &Precise, digits: i64, wha
     assert_close_above(value, expected, digits, &Precise::zero(), what);
 }
 
-/// Returns the error of an `f64` in units of 2⁻⁵² of the expected value's size, or of `floor` if
-/// larger.
+/// Returns the error of an `f64` in units of 2⁻⁵² max(|expected|, floor).
 pub(crate) fn ulps_above(value: f64, expected: &Precise, floor: f64) -> f64 {
     let size = expected.abs().to_f64().max(floor);
     ((Precise::from(value) - *expected) / Precise::from(size * f64::EPSILON)).to_f64().abs()

@@ -1,5 +1,4 @@
-//! The elliptic solutions of dE4, dE6 and the Euler top on both branches, compared with exact
-//! orbits.
+//! The elliptic solutions of dE4, dE6 and the Euler top, compared with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -11,8 +10,7 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Returns cases with all signs, also of ε, on both branches, with points on xy = 0 and near |εz| =
-/// 1.
+/// Returns cases with all signs on both branches, also on xy = 0 and near |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =

@@ -38,8 +38,7 @@ fn argument(delta: f64, kappa: f64, n: i64) -> f64 {
 
 type Exact = Vec<(i64, Point<Rational>)>;
 
-/// Runs a solution over all cases in 256 bits (50 digits) and in `f64` (returning the largest error
-/// in ulp).
+/// Checks a solution in 256 bits (50 digits); returns the largest error in `f64`, in ulp.
 fn run(
     system: &str,
     exact: impl Fn(&Case) -> Exact,

@@ -1,5 +1,4 @@
-//! The documented error bounds of special functions in `f64`, measured against 256 bits at seeded
-//! random arguments.
+//! The documented error bounds in `f64`, measured against 256 bits at seeded random arguments.
 
 use kahan_systems::special::{
     Jacobi, Modulus, Precise, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,

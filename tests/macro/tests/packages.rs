@@ -1,5 +1,4 @@
-//! The packages as users get them: unpacked outside of the repository, with a program that uses
-//! nothing else.
+//! The packages as users get them: unpacked outside of the repository, with a user's program.
 //!
 //! 1. Pack every published crate and unpack it into a temporary folder.
 //! 2. Check its licences and its README.

@@ -52,8 +52,7 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// Default accessors. Inherent methods take precedence over trait methods, so only types without an
-/// accessor use them.
+/// Default accessors; inherent methods take precedence over these trait methods.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {

@@ -40,8 +40,8 @@ impl Rounded {
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// Divides before rounding: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` if b̂ may have
-    /// lost every digit.
+    /// Divides before rounding, |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` if e_b ≥
+    /// |b|/2.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();

@@ -23,8 +23,7 @@ fn config(cases: u32) -> Config {
     }
 }
 
-/// Reads `text` as a block, a formula and a list of formulas, and renders every mistake with its
-/// place.
+/// Reads `text` as a block, a formula and a list of formulas, and renders all mistakes.
 fn read_text(text: &str) -> Checked {
     let lexed = lex(text);
     let reading = read(&lexed.tokens);

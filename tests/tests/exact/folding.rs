@@ -1,5 +1,4 @@
-//! A `const` parameter is substituted before the map is reduced, which gives the special system's
-//! smaller plan.
+//! A `const` parameter is substituted before reduction, which gives the special system's plan.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;

@@ -159,8 +159,7 @@ fn the_two_removable_poles_have_their_values() {
     }
 }
 
-/// The value at a removable pole is the limit: the Jacobian there agrees with nearby steps to first
-/// order.
+/// At a removable pole the Jacobian agrees with nearby steps to first order.
 #[test]
 fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
     for (name, x) in [("e1", "-2, 1, 1/3"), ("e3", "3/2, 1, -2")] {
@@ -176,8 +175,8 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The central difference errs by small²/6 times a third derivative; 10⁻⁶ allows
-                    // 6·10⁶ for it.
+                    // The central difference errs by small²/6 times a third derivative, up to 6·10⁶
+                    // here.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }
@@ -251,8 +250,8 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
     for _ in 0..5 {
         let x = rationals.point(2);
         for back_end in subject.back_ends() {
-            // ỹ = x, so (x_n, x_{n−1}) is followed by (x_{n+1}, x_n), with x_{n+1} x_{n−1} = x_n (2
-            // − x_n).
+            // ỹ = x, so (x_{n+1}, x_n) follows (x_n, x_{n−1}), with x_{n+1} x_{n−1} = x_n (2 −
+            // x_n).
             let Some(next) = back_end.step(&x, &q(1, 1)) else { continue };
             assert_eq!(next[1], x[0], "{}", back_end.label());
             let values = [x[0].clone(), next[0].clone(), x[1].clone()];

@@ -1,5 +1,4 @@
-//! n steps forward and n steps back return to the start: exactly over ℚ, and in floats within the
-//! bound stated for `Orbit`.
+//! n steps forward and back return to the start: exactly over ℚ, in floats within `Orbit`'s bound.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E3, E6, EulerTop, LotkaVolterra};

@@ -140,8 +140,7 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
 /// bits above the 64 u of an ordinary step.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
-/// Compares the float orbit from the rounded point, near the curve, with the exact orbit from
-/// there.
+/// Compares the float orbit from the rounded point with the exact orbit from there.
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let exactly = |value: f64| Q::from_float(value).expect("finite");
     let floats: Interpreted<f64, N> = map.rounded();

@@ -40,8 +40,7 @@ fn subjects() -> Vec<Subject> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// Compares a float step with the exact one. Returns the bound relative to x̃, or `None` without a
-/// bound.
+/// Compares a float step with the exact one; returns the bound relative to x̃, if any.
 fn compare<T: Float>(
     subject: &Subject,
     bound: &StepBound<'_>,
@@ -80,8 +79,8 @@ fn ordinary_points_stay_within_the_bound<T: Float>(seed: u64) {
         }
         judged.sort_by(f64::total_cmp);
         assert!(judged.len() >= 9, "{} (seed {seed}): only {} points judged", subject.name, judged.len());
-        // The bound must be sharp: at half of the points it detects an error of 2²⁰ u (10⁻¹⁰ for
-        // f64, 0.06 for f32).
+        // The bound must detect errors of 2²⁰ u at half of the points (10⁻¹⁰ for f64, 0.06 for
+        // f32).
         let median = judged[judged.len() / 2];
         assert!(median <= T::UNIT * 2_f64.powi(20), "{} (seed {seed}): a bound of {median:e}", subject.name);
     }

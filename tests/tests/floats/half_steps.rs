@@ -51,8 +51,7 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// From the smallest double to just above the border the increment is far below the last digit, so
-/// the step returns x.
+/// Up to just above the border the increment is far below the last digit: the step returns x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -75,8 +74,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// At the border of `f32` increments reach the last digits: on both sides steps are within one ulp
-/// of the exact step.
+/// Increments reach the last digits at the border of `f32`; both forms err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);

@@ -188,8 +188,7 @@ where
     tally
 }
 
-/// Returns an ε for which det A(x,ε) is small: a root by bisection, if the sign changes, moved by a
-/// relative 2⁻ᵏ.
+/// Returns an ε near a root of det A(x,ε): by bisection, if any, moved by a relative 2⁻ᵏ.
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,

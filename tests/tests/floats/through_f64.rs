@@ -1,5 +1,4 @@
-//! `f32` steps through `f64` against exact steps: nearly always the nearest `f32`, and always
-//! close.
+//! `f32` steps through `f64` against exact steps: nearly always the nearest `f32`.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ThroughF64;
@@ -95,7 +94,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     let plain = error(ThroughF64(E6).orbit(start, eps).nth(steps));
     let compensated = error(ThroughF64(E6).orbit(start, eps).compensated().nth(steps));
     let in_single = error(E6.orbit(start, eps).compensated().nth(steps));
-    // Each step rounds the increment to u·2ε|f|, and the result to half an ulp; E6 hardly magnifies
+    // Each step rounds the increment to u·2ε|f|, and the result to ½ ulp; E6 hardly magnifies
     // errors.
     assert!(
         compensated < 1e-6 && compensated <= in_single && compensated < 0.1 * plain,
@@ -105,8 +104,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     assert_eq!(map.orbit(start).nth(5), ThroughF64(E6).orbit(start, eps).nth(5));
 }
 
-/// E1 at ε = ½ has x̃ = x/(1 + x), and beyond the range of `f32` near the pole x = −1 for x = −1 +
-/// 2⁻²⁴ and large y.
+/// E1 at ε = ½, x̃ = x/(1 + x): beyond the range of `f32` near its pole for large y.
 #[test]
 fn what_f32_cannot_hold_is_flagged() {
     let pole = ThroughF64(E1).try_step(&vector![-1.0_f32, 1.0, 0.0], 0.5);

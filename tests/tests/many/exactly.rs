@@ -1,5 +1,4 @@
-//! The defining equation and its consequences over ℚ, including vanishing leading minors of A in
-//! the elimination order.
+//! The defining equation over ℚ, also for vanishing leading minors of A in elimination order.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -55,8 +54,7 @@ fn the_defining_equation_holds_for_every_kind_of_coupling() {
     at_small_points::<_, 18>(&Web, 4);
 }
 
-/// The diagonal entry of xᵢ is 1 − ε(xᵢ₊₁ − xᵢ₋₁), here 0 for a variable that is eliminated first,
-/// and for some others.
+/// The diagonal entry of xᵢ, 1 − ε(xᵢ₊₁ − xᵢ₋₁), vanishes for a variable eliminated first.
 #[test]
 fn pivots_that_vanish_are_exchanged() {
     let start = SVector::<_, 12>::from_fn(|i, _| q(i64::try_from(i * i * i).expect("small") - 400, 77));

@@ -1,5 +1,4 @@
-//! The promise of `try_step`, judged by exact rationals, and equal bits of compiled code and of
-//! fields read at run time.
+//! The promise of `try_step`, judged exactly, and equal bits of compiled and run-time fields.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -120,7 +119,7 @@ fn try_step_says_why_there_is_no_step() {
     let start = SVector::<f64, 11>::from_fn(|i, _| if i == 3 { f64::NAN } else { 1.0 });
     let why = Arrow { a: 0.5 }.try_step(&start, 0.1).expect_err("no number");
     assert!(why.to_string().contains("not a finite number"), "{why}");
-    // x6 alone is a block of A, with the entry 1 − εx3.
+    // The variable x6 is a block of A, with the entry 1 − εx3.
     let mut start = SVector::<f64, 10>::repeat(1.0);
     (start[3], start[6]) = (2.0, 5.0);
     let why = Cascade.try_step(&start, 0.5).expect_err("a pole");

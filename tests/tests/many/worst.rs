@@ -1,5 +1,4 @@
-//! States at which elimination without row exchanges loses all digits: partial pivoting handles
-//! zero and tiny pivots.
+//! States with zero and tiny pivots, for which elimination needs row exchanges.
 
 use kahan_core::prelude::*;
 

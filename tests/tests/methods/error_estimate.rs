@@ -23,8 +23,7 @@ fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64)
     [distance(&next, &flow), distance(&corrected, &flow)]
 }
 
-/// Errors are 10⁻¹² to 10⁻²⁰, far above rounding; neglected terms change slopes by O(ε), at most
-/// 2⁻¹⁰.
+/// Errors of 10⁻¹² to 10⁻²⁰ exceed rounding; neglected terms change slopes by at most 2⁻¹⁰.
 fn estimates_the_step<M: KahanMap<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let sizes = [11, 12, 13].map(|k| local(map, start, 2_f64.powi(-k)));
     for pair in sizes.windows(2) {

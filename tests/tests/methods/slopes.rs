@@ -15,8 +15,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     rise / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
-/// Returns (log ε, log error) at `TIME` for steps of TIME/n; errors lie far above the rounding
-/// level of 10⁻¹⁴.
+/// Returns (log ε, log error) at `TIME` for steps of TIME/n, far above rounding (10⁻¹⁴).
 fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) -> Vec<(f64, f64)> {
     [16, 32, 64, 128, 256, 512]
         .map(|n: u16| {
@@ -29,8 +28,7 @@ fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) 
         .to_vec()
 }
 
-/// Asserts order two over a factor of 32 in ε. The next term has order ε⁴; measured slopes are
-/// within 2.1·10⁻⁴ of 2.
+/// Asserts order two over a factor of 32 in ε; measured slopes are within 2.1·10⁻⁴ of 2.
 fn has_order_two<M: KahanMap<f64, 3> + Clone>(name: &str, map: &M, flow: impl Fn(f64) -> [f64; 3]) {
     let points = errors(map, flow);
     let slope = slope(&points);

@@ -103,8 +103,7 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder equal another. Equal files stay unchanged to avoid recompilation; others get
-/// the current time.
+/// Makes one folder equal another; equal files keep their times and builds.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(to) {
@@ -130,8 +129,7 @@ fn write(path: &Path, bytes: &[u8]) {
     }
 }
 
-/// Runs `cargo test` with these arguments in the copy. Returns its success, or `None` after the
-/// deadline.
+/// Runs `cargo test` in the copy; returns its success, or `None` after the deadline.
 fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Option<bool> {
     let mut command = Command::new(env!("CARGO"));
     command.arg("test").args(words.split(' ').take_while(|word| *word != "--"));
@@ -181,8 +179,7 @@ fn git(words: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("paths and hashes are text").trim().to_owned()
 }
 
-/// Returns the weakenings of files changed since `KAHAN_BASE`, and four others that share their
-/// tests.
+/// Returns the weakenings of files changed since `KAHAN_BASE`, and four others.
 fn chosen_by_the_change() -> Vec<&'static Weakening> {
     let head = git(&["rev-parse", "HEAD"]);
     let base = std::env::var("KAHAN_BASE").unwrap_or_else(|_| {

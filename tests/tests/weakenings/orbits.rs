@@ -1,5 +1,4 @@
-//! Weakenings of results on orbits: periodic points, tangent vectors, and continuation through
-//! poles.
+//! Weakenings of results on periodic points, tangent vectors, and continuation through poles.
 
 use super::list::Weakening;
 

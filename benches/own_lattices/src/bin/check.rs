@@ -2,8 +2,7 @@
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
-/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x). Central differences for f' are exact, as f is
-/// quadratic.
+/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x), with f' by central differences (exact for f).
 fn kahan(f: &dyn Fn(&[f64]) -> Vec<f64>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = x.len();
     let mut a = vec![vec![0.0; n + 1]; n];

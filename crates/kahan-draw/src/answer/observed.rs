@@ -135,8 +135,7 @@ fn number(value: f64) -> String {
 /// Writes the digits up to the first one that an error of this size changes.
 fn known(value: f64, error: f64) -> String {
     let places = -error.log10().floor();
-    // Values without an estimate, or with more than eight certain decimals, get the usual eight
-    // digits.
+    // Values without an estimate, or with over eight certain decimals, get eight digits.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }

@@ -20,8 +20,7 @@ pub(super) fn html(traded: &Traded) -> Markup {
     }
 }
 
-/// Returns the chosen setting in words and as Rust code, or `None` if no setting meets the
-/// tolerance.
+/// Returns the choice in words and as Rust code, or `None` if no setting meets the tolerance.
 #[must_use]
 pub fn choice(traded: &Traded) -> Option<[String; 2]> {
     let Choice { setting: choice, rust } = traded.choice.as_ref()?;
@@ -44,8 +43,7 @@ const ERRORS: [(&str, Error); 3] = [
     ("return", |measured| measured.return_error),
 ];
 
-/// Returns the Pareto front of price and error, cheapest first. Kinds of errors that were never
-/// measured get no column.
+/// Returns the Pareto front of price and error, cheapest first, with the errors that were measured.
 #[must_use]
 pub fn front(traded: &Traded) -> Table {
     let front = || traded.settings.iter().filter(|measured| measured.on_front);

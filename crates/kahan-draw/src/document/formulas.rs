@@ -14,8 +14,7 @@ pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\
     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
-/// Sets the field, A, b, det A and the map in lowest terms. Omits b where it equals x. The sheet
-/// must hold LaTeX.
+/// Sets the field, A, b (unless x), det A and the reduced map, of a sheet in LaTeX.
 pub fn formulas(sheet: &Sheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {

@@ -17,8 +17,7 @@ pub const COLUMN: usize = 56;
 /// The length of a line in a cell of a table of formulas, in characters.
 const CELL: usize = 44;
 
-/// Sets a displayed formula with at most `width` characters on a line. The box scrolls only in
-/// narrower windows.
+/// Sets a displayed formula with at most `width` characters on a line.
 pub fn display(latex: &str, width: usize) -> Markup {
     let latex = breaking::display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }

@@ -33,8 +33,7 @@ pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// Returns a document. `main` is the anchor and name of the main part, for the link that skips to
-/// it.
+/// Returns a document; `main` is the anchor and name of the part to which a link skips.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)
@@ -56,8 +55,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
     document.into_string()
 }
 
-/// Sets the footer: the version, the time, and in `again` the command that writes the page once
-/// more.
+/// Sets the footer: version, time, and in `again` the command that writes the page once more.
 pub fn colophon(making: &Making, again: &Markup) -> Markup {
     html! {
         footer {

@@ -2,8 +2,7 @@
 
 use maud::{Markup, Render, html};
 
-/// The cells of a table by rows. The first row holds the column headings, the first cell of other
-/// rows their subject.
+/// The cells of a table by rows; first the column headings, then each row after its subject.
 pub type Rows = Vec<Vec<String>>;
 
 /// A table of an answer. Pages show it with its caption; text output prints the rows only.

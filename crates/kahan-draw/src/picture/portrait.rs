@@ -169,8 +169,7 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
     Picture { visits, ..picture }
 }
 
-/// Chooses marks by the total number of points. Orbits that return to few places don't count, and
-/// get visible dots.
+/// Chooses marks by the number of points; orbits with few distinct places get visible dots.
 fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
     const FEW: usize = 24;
     /// Beyond this number of points, lines of the usual width would merge into an area.

@@ -6,7 +6,7 @@ use super::script::raised;
 /// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// The label, in which letters that stand alone are variables: `t`, `ln n`.
+    /// The label; single letters are variables: `t`, `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,

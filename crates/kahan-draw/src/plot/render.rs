@@ -1,5 +1,4 @@
-//! PNG and PDF files, rendered from a drawing's SVG. The crate brings its own font, so pictures are
-//! equal on every machine.
+//! PNG and PDF files from a drawing's SVG, equal on every machine by a font of the crate's own.
 
 use std::sync::Arc;
 

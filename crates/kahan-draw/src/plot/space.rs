@@ -1,5 +1,4 @@
-//! Orbits in space: a parallel projection of a box with axes. Near points and lines are wider than
-//! distant ones.
+//! Orbits in space, in parallel projection; near points and lines are wider than distant ones.
 
 use std::cell::Cell;
 

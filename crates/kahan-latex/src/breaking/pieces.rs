@@ -1,5 +1,4 @@
-//! Splits LaTeX formulas at the top level of grouping: into terms, factors, and the insides of
-//! fractions and parentheses.
+//! Splits LaTeX formulas at the top level of grouping.
 
 use std::ops::Range;
 
@@ -77,7 +76,7 @@ pub(super) fn terms(formula: &str) -> Vec<&str> {
 /// Returns the factors of a product; the first keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // Keeps accents and functions with their arguments, dots with the next factor, and explicit
+        // Keeps accents and functions with arguments, dots with the next factor, and explicit
         // spaces.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")

@@ -62,8 +62,7 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// Rewrites base^exponent: integer exponents stay, exponents in names give monomials in fresh
-/// names.
+/// Rewrites base^exponent: exponents with names give monomials in fresh names.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     let rational_base = rationalise(base)?;
     if exponent.as_number().is_some() {

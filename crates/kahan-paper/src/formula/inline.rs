@@ -1,5 +1,4 @@
-//! Substitution of definitions and evaluation of derivatives; names, numbers, operators and
-//! primitive calls remain.
+//! Substitution of definitions, and evaluation of derivatives.
 
 use std::collections::BTreeMap;
 

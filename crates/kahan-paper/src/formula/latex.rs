@@ -65,8 +65,7 @@ fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     Some(format!("{}{whole}.{fraction}", if units.is_negative() { "-" } else { "" }))
 }
 
-/// Writes a name: `H_eps` as H(ε), `H_hat` as Ĥ, `P12` with indices, `detA` as det A, words
-/// upright.
+/// Writes a name: `H_eps` as H(ε), `H_hat` as Ĥ, `P12` with indices, `detA` as det A.
 fn name(text: &str) -> String {
     let written = |stem| Latex.name(stem);
     match (text.strip_suffix("_eps"), text.strip_suffix("_hat"), text.strip_prefix("det")) {

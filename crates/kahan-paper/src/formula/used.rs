@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::TokenKind;
 
-/// Prefixes a statement with the `definitions` that it uses, directly or indirectly, in their
-/// order.
+/// Prefixes a statement with the `definitions` that it uses, directly or indirectly.
 pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let pieces: Vec<&str> = definitions.split(';').map(str::trim).filter(|piece| !piece.is_empty()).collect();
     let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();

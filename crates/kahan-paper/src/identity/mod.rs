@@ -1,5 +1,4 @@
-//! Checks of a relation: by normal forms over ℚ, modulo primes, at exact points, or in 256-bit
-//! arithmetic.
+//! Checks of a relation: over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
 
 mod names;
 mod numerical;
@@ -60,8 +59,7 @@ impl Identity<'_> {
     /// Checks the relation and returns the evidence. Fails with the reason.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Fresh names for functions may be dependent, so different names don't prove different
-        // functions.
+        // Fresh names may be dependent, so different names don't prove different functions.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,

@@ -1,5 +1,4 @@
-//! Rational relations: first modulo primes, then by normal forms, or at exact points if both are
-//! too large.
+//! Rational relations: modulo primes, then by normal forms, or at exact points if too large.
 
 use std::collections::BTreeMap;
 
@@ -14,8 +13,7 @@ use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
 
-/// Limits of an expansion over ℚ, reached after about a second: terms of a result, and products of
-/// terms.
+/// Limits of an expansion over ℚ (about a second): terms of a result, products of terms.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 2_000_000;
 

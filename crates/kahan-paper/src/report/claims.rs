@@ -1,5 +1,4 @@
-//! Verdicts as text: one line for each claim with failures in full, or all claims with statement,
-//! source and time.
+//! Verdicts as text: one line for each claim, or each claim with statement, source and time.
 
 use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;

@@ -4,8 +4,7 @@ use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Component i at another point, Fᵢ(u,v,w); its quadratic part Qᵢ, linear part Bᵢ and constant Cᵢ;
-/// the identity matrix δᵢⱼ.
+/// Component i at a point, Fᵢ(u,v,w), with its parts Qᵢ, Bᵢ, Cᵢ of degrees 2, 1, 0; δᵢⱼ.
 const PARTS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);

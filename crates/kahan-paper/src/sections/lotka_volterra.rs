@@ -16,9 +16,9 @@ const ITERATES: &str = "
     x1 := r(x, y); x2 := r(x1, x); x3 := r(x2, x1); x4 := r(x3, x2); x5 := r(x4, x3); x6 := r(x5, x4);
 ";
 
-/// The flow, the map, and the map at ε = ±1. For other ε, Ĥ is no integral: its increments at two
-/// points have only the zeros 0, 1 and −1 in common, as u a + v b = 48 for their other factors a
-/// and b.
+/// The flow, the map, and the map at ε = ±1. For other ε, Ĥ is not an integral: its increments at
+/// two points have only the zeros 0, 1 and −1 in common, as u a + v b = 48 for their other factors
+/// a, b.
 const CLAIMS: &str = "
 field | the Lotka-Volterra flow | f1 = x*(1 - y); f2 = y*(x - 1)
 hamilton | Hamilton's equations with {x,y} = x y |

@@ -46,8 +46,7 @@ impl Written {
         all
     }
 
-    /// Adds the notes to a claim. Panics if a note is malformed; notes are constants, which tests
-    /// read.
+    /// Adds the notes to a claim. Panics if a note, a constant read by tests, is malformed.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;

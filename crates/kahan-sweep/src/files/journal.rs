@@ -48,8 +48,7 @@ impl Journal {
         // Readers stop at an incomplete record, so a new file follows a failure.
         let mut file = match self.file.take() {
             Some(file) => file,
-            // The name is random, because processes in containers or on other machines may share an
-            // id.
+            // The name is random, because processes in containers may share an id.
             None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {

@@ -35,8 +35,7 @@ mod keys {
 /// The version of this program; results of different versions are never mixed.
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The floating-point mode of this program. Results of different modes may differ in their last
-/// digits.
+/// The floating-point mode of this program, which may change the last digits of results.
 pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
     (true, false) => "x86-64, products rounded",
     (true, true) => "x86-64, products fused",

@@ -163,8 +163,7 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
     }
 }
 
-/// Records parameters that have both a value and an axis, and draws without a drawn axis or vice
-/// versa.
+/// Records parameters with a value and an axis, and draws without a drawn axis or vice versa.
 fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
     for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
         if over.over.iter().any(|axis| axis.name == *name) {

@@ -1,5 +1,4 @@
-//! Runs of the command: results are independent of shards and interruptions, and wrong parts are
-//! refused.
+//! Results are independent of shards and interruptions, and wrong parts are refused.
 
 mod plans;
 mod rows;

@@ -20,8 +20,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x² + y² = 0: a point (0, 0, z) is
-    /// a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();

@@ -69,8 +69,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole, where T = 0 on the
-    /// outer branch.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

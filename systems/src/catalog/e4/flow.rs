@@ -25,8 +25,7 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x² + y² = 0: a point (0, 0, z) is
-    /// a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
         let (NormalForm { sum, difference, height, product }, symmetry) = NormalForm::same_signs(point);

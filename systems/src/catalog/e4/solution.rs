@@ -94,8 +94,8 @@ impl<T: Real> Solution<T> {
         Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole, where sn v = 0 on the
-    /// outer branch.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (sn v = 0, outer
+    /// branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;

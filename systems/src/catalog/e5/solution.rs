@@ -26,8 +26,8 @@ pub struct Solution<T> {
     pub kappa: T,
     /// μ, which determines K̂.
     pub mu: T,
-    /// s = ±1, on the inner branch the sign of x. The theorem has s = 1; (x, y, z) → (−x, y, −z) is
-    /// a symmetry.
+    /// s = ±1 (inner branch: sign of x). Theorem 3 has s = 1; (x, y, z) → (−x, y, −z) is a
+    /// symmetry.
     pub sign: T,
     /// The branch: inner for |εy| < 1, outer for |εy| > 1.
     pub branch: Branch,
@@ -74,8 +74,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole, where T = 0 on the
-    /// outer branch.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

@@ -42,8 +42,8 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if (x, y, z) is a multiple of (1, 0,
-    /// 1), a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), fixed
+    /// points.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }

@@ -36,8 +36,7 @@ impl<T: Real> FlowSolution<T> {
         })
     }
 
-    /// Returns the point at time t; NaN at the pole t = −α and beyond it, where the trajectory
-    /// ends.
+    /// Returns the point at time t; NaN at the pole t = −α and beyond it.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = *t + *alpha;

@@ -38,7 +38,7 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
-    /// Returns the point after n steps, also for n < 0, by a sum of |n| terms; not finite at a
+    /// Returns the point after n steps, also for n < 0, by |n| terms of a sum; not finite at a
     /// pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;

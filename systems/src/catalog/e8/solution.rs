@@ -37,7 +37,7 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, eps: *eps })
     }
 
-    /// Returns the point after n steps, also for n < 0, by a sum of |n| terms; not finite at a
+    /// Returns the point after n steps, also for n < 0, by |n| terms of a sum; not finite at a
     /// pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self;

@@ -7,12 +7,10 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form (Section 6.3); [`Quadrature`](super::Quadrature) covers other
-/// ξ.
+/// A trajectory of E9 in closed form; [`Quadrature`](super::Quadrature) covers other ξ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
-    /// ξ = 0 (erratum B9): y is constant, and (x, 0, z) is the trajectory x = λ sech λT, z = λ tanh
-    /// λT of E3.
+    /// ξ = 0 (erratum B9): y is constant; x = λ sech λT, z = λ tanh λT as for E3.
     Zero {
         /// The trajectory of (x, 0, z).
         plane: e3::FlowSolution<T>,

@@ -50,8 +50,8 @@ pub struct Quadrature<T> {
 }
 
 impl<T: Real> Quadrature<T> {
-    /// Returns the trajectory through `point`. Fails if x ≤ 0, y ≤ 0 or ξ = 0, or for ξ < 0 at a
-    /// fixed point.
+    /// Returns the trajectory through `point`. Fails unless x, y > 0, ξ ≠ 0, and z² > 0 somewhere
+    /// on it.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, _] = (*point).into();
         require(x.is_positive() && y.is_positive(), "x > 0 and y > 0")?;
@@ -94,8 +94,7 @@ impl<T: Real> Quadrature<T> {
     /// Returns the period of a closed trajectory; `None` for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Each half starts at its own turning point, so the integrands avoid the other's
-        // singularity.
+        // Each half starts at its own turning point, to avoid the other's singularity.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
@@ -130,8 +129,8 @@ impl<T: Real> Turning<'_, T> {
         self.radius.square() - x.square() - y.square()
     }
 
-    /// Finds the zero of z² between a point with z² ≥ 0 and one with z² ≤ 0, by Newton's method
-    /// safeguarded by bisection.
+    /// Finds the zero of z² between points with z² ≥ 0 and z² ≤ 0, by Newton's method and
+    /// bisection.
     fn zero(&self, inside: T, outside: T) -> T {
         let (mut inside, mut outside) = (inside, outside);
         let mut x = (inside + outside) * T::half();

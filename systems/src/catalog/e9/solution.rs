@@ -1,5 +1,4 @@
-//! Orbits of dE9 in closed form, for ξ = 0, 1, −1; for other ξ the map is not integrable (Section
-//! 7).
+//! Orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (Section 7).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;

@@ -97,8 +97,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// A trajectory of the Euler top, for coefficients of different signs (derived here; see Section
-/// 3).
+/// A trajectory of the Euler top with coefficients of different signs (derived here).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The change of variables.

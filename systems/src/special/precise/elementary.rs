@@ -1,5 +1,4 @@
-//! Elementary functions of [`Precise`], each rounded once by the library, and its special
-//! functions.
+//! Elementary functions of [`Precise`], rounded once by the library, and special functions.
 
 use std::sync::OnceLock;
 

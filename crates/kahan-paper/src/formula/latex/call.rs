@@ -79,8 +79,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// Writes a function's name with an optional exponent. Braces keep the space before an operator out
-/// of the exponent's base.
+/// Writes a function's name with an optional exponent; braces keep spaces out of its base.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

@@ -44,8 +44,7 @@ fixed_points.slopes | the slopes at the fixed points: of one sign for xi > 0, of
 /// w = 1/x² on an orbit for ξ = 2.
 const W: &str = "w := 2/k^2 + b*(exp(k*t) + exp(-k*t)); K := sqrt(k^2*b^2 - 1/k^2)";
 const ORBIT: &str = "x := 1/sqrt(w); y := K/w; z := d(w, t)/(2*w)";
-/// u = 1/y² for ξ = 1/2: exchanging x and y, and multiplying the time by ξ, turns E9(ξ) into
-/// E9(1/ξ).
+/// u = 1/y² for ξ = 1/2, as E9(ξ) becomes E9(1/ξ) with x, y exchanged and the time scaled by ξ.
 const U: &str = "u := 2/k^2 + b*(exp(k*t/2) + exp(-k*t/2))";
 
 /// The orbits of E9 in closed form for ξ = 2, 1/2 and 0.

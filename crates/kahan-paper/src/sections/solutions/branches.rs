@@ -1,5 +1,4 @@
-//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1), and their
-//! separation from the first.
+//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1).
 
 use super::super::super::claim::Claim;
 use super::super::text::read;
