@@ -39,7 +39,6 @@ pub(crate) struct Cost {
     pub(crate) release: f64,
 }
 
-/// A crate's source and its name in the table.
 struct Probe {
     block: String,
     source: String,
@@ -110,7 +109,6 @@ fn probes() -> Result<Vec<Probe>> {
     Ok(probes)
 }
 
-/// The processor milliseconds of one build.
 #[derive(Clone, Copy)]
 struct Build {
     build: f64,

@@ -19,7 +19,6 @@ pub(crate) enum Role {
     Rival,
 }
 
-/// A named chain of dependent steps.
 pub(crate) struct Contender {
     pub(crate) name: &'static str,
     pub(crate) role: Role,
@@ -64,7 +63,6 @@ impl Contender {
     }
 }
 
-/// The measured loop.
 #[inline(never)]
 fn chain<const N: usize>(step: &impl Fn([f64; N]) -> [f64; N], mut x: [f64; N], steps: usize) -> [f64; N] {
     for _ in 0..steps {

@@ -16,7 +16,6 @@ kahan! {
 /// ε, with exact powers.
 pub(crate) const EPS: f64 = 1.0 / 1024.0;
 
-/// A number of steps, and the relative change of Ĥ in both modes.
 pub(crate) struct Line {
     pub(crate) steps: usize,
     pub(crate) plain: f64,

@@ -12,7 +12,6 @@ pub(crate) const RUN_ONE: &str = "run-one";
 /// The steps of the shorter run; the longer run has twice as many.
 const STEPS: usize = 2048;
 
-/// Says whether valgrind is installed.
 pub(crate) fn can_be_counted() -> bool {
     let status =
         Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();

@@ -11,7 +11,6 @@ pub(crate) fn processor() -> String {
     format!("{}, {cores} cores to use", model())
 }
 
-/// Returns the compiler and additional flags.
 pub(crate) fn compiler() -> String {
     let flags = std::env::var("RUSTFLAGS").ok().filter(|flags| !flags.is_empty());
     let flags = flags.map_or_else(String::new, |flags| format!(", RUSTFLAGS {flags}"));

@@ -39,7 +39,6 @@ impl Quartiles {
     }
 }
 
-/// The result of one runner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
     /// The least nanoseconds per unit over all rounds, for an undisturbed machine.

@@ -17,10 +17,8 @@ use crate::table::{Table, short};
 
 const PICTURE: &str = "docs/reference/work_precision.svg";
 
-/// The arguments for the picture.
 const SCENE: [&str; 8] = ["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "100", "--tolerance", "1e-10"];
 
-/// The trials for each scalar.
 const TRIALS: &str = "1000000";
 
 /// The tiers in the order of the table: name in the timings, call, and promise.
@@ -49,7 +47,6 @@ const NAMES: [(&str, &str); 8] = [
     ("Clebsch", "Clebsch, six variables"),
 ];
 
-/// Measures, and writes the page.
 pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     let picture = root.join(PICTURE);
     let told = kahan(root, SCENE.iter().copied().chain(["--out", &picture.display().to_string()]))?;
@@ -63,7 +60,6 @@ pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     rewrite(&root.join("docs/reference/speed.md"), &parts)
 }
 
-/// Replaces the named parts of a page.
 fn rewrite(path: &Path, parts: &[(&str, &String)]) -> Result<()> {
     let page = path.display().to_string();
     let mut text = std::fs::read_to_string(path).with_context(|| format!("{page} cannot be read"))?;

@@ -85,7 +85,6 @@ impl Worker {
     }
 }
 
-/// Ends the worker's process.
 impl Drop for Worker {
     fn drop(&mut self) {
         // The process may have ended already.

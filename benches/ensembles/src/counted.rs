@@ -14,7 +14,6 @@ thread_local! {
 /// The operations that replace a division: two Newton iterations and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
-/// A float that counts operations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Counted(f64);
 

@@ -34,7 +34,6 @@ fn timed(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// Returns the bounds of this machine.
 fn bounds() -> Vec<Task> {
     let task = |what, run: fn(usize)| Task {
         system: "bound",

@@ -22,7 +22,6 @@ const REPEATS: usize = 5;
 
 type Slope = fn(&[f64], &mut [f64]);
 
-/// A field for `ode_solvers`.
 struct Field(Slope);
 
 impl<const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Field {
@@ -31,7 +30,6 @@ impl<const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Field {
     }
 }
 
-/// A system with a hand-written field.
 struct System {
     name: &'static str,
     text: &'static str,

@@ -16,11 +16,9 @@ const EPS: f64 = 0.01;
 const TIME: f64 = 300.0;
 /// The number of samples of states and relations.
 const LOOKS: u32 = 300;
-/// The largest error of a good lift.
 const GOOD: f64 = 0.05;
 /// The factors by which ε is reduced if a lift is not good at first.
 const FINER: [u32; 2] = [8, 64];
-/// The greatest number of lifts and forms per system.
 const MOST: usize = 120;
 
 /// The largest errors along an orbit of the map, relative to the size of their variables.

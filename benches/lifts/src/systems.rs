@@ -12,7 +12,6 @@ use kahan_lift::{Lift, Options, Which, lift, stated};
 use kahan_runtime::Map;
 use ode_solvers::{DVector, Dop853, OutputType};
 
-/// A system with an initial state and parameter values.
 pub(crate) struct System {
     pub(crate) name: &'static str,
     tokens: Vec<Token>,
@@ -21,7 +20,6 @@ pub(crate) struct System {
     /// The states, followed by the time 0 if the equations depend on it.
     pub(crate) start: Vec<f64>,
     pub(crate) time: f64,
-    /// The energy of a conservative system.
     pub(crate) energy: Option<Formula>,
     kind: &'static str,
     field: Vec<Formula>,
@@ -112,7 +110,6 @@ impl System {
     }
 }
 
-/// A system's field for `ode_solvers`.
 struct Slope<'a>(&'a System);
 
 impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
@@ -205,7 +202,6 @@ impl Formula {
     }
 }
 
-/// Returns the largest size of a component.
 pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }

@@ -23,7 +23,6 @@ fn main() {
 /// A name, and a run that returns its seconds.
 type Contender = (&'static str, Box<dyn Fn() -> f64>);
 
-/// Returns a timer of an orbit of E6 with observers.
 fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn() -> f64> {
     Box::new(move || {
         let mut orbit = E6.orbit(black_box(vector![0.3, 0.8, 0.5]), EPS);

@@ -16,7 +16,6 @@ where
 {
     let &Pair { system, generated, ref read, start } = pair;
     let task = |what, run: Box<dyn Fn(usize)>| in_segments(system, what, move |steps| timed(|| run(steps)));
-    /// Advances to the last point of an orbit.
     macro_rules! arrive {
         ($orbit:expr, $steps:expr) => {{
             black_box($orbit.nth($steps).expect("an orbit over floats goes on"));
@@ -78,7 +77,6 @@ where
     ]
 }
 
-/// Takes all steps in one call.
 fn advance<T: MachineFloat, const N: usize>(at: &MapAt<T>, start: [T; N], steps: usize) {
     let mut x = black_box(start);
     at.advance(&mut x, steps as u64).expect("as many entries as variables");

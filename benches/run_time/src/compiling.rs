@@ -8,9 +8,7 @@ use kahan_runtime::{Field, FieldText, Map};
 
 use crate::pair::timed;
 
-/// The parameters of the Euler top.
 const RATES: [(&str, f64); 3] = [("a1", 1.1), ("a2", -2.3), ("a3", 1.7)];
-/// The parameters of Clebsch's field.
 const WEIGHTS: [(&str, f64); 3] = [("w1", 1.0), ("w2", 1.7), ("w3", 2.9)];
 
 /// Returns the tasks for fields with claims, of three and six variables.
@@ -57,7 +55,6 @@ fn field(
     [task("compiling: step and integrals", with_integrals), task("compiling: step and columns", with_columns)]
 }
 
-/// Returns the median of `count` times.
 fn median(count: usize, time: impl Fn() -> f64) -> f64 {
     let mut times: Vec<f64> = (0..count).map(|_| time()).collect();
     times.sort_by(f64::total_cmp);

@@ -30,7 +30,6 @@ fn main() -> std::io::Result<()> {
     serve(&tasks)
 }
 
-/// Returns all tasks of one system that both sides can run.
 fn system<M, const N: usize>(
     source: Source,
     generated: M,

@@ -19,7 +19,6 @@ pub(crate) fn contenders(map: Clebsch<f64>, start: [f64; 6], eps: f64) -> Vec<Co
     ]
 }
 
-/// Evaluates the formulas of the module head.
 pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

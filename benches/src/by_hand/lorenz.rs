@@ -19,7 +19,6 @@ pub(crate) fn contenders(map: Lorenz<f64>, start: [f64; 3], eps: f64) -> Vec<Con
     ]
 }
 
-/// Evaluates the formulas of the module head.
 pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);
     let (k, l, c) = (1.0 + s, 1.0 + eps, 1.0 + b);

@@ -16,7 +16,6 @@ const DIVISIONS: &str = "divisions, AVX2";
 const MULTIPLY_ADDS: &str = "multiply-adds, AVX-512";
 const ENSEMBLE: &str = "ensemble";
 
-/// A row of the table.
 struct Line {
     native: bool,
     system: String,

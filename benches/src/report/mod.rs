@@ -27,7 +27,6 @@ pub(crate) use run_time::run_time;
 pub(crate) use steps::{step_times, steps};
 pub(crate) use tiers::{tier_prices, tiers};
 
-/// A heading, an explanation and a table.
 pub(crate) struct Section {
     pub(crate) title: String,
     pub(crate) text: String,

@@ -25,7 +25,6 @@ const COMPILING_AT_MOST: [(&str, f64); 2] =
 /// The number of trajectories in a unit of an ensemble's task.
 const POINTS: f64 = 512.0;
 
-/// Both sides of one task in one build.
 struct Line {
     system: String,
     what: String,

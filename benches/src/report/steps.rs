@@ -12,7 +12,6 @@ use crate::rivals::midpoint;
 use crate::systems::{STATIC_LU, System};
 use crate::table::{Table, short};
 
-/// The figures of one contender.
 struct Row {
     name: &'static str,
     role: Role,

@@ -3,7 +3,6 @@
 use kahan_core::prelude::*;
 use ode_solvers::{Dop853, OutputType, SVector as Vector, System};
 
-/// A field for `ode_solvers`.
 struct Field<F>(F);
 
 impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for Field<F> {

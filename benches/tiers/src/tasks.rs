@@ -42,7 +42,6 @@ where
             begun.elapsed().as_secs_f64()
         }),
     };
-    /// Advances to the last point of an orbit.
     macro_rules! arrive {
         ($orbit:expr, $steps:expr) => {{
             black_box($orbit.nth($steps).expect("an orbit over floats goes on"));

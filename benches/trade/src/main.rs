@@ -34,7 +34,6 @@ use unseen_fields::{
 const DEAREST: [f64; 2] = [1.3, 3.0];
 /// The command checks some points of an orbit, more where it moves fast; this program checks all.
 const UNSEEN: f64 = 1.02;
-/// The tolerances for each scene.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
 fn main() -> ExitCode {
@@ -55,7 +54,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// Counts of checks, and the failures.
 struct Check {
     /// The number of choices, and of those within their tolerance.
     choices: usize,

@@ -9,7 +9,6 @@ use kahan_dynamics::{Need, Precision, Scheme};
 use kahan_runtime::interpreted::round;
 use kahan_study::reference::Reference;
 
-/// A scheme at an ε.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting {
     pub(crate) scheme: Scheme,

@@ -26,12 +26,10 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
         let size = width_of(term);
         if size > width {
             lines.extend(factors_in_lines(term, width));
-            // The term after a broken one begins a new line.
             taken = width;
             continue;
         }
         match lines.last_mut() {
-            // A sign between terms has a space on either side.
             Some(line) if taken + size + 2 <= width => {
                 append(line, term);
                 taken += size + 2;

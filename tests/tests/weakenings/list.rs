@@ -178,7 +178,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),
     rule("a pair of floats that is better than it is", FORMATS,
         "f64::EPSILON * f64::EPSILON * 4.0", "f64::EPSILON * f64::EPSILON * 3.0"),
-    // Numbers of the last rungs.
     digit("a product without the radius of a factor", WIDE,
         "self.size() * other.radius + (other.size() + other.radius) * self.radius", "(other.size() + other.radius) * self.radius"),
     digit("a sum without the radius of a term", WIDE,
@@ -197,7 +196,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "off.size() + off.radius() <= rounded.size()", "off.radius() <= rounded.size()"),
     digit("a rounding of what is not known", "kahan-core/src/scalar/wide/long.rs",
         "off.size() + off.radius() <= rounded.size()", "off.size() <= rounded.size()"),
-    // Pairs of floats: their operations and documented properties.
     Weakening { name: "a sum of pairs without its last rest", file: MODERATE, tests: PAIRS,
         text: "fast_two_sum(sum, rest + error)", weaker: "fast_two_sum(sum, error)" },
     Weakening { name: "a product of pairs without a lower part", file: MODERATE, tests: PAIRS,
@@ -212,7 +210,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "const PRODUCT: i64 = 5;", weaker: "const PRODUCT: i64 = 4;" },
     Weakening { name: "quotients of pairs said to err by 9u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
         text: "const QUOTIENT: i64 = 14;", weaker: "const QUOTIENT: i64 = 9;" },
-    // Degrees and references.
     Weakening { name: "a degree with one spare point less", file: "crates/kahan-discover/src/modular/thiele.rs", tests: DEGREES,
         text: "const SPARE: usize = 4;", weaker: "const SPARE: usize = 3;" },
     Weakening { name: "a degree told when one spare point agrees", file: "crates/kahan-discover/src/modular/thiele.rs", tests: DEGREES,
@@ -221,7 +218,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "self.difference = self.difference.max(difference);", weaker: "self.difference = difference;" },
     Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
         text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
-    // Claims on relations.
     Weakening { name: "a relation that random points do not satisfy", file: "crates/kahan-algebra/src/prove/sample.rs", tests: RELATIONS,
         text: "impose(conditions, &arithmetic, &mut here)?;",
         weaker: "" },
@@ -261,7 +257,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a claim on a relation that holds without it", file: "crates/kahan-discover/src/scan/proposals.rs", tests: SCANS,
         text: "if self.claims.proved(&[], &claim(&fixed)).is_some() {",
         weaker: "if claim(&fixed).is_empty() {" },
-    // Values kept from a text.
     Weakening { name: "a sum in which a name cancels and that stands", file: "crates/kahan-algebra/src/check/expand.rs", tests: KEPT,
         text: "if extents.into_iter().all(still_has) { sum } else { self.without_kept(sum) }",
         weaker: "{ let _ = extents.into_iter().all(still_has); sum }" },
