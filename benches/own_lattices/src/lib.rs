@@ -26,7 +26,7 @@ kahan! {
 }
 
 kahan! {
-    /// Sites that exchange by a flux over offsets up to 3, open ends and a parameter.
+    /// Sites on a ring with a flux over offsets up to 3, and a parameter.
     pub struct Flux { c }
     for i in periodic {
         q[i]dot = c*(q[i+2]*q[i+3] - q[i-1]*q[i]) + (q[i+1] - 2*q[i] + q[i-1]);
