@@ -1,4 +1,4 @@
-//! The command.
+//! The command line.
 
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -80,7 +80,7 @@ enum What {
     RunOne { system: String, contender: usize, steps: usize },
 }
 
-/// Does what the arguments say; whether all limits hold.
+/// Runs the command; returns whether all limits hold.
 pub(crate) fn run() -> Result<bool> {
     let cli = Cli::parse();
     let effort = Effort::new(cli.quick);
@@ -111,12 +111,12 @@ pub(crate) fn run() -> Result<bool> {
     }
 }
 
-/// The root of the repository that this program was built from.
+/// Returns the root of the repository from which this program was built.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, Path::to_path_buf)
 }
 
-/// The systems of these names; all if there is none.
+/// Returns the named systems, or all without names.
 fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     let all = systems::all();
     for name in names {
@@ -129,7 +129,7 @@ fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     Ok(all.into_iter().filter(wanted).collect())
 }
 
-/// Names the limits that are missed; whether there are none.
+/// Prints the missed limits, and returns whether none is missed.
 fn hold(limits: &[Limit]) -> bool {
     let missed = limits.iter().filter(|limit| limit.is_missed());
     missed.inspect(|limit| eprintln!("does not hold: {}", limit.figure)).count() == 0
@@ -141,7 +141,7 @@ fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<bool> {
         text += &limit::table(&limits).to_string();
     }
     match io::stdout().lock().write_all(text.as_bytes()) {
-        // Whoever reads has seen enough.
+        // A closed pipe is no error.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => {}
         written => written.context("standard output cannot be written")?,
     }

@@ -1,9 +1,7 @@
-//! What a block costs while compiling: the macro's own time, and the compiler's beyond that of a
-//! crate without a block.
-//!
-//! For each block a crate in a temporary folder, a library of one block and one call of its step,
-//! so that nothing is linked; its dependencies are built before. The least of several builds
-//! counts, taken in turns with the others.
+//! The cost of compiling a block: the macro's own time, and the compiler's time beyond that of an
+//! empty crate. Each block is built in a temporary library with one call of its step, so nothing is
+//! linked; dependencies are built before. The least of several builds counts, in turns with the
+//! others.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +13,7 @@ use tempfile::TempDir;
 
 use crate::progress::Progress;
 
-/// The catalog's files whose blocks carry claims.
+/// Catalog files, whose blocks have claims.
 const CATALOG: [(&str, &str); 6] = [
     ("LotkaVolterra", include_str!("../../systems/src/catalog/lotka_volterra.rs")),
     ("EulerTop", include_str!("../../systems/src/catalog/euler.rs")),
@@ -25,30 +23,28 @@ const CATALOG: [(&str, &str); 6] = [
     ("E6", include_str!("../../systems/src/catalog/e6.rs")),
 ];
 
-/// The figures of the state that this one is compared with; its first lines say which.
+/// The figures of an earlier state for comparison; the first lines name it.
 pub(crate) const BEFORE: &str = include_str!("../before.tsv");
 
-/// Milliseconds of one block; of a build, processor time, which other programs disturb least.
+/// The milliseconds of one block; for builds processor time, which other programs affect least.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cost {
-    /// The system, and whether its claims are in the block.
+    /// The system, and whether the block has claims.
     pub(crate) block: String,
-    /// In the macro, which Cargo builds without optimisation.
+    /// The time in the macro, which Cargo builds unoptimised.
     pub(crate) expansion: f64,
-    /// In the compiler beyond an empty crate, macro included, without optimisation.
+    /// The unoptimised compiler time beyond an empty crate, including the macro.
     pub(crate) debug: f64,
-    /// The same with optimisation.
+    /// The optimised compiler time beyond an empty crate.
     pub(crate) release: f64,
 }
 
-/// A crate's source and what it is called in the table.
 struct Probe {
     block: String,
     source: String,
 }
 
-/// Measures every block with the `kahan-core` of a checkout: rounds in which each is built once,
-/// and an empty crate.
+/// Measures every block with a checkout's `kahan-core`, in rounds with an empty crate.
 pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     let core = fs::canonicalize(checkout.join("kahan-core"))
         .with_context(|| format!("{} has no folder kahan-core; is it a checkout?", checkout.display()))?;
@@ -86,10 +82,9 @@ pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     Ok(costs.collect())
 }
 
-/// Without optimisation and with.
 const PROFILES: [bool; 2] = [false, true];
 
-/// The blocks of the benchmarks, and those of the catalog with their claims.
+/// Returns the blocks of the benchmarks, and those of the catalog with claims.
 fn probes() -> Result<Vec<Probe>> {
     let mut probes = Vec::new();
     for source in SOURCES {
@@ -114,15 +109,13 @@ fn probes() -> Result<Vec<Probe>> {
     Ok(probes)
 }
 
-/// Milliseconds of one build, in processor time.
 #[derive(Clone, Copy)]
 struct Build {
     build: f64,
-    /// Infinite where nothing was expanded.
+    /// Infinite if nothing was expanded.
     expansion: f64,
 }
 
-/// A crate in a temporary folder.
 struct Folder(TempDir);
 
 impl Folder {
@@ -135,7 +128,7 @@ impl Folder {
         );
         fs::write(folder.path().join("Cargo.toml"), manifest)
             .context("the temporary folder cannot be filled")?;
-        // The versions that the checkout was tested with.
+        // Uses the versions with which the checkout was tested.
         let lock = core.with_file_name("Cargo.lock");
         if lock.is_file() {
             fs::copy(lock, folder.path().join("Cargo.lock"))
@@ -144,7 +137,7 @@ impl Folder {
         Ok(Self(folder))
     }
 
-    /// One build of this source; the first builds the dependencies as well.
+    /// Builds a source; the first build includes the dependencies.
     fn build(&self, source: &str, release: bool) -> Result<Build> {
         fs::write(self.0.path().join("src/lib.rs"), source)
             .context("the temporary folder cannot be filled")?;
@@ -167,20 +160,20 @@ impl Folder {
     }
 }
 
-/// The seconds that processors have spent on child processes of this one which have ended.
+/// Returns the processor seconds of ended child processes.
 #[cfg(unix)]
 fn processor_time() -> f64 {
     use nix::sys::resource::{UsageWho, getrusage};
     use nix::sys::time::TimeValLike;
 
-    // It fails for no valid argument.
+    // The call fails for no valid argument.
     getrusage(UsageWho::RUSAGE_CHILDREN).map_or(f64::NAN, |usage| {
         let microseconds = usage.user_time().num_microseconds() + usage.system_time().num_microseconds();
         microseconds as f64 * 1e-6
     })
 }
 
-/// Elsewhere the clock stands in for it.
+/// Returns wall-clock time instead, on other systems.
 #[cfg(not(unix))]
 fn processor_time() -> f64 {
     use std::sync::LazyLock;
@@ -190,13 +183,13 @@ fn processor_time() -> f64 {
     BEGUN.elapsed().as_secs_f64()
 }
 
-/// Milliseconds, from `kahan!: NAME expanded in 1.23 ms`.
+/// Reads the milliseconds from `kahan!: NAME expanded in 1.23 ms`.
 fn expansion_time(line: &str) -> Option<f64> {
     let (_, rest) = line.split_once(" expanded in ")?;
     rest.strip_suffix(" ms")?.parse().ok()
 }
 
-/// The figures as text, one block a line.
+/// Writes the figures, one block on each line.
 pub(crate) fn to_text(costs: &[Cost]) -> String {
     let lines = costs.iter().map(|cost| {
         format!("{}\t{:.2}\t{:.1}\t{:.1}\n", cost.block, cost.expansion, cost.debug, cost.release)
@@ -204,7 +197,7 @@ pub(crate) fn to_text(costs: &[Cost]) -> String {
     lines.collect()
 }
 
-/// The figures from text; lines that begin with `#` are for people.
+/// Reads figures; lines that begin with `#` are comments.
 pub(crate) fn from_text(text: &str) -> Result<Vec<Cost>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let cost = |line: &str| {

@@ -1,29 +1,24 @@
-//! One way of advancing a state, as something that can be run for a number of steps.
-//!
-//! In: a starting point and a function from state to state. Out: a loop of dependent steps,
-//! compiled on its own for each contender, so that all loops are alike. Chains begin anew every
-//! [`SEGMENT`] steps: no orbit has time to leave the range in which arithmetic takes its usual
-//! time.
+//! A way of advancing a state, run for a number of steps. The loop of dependent steps is compiled
+//! separately for each contender, so all loops are alike. Chains restart every [`SEGMENT`] steps,
+//! so that orbits stay in a range where arithmetic takes its usual time.
 
 use std::hint::black_box;
 
-/// The steps after which a chain begins anew.
 const SEGMENT: usize = 2048;
 
-/// What a contender is to the comparison.
+/// The role of a contender in the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
-    /// What all ratios refer to: the generated step, prepared.
+    /// The reference of all ratios: the generated, prepared step.
     Baseline,
-    /// The generated code, called in another way.
+    /// Generated code, called in another way.
     Generated,
-    /// Careful code for this one system.
+    /// Careful code for this system.
     ByHand,
-    /// Something else that a user could have taken.
+    /// Another method that a user could choose.
     Rival,
 }
 
-/// A named chain of dependent steps.
 pub(crate) struct Contender {
     pub(crate) name: &'static str,
     pub(crate) role: Role,
@@ -31,7 +26,7 @@ pub(crate) struct Contender {
 }
 
 impl Contender {
-    /// A contender that goes from state to state by `step`, beginning with `start`.
+    /// Makes a contender that applies `step` repeatedly from `start`.
     pub(crate) fn new<const N: usize>(
         name: &'static str,
         role: Role,
@@ -47,8 +42,7 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// A contender that runs by itself: `orbit` is called with a starting point and a number of
-    /// steps.
+    /// Makes a contender of `orbit`, which takes an initial state and a number of steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,
@@ -64,13 +58,11 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// Runs that many steps.
     pub(crate) fn run(&self, steps: usize) {
         (self.run)(steps);
     }
 }
 
-/// The loop that is measured.
 #[inline(never)]
 fn chain<const N: usize>(step: &impl Fn([f64; N]) -> [f64; N], mut x: [f64; N], steps: usize) -> [f64; N] {
     for _ in 0..steps {

@@ -1,7 +1,6 @@
-//! How far rounding carries an integral of the map over a very long orbit.
-//!
-//! In: nothing. Out: for E6 at ε = 2⁻¹⁰ the relative change of Ĥ after 10⁵ … 10⁹ steps, plain and
-//! compensated; Ĥ is evaluated in double-double with the ε of the orbit.
+//! Drift of an integral by rounding over very long orbits: the relative change of Ĥ for E6 at ε =
+//! 2⁻¹⁰ after 10⁵ … 10⁹ steps, plain and compensated. Ĥ is evaluated in double-double at the
+//! orbit's ε.
 
 use kahan_core::prelude::*;
 
@@ -14,17 +13,16 @@ kahan! {
     integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
 }
 
-/// ε, whose powers are exact.
+/// ε, with exact powers.
 pub(crate) const EPS: f64 = 1.0 / 1024.0;
 
-/// One line: the steps, and the relative change of Ĥ in both modes.
 pub(crate) struct Line {
     pub(crate) steps: usize,
     pub(crate) plain: f64,
     pub(crate) compensated: f64,
 }
 
-/// Follows one orbit in each mode to 10^`decades` steps.
+/// Computes one orbit in each mode up to 10^`decades` steps.
 pub(crate) fn lines(decades: u32) -> Vec<Line> {
     let start = vector![0.3, 0.8, 0.5];
     let value = |x: SVector<f64, 3>| Watched.integrals(&x.map(Dd::from), Dd::from(EPS))[0];
@@ -35,7 +33,7 @@ pub(crate) fn lines(decades: u32) -> Vec<Line> {
     let mut lines = Vec::new();
     for decade in 5..=decades {
         let steps = 10_usize.pow(decade);
-        // An orbit yields its start first.
+        // An orbit yields its initial state first.
         let more = if done == 0 { steps } else { steps - done - 1 };
         let at = |orbit: &mut dyn Iterator<Item = SVector<f64, 3>>| {
             change(orbit.nth(more).expect("an orbit over floats goes on"))

@@ -1,27 +1,24 @@
-//! Instructions per step, counted by valgrind's callgrind: the figure that noise cannot touch.
-//!
-//! This program is run under it with a contender and a number of steps, twice; the difference of
-//! the counts over the difference of the steps leaves out everything but the loop.
+//! Instructions per step, counted by valgrind's callgrind and free of timing noise. The program
+//! runs a contender twice with different numbers of steps; the ratio of the differences isolates
+//! the loop.
 
 use std::env;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The hidden subcommand that runs one contender.
 pub(crate) const RUN_ONE: &str = "run-one";
 
-/// Steps of the shorter run; the other is twice as long.
+/// The steps of the shorter run; the longer run has twice as many.
 const STEPS: usize = 2048;
 
-/// Whether there is a valgrind to count with.
 pub(crate) fn can_be_counted() -> bool {
     let status =
         Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     status.is_ok_and(|status| status.success())
 }
 
-/// Instructions of one step of the contender with this number.
+/// Counts the instructions of one step of the contender with this index.
 pub(crate) fn per_step(system: &str, contender: usize) -> Result<f64> {
     let (short, long) = (count(system, contender, STEPS)?, count(system, contender, 2 * STEPS)?);
     Ok((long as f64 - short as f64) / STEPS as f64)

@@ -1,23 +1,22 @@
-//! From one time to a later one: what integrators of different kinds can be compared on.
-//!
-//! In: a system and its starting point. Out: named ways of reaching [`SPAN`], with their
-//! tolerances, and how far from the flow they end.
+//! Integrations over a fixed time, by which integrators of different kinds are compared: methods to
+//! reach [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at
+//! the end.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
 use crate::rivals::{diffsol, dop853, midpoint, runge_kutta};
 
-/// The simulated time of a journey.
+/// The simulated time.
 pub(crate) const SPAN: f64 = 8.0;
 
-/// The step of the methods of fixed step, 2ε.
+/// The step 2ε of fixed-step methods.
 pub(crate) const STEP: f64 = 1.0 / 64.0;
 
-/// Both tolerances of the methods that control their step.
+/// The absolute and relative tolerance of adaptive methods.
 pub(crate) const TOLERANCE: f64 = 1e-8;
 
-/// One way of going there.
+/// A method for one system and initial state.
 pub(crate) struct Journey {
     pub(crate) name: &'static str,
     go: Box<dyn Fn() -> Vec<f64>>,
@@ -32,13 +31,13 @@ impl Journey {
         Self { name, go: Box::new(move || go(std::hint::black_box(start)).to_vec()) }
     }
 
-    /// The state at [`SPAN`].
+    /// Returns the state at [`SPAN`].
     pub(crate) fn end(&self) -> Vec<f64> {
         (self.go)()
     }
 }
 
-/// Every journey of a system, Kahan's first.
+/// Returns all methods for a system, Kahan's first.
 pub(crate) fn journeys<M, const N: usize>(map: M, start: [f64; N]) -> Vec<Journey>
 where
     M: KahanMap<f64, N> + Copy + 'static,
@@ -63,5 +62,5 @@ where
     ]
 }
 
-/// The journey that the others' errors refer to; it is not timed.
+/// The name of the reference for errors, which is not timed.
 pub(crate) const REFERENCE: &str = "reference";

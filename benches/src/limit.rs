@@ -1,15 +1,14 @@
-//! What must hold, and what was measured.
+//! Limits and measured figures.
 
 use serde_json::{Value, json};
 
 use crate::table::Table;
 
-/// A figure with the most that it may be, if it has to hold and does not only stand beside one that
-/// has to.
+/// A figure with its limit, if any; figures without a limit are for comparison.
 pub(crate) struct Limit {
     pub(crate) figure: String,
     pub(crate) at_most: Option<f64>,
-    /// `None` where it could not be measured here.
+    /// `None` if not measurable here.
     pub(crate) measured: Option<f64>,
     /// `×` for a ratio, `ms` for a time.
     pub(crate) unit: &'static str,
@@ -24,12 +23,11 @@ impl Limit {
         Self { figure: figure.into(), at_most: None, measured, unit: "" }
     }
 
-    /// Whether it was measured and is more than it may be.
+    /// Says whether the figure was measured and exceeds its limit.
     pub(crate) fn is_missed(&self) -> bool {
         matches!((self.measured, self.at_most), (Some(measured), Some(at_most)) if measured > at_most)
     }
 
-    /// As it stands among the results.
     pub(crate) fn to_json(&self) -> Value {
         json!({ "figure": self.figure, "at_most": self.at_most, "measured": self.measured })
     }
@@ -44,7 +42,6 @@ impl Limit {
     }
 }
 
-/// All limits as a table.
 pub(crate) fn table(limits: &[Limit]) -> Table {
     let mut table = Table::new(&["figure", "at most", "measured", "verdict"]);
     for limit in limits {

@@ -1,35 +1,33 @@
-//! On what something was measured.
+//! The machine, compiler and commit of a measurement.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::thread::available_parallelism;
 
-/// The processor with the vector instructions that matter here, and its cores.
+/// Returns the processor with its relevant vector instructions, and the number of cores.
 pub(crate) fn processor() -> String {
     let cores = available_parallelism().map_or_else(|_| "unknown".to_owned(), |cores| cores.to_string());
     format!("{}, {cores} cores to use", model())
 }
 
-/// The compiler, and the flags that it got beyond those of the profile.
 pub(crate) fn compiler() -> String {
     let flags = std::env::var("RUSTFLAGS").ok().filter(|flags| !flags.is_empty());
     let flags = flags.map_or_else(String::new, |flags| format!(", RUSTFLAGS {flags}"));
     told(Command::new("rustc").arg("--version")) + &flags
 }
 
-/// The commit of this checkout.
 pub(crate) fn commit(root: &Path) -> String {
     told(Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(root))
 }
 
-/// What a program says in one line.
+/// Returns a program's output in one line.
 fn told(command: &mut Command) -> String {
     let text = command.output().map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
     text.ok().filter(|text| !text.is_empty()).unwrap_or_else(|| "unknown".to_owned())
 }
 
-/// The model as the system names it, with the vector instructions that matter here.
+/// Returns the processor's model with its relevant vector instructions.
 fn model() -> String {
     let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {

@@ -1,5 +1,5 @@
-//! Benchmarks: the generated step against hand-written code and against what a user would have
-//! taken instead, ensembles against the machine's bounds, the cost of compiling.
+//! Benchmarks: generated steps against hand-written code and other integrators, ensembles against
+//! the machine's bounds, and the cost of compiling.
 
 mod by_hand;
 mod cli;
@@ -26,7 +26,6 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     match cli::run() {
         Ok(true) => ExitCode::SUCCESS,
-        // A limit does not hold.
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error:#}");

@@ -1,36 +1,31 @@
-//! Order 8 against DOP853, each at the cheapest setting that keeps the error of the trajectory
-//! below [`ERROR`].
-//!
-//! In: a system and its start. Out: what it takes from t = 0 to [`HORIZON`]. The reference is the
-//! same composition in double-double at a sixteenth of the step, where its error is 16⁸ times
-//! smaller.
+//! Order 8 against DOP853, each at its cheapest setting with a trajectory error below [`ERROR`]
+//! from t = 0 to [`HORIZON`]. The reference is the composition in double-double at a sixteenth of
+//! the step, with an error 16⁸ times smaller.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars};
 
 use crate::rivals::dop853;
 
-/// The simulated time.
 pub(crate) const HORIZON: f64 = 64.0;
 
-/// The largest error on the way, relative to the largest component.
+/// The largest error along the trajectory, relative to the largest component.
 pub(crate) const ERROR: f64 = 1e-8;
 
-/// Times at which errors are taken, equally far from each other.
+/// The number of equidistant times at which errors are taken.
 const SAMPLES: usize = 32;
 
-/// The composition that is raced.
 pub(crate) const COMPOSITION: Composition = Composition::KAHAN_LI_8;
 
-/// A way to the horizon at its cheapest setting.
+/// A method at its cheapest setting.
 pub(crate) struct Run {
     pub(crate) name: String,
-    /// The largest error on the way, relative to the largest component.
+    /// The largest error along the trajectory, relative to the largest component.
     pub(crate) error: f64,
     pub(crate) go: Box<dyn Fn()>,
 }
 
-/// The two ways of one system; the composition is the second.
+/// Returns both methods for a system; the composition is second.
 pub(crate) fn runs<M, const N: usize>(map: M, start: [f64; N]) -> [Run; 2]
 where
     M: ExtendScalars<f64, N> + Copy + 'static,
@@ -80,7 +75,7 @@ where
     ]
 }
 
-/// The trajectory at the times of the samples, the start included.
+/// Returns the reference trajectory at the sample times, including the initial state.
 fn reference<M, const N: usize>(map: M, start: SVector<f64, N>) -> Vec<SVector<f64, N>>
 where
     M: ExtendScalars<f64, N>,

@@ -1,4 +1,4 @@
-//! A file that appears whole or not at all.
+//! Writing a file atomically.
 
 use std::io::Write;
 use std::path::Path;

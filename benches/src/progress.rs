@@ -1,10 +1,9 @@
-//! A progress bar on standard error, where that is a terminal; nothing elsewhere.
+//! A progress bar on standard error, hidden unless that is a terminal.
 
 use std::io::{IsTerminal, stderr};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Progress of work with a known number of parts.
 pub(crate) struct Progress(ProgressBar);
 
 impl Progress {
@@ -19,12 +18,10 @@ impl Progress {
         Self(bar)
     }
 
-    /// Says what is being done now.
     pub(crate) fn begin(&self, what: impl Into<String>) {
         self.0.set_message(what.into());
     }
 
-    /// One part is done.
     pub(crate) fn advance(&self) {
         self.0.inc(1);
     }

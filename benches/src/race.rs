@@ -1,17 +1,13 @@
-//! Interleaved timing.
-//!
-//! In: several things that can be timed. Out: for each the quartiles of its times, and of its
-//! ratios to the first, formed round by round: what slows the machine for a while slows both sides
-//! of a ratio.
+//! Interleaved timing of several runners. Returns the quartiles of their times, and of their ratios
+//! to the first runner within each round, so that temporary slowdowns affect both sides of a ratio.
 
 use std::time::{Duration, Instant};
 
-/// How much is measured.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Rounds; each times every runner once.
+    /// The number of rounds; each times every runner once.
     pub(crate) rounds: usize,
-    /// The time that one runner takes in one round.
+    /// The time of one runner in one round.
     pub(crate) sample: Duration,
 }
 
@@ -21,13 +17,12 @@ impl Effort {
         Self { rounds, sample: Duration::from_micros(if quick { 200 } else { 500 }) }
     }
 
-    /// Whether this is a look, not a measurement.
+    /// Says whether this is a short trial instead of a measurement.
     pub(crate) fn is_quick(self) -> bool {
         self.rounds < 100
     }
 }
 
-/// The quartiles of a measured quantity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quartiles {
     pub(crate) low: f64,
@@ -36,8 +31,7 @@ pub(crate) struct Quartiles {
 }
 
 impl Quartiles {
-    /// # Panics
-    /// If there is no value.
+    /// Panics without values.
     pub(crate) fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let at = |quarter: usize| values[(values.len() - 1) * quarter / 4];
@@ -45,27 +39,22 @@ impl Quartiles {
     }
 }
 
-/// What a race says of one runner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
-    /// Nanoseconds a unit, the least of all rounds: what the machine does when nobody else has it.
+    /// The least nanoseconds per unit over all rounds, for an undisturbed machine.
     pub(crate) nanoseconds: f64,
-    /// Its time over that of the first runner in the same round.
+    /// The ratio to the first runner's time in each round.
     pub(crate) ratio: Quartiles,
 }
 
-/// The seconds that something takes.
 pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
     let begun = Instant::now();
     run();
     begun.elapsed().as_secs_f64()
 }
 
-/// Times `runners` in turns. `seconds(i, units)` runs `units` units of work of runner i and says
-/// how long they took; the order rotates from round to round.
-///
-/// # Panics
-/// If there is no runner.
+/// Times `runners` in turns. `seconds(i, units)` runs `units` units of runner i and returns the
+/// seconds; the order rotates from round to round. Panics without a runner.
 pub(crate) fn race(
     runners: usize,
     effort: Effort,
@@ -90,20 +79,13 @@ pub(crate) fn race(
         .collect()
 }
 
-/// Passes of [`least_times`].
 const PASSES: usize = 3;
 
-/// The least nanoseconds a unit, of several races of so many `runners`, all run one after the other
-/// and that several times: a neighbour on the machine can be busy for longer than one race lasts.
-/// For code that fills the processor's units, which such a neighbour delays more than it delays a
-/// chain of dependent operations, so that medians of the two do not meet. `seconds(race, i, units)`
-/// runs `units` units of work of runner i.
-///
-/// # Errors
-/// The first one of `seconds`.
-///
-/// # Panics
-/// If a race has no runner.
+/// Returns the least nanoseconds per unit for several races with these numbers of `runners`. The
+/// races run one after the other, several times, because another program may disturb more than one
+/// race. Such a neighbour delays code that fills the processor's units more than dependent chains,
+/// so medians are unsuitable. `seconds(race, i, units)` runs `units` units of runner i. Fails with
+/// the first error of `seconds`; panics if a race has no runner.
 pub(crate) fn least_times<E>(
     runners: &[usize],
     effort: Effort,
@@ -129,11 +111,11 @@ pub(crate) fn least_times<E>(
     Ok(least)
 }
 
-/// The units that take about as long as one sample shall.
+/// Returns the number of units that take about one sample.
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
     loop {
-        // Whoever is interrupted in one of them would take too few units for long.
+        // The least of three, because an interrupted trial would give too few units.
         let taken = (0..3).map(|_| seconds(units)).fold(f64::INFINITY, f64::min);
         if taken > 0.1 * sample.as_secs_f64() {
             return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);
@@ -155,7 +137,7 @@ mod tests {
     #[test]
     fn the_least_time_is_kept_for_each_runner_of_each_race() {
         let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
-        // A busy neighbour doubles the times of the first calls, more than one pass has.
+        // A simulated neighbour doubles the times of the first calls, more than one pass has.
         let mut calls = 0;
         let times = least_times(&[1, 2], effort, |race, i, units| {
             calls += 1;

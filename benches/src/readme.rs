@@ -1,8 +1,7 @@
-//! The measured parts of `docs/reference/speed.md`: the picture of a trade, the tables of speed,
-//! tiers and extremes.
-//!
-//! In: this checkout's command and the timings. Out: the page anew, with what stands between the
-//! markers `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
+//! The measured parts of `docs/reference/speed.md`: the picture of a trade, and the tables of
+//! speed, tiers and extremes. They come from this checkout's command and timings, and replace the
+//! text between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`; the rest of the page
+//! is unchanged.
 
 use std::path::Path;
 use std::process::Command;
@@ -16,17 +15,13 @@ use crate::report;
 use crate::systems;
 use crate::table::{Table, short};
 
-/// Where the picture lies.
 const PICTURE: &str = "docs/reference/work_precision.svg";
 
-/// What the picture shows.
 const SCENE: [&str; 8] = ["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "100", "--tolerance", "1e-10"];
 
-/// Trials a scalar.
 const TRIALS: &str = "1000000";
 
-/// The tiers with their promises, in the order of the table: name in the timings, how it is called,
-/// what it promises.
+/// The tiers in the order of the table: name in the timings, call, and promise.
 const PROMISES: [(&str, &str, &str); 6] = [
     ("fast", "`step`, `orbit`", "a few u in short steps away from poles; nothing is looked at"),
     ("compensated", "`orbit(..).compensated()`", "the same, and the rounding of a step falls to O(ε)·u"),
@@ -40,7 +35,7 @@ const PROMISES: [(&str, &str, &str); 6] = [
     ("f32", "`f32`", "the fast tier with u = 2⁻²⁴"),
 ];
 
-/// The systems of the table of speed and what they are called there.
+/// The systems in the table of speed, with their names there.
 const NAMES: [(&str, &str); 8] = [
     ("LotkaVolterra", "Lotka–Volterra"),
     ("EulerTop", "Euler top"),
@@ -52,7 +47,6 @@ const NAMES: [(&str, &str); 8] = [
     ("Clebsch", "Clebsch, six variables"),
 ];
 
-/// Measures and writes.
 pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     let picture = root.join(PICTURE);
     let told = kahan(root, SCENE.iter().copied().chain(["--out", &picture.display().to_string()]))?;
@@ -66,7 +60,6 @@ pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     rewrite(&root.join("docs/reference/speed.md"), &parts)
 }
 
-/// Replaces the named parts of a page.
 fn rewrite(path: &Path, parts: &[(&str, &String)]) -> Result<()> {
     let page = path.display().to_string();
     let mut text = std::fs::read_to_string(path).with_context(|| format!("{page} cannot be read"))?;
@@ -76,7 +69,7 @@ fn rewrite(path: &Path, parts: &[(&str, &String)]) -> Result<()> {
     write_whole(path, &text)
 }
 
-/// What the command of this checkout prints.
+/// Runs this checkout's command and returns its output.
 fn kahan<'a>(root: &Path, arguments: impl Iterator<Item = &'a str>) -> Result<String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
@@ -92,13 +85,13 @@ fn kahan<'a>(root: &Path, arguments: impl Iterator<Item = &'a str>) -> Result<St
     String::from_utf8(output.stdout).context("the command `kahan` does not print text")
 }
 
-/// The choice and the line to paste.
+/// Returns the lines with the choice and its Rust code.
 fn choice(told: &str) -> String {
     let lines = told.lines().skip_while(|line| !line.starts_with("choice")).take(2);
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// The text with what stands between two markers replaced.
+/// Replaces the text between two markers.
 fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     let (begin, end) = (format!("<!-- begin: {name} -->\n"), format!("<!-- end: {name} -->"));
     let from = text.find(&begin).with_context(|| format!("there is no {}", begin.trim()))? + begin.len();
@@ -106,7 +99,7 @@ fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     Ok(format!("{}\n{by}\n{}", &text[..from].trim_end_matches('\n').to_owned(), &text[to..]))
 }
 
-/// Nanoseconds of one step, system by system.
+/// Returns the nanoseconds of one step for each system.
 fn speed(effort: Effort) -> Result<Table> {
     let steps = report::step_times(&systems::all(), effort);
     let ensembles = report::ensemble_times(effort)?;
@@ -130,7 +123,7 @@ fn speed(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Promise and price of each tier.
+/// Returns the promise and price of each tier.
 fn tiers(effort: Effort) -> Result<Table> {
     let prices = report::tier_prices(effort)?;
     let mut table = Table::new(&["tier", "how", "promise", "price"]);
@@ -145,7 +138,7 @@ fn tiers(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Regimes against tiers: the share that is silently wrong, and of the stable tier the flags.
+/// Returns the shares of silently wrong results, and of errors in the stable tier.
 fn extremes(judged: &Value) -> Result<Table> {
     let cells = judged["cells"].as_array().context("no cells in `kahan extremes --json`")?;
     let mut regimes: Vec<&str> = cells.iter().filter_map(|cell| cell["regime"].as_str()).collect();

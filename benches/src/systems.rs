@@ -1,4 +1,4 @@
-//! The eight systems, each with all that competes on its steps.
+//! The eight systems with all contenders.
 
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
@@ -9,22 +9,18 @@ use crate::contender::{Contender, Role};
 use crate::journey::{Journey, journeys};
 use crate::rivals::{lu, midpoint, runge_kutta};
 
-/// The contender with a limit of its own.
+/// The contender with a separate limit.
 pub(crate) const STATIC_LU: &str = "Kahan by SMatrix LU";
 
-/// One system of the benchmarks.
 pub(crate) struct System {
-    /// The name of its type.
     pub(crate) name: &'static str,
-    /// The number of variables.
     pub(crate) dimension: usize,
-    /// One step after the other; the first is the generated step that all others are compared with.
+    /// Contenders for one step; the first is the generated step, the reference.
     pub(crate) steps: Vec<Contender>,
-    /// From one time to a later one.
+    /// Integrations over a fixed time.
     pub(crate) journeys: Vec<Journey>,
 }
 
-/// Every system, in the order of the tables.
 pub(crate) fn all() -> Vec<System> {
     let (top, lorenz_map, clebsch_map) = (fields::euler_top(), fields::lorenz(), fields::clebsch());
     vec![
@@ -41,7 +37,7 @@ pub(crate) fn all() -> Vec<System> {
     ]
 }
 
-/// What every system is compared with, and its own hand-written steps.
+/// Returns a system with the common contenders and its hand-written steps.
 fn system<M, const N: usize>(
     name: &'static str,
     map: M,

@@ -1,8 +1,8 @@
-//! Tables as Markdown that is readable as it stands.
+//! Tables in Markdown that is readable as text.
 
 use std::fmt;
 
-/// Rows of text under headings; the first column is set left, the others right.
+/// Rows of text under headings; the first column is left-aligned, the others right-aligned.
 pub(crate) struct Table {
     pub(crate) head: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,
@@ -13,8 +13,7 @@ impl Table {
         Self { head: head.iter().map(|&title| title.to_owned()).collect(), rows: Vec::new() }
     }
 
-    /// # Panics
-    /// If the row has not one cell a column.
+    /// Panics unless the row has a cell for each column.
     pub(crate) fn push(&mut self, row: Vec<String>) {
         assert_eq!(row.len(), self.head.len(), "a row of {row:?}");
         self.rows.push(row);
@@ -46,7 +45,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// A number to three significant digits, or a dash where there is none.
+/// Writes three significant digits, or a dash for `None`.
 pub(crate) fn short(value: Option<f64>) -> String {
     match value {
         None => "–".to_owned(),

@@ -1,4 +1,4 @@
-//! Processes that time something when asked to, in a build for every processor and in one for this.
+//! Processes that time tasks on request, in a default and a native build.
 
 use std::env;
 use std::io::{BufRead, BufReader, Write};
@@ -7,20 +7,18 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The packages that are such a process, each with a program of its name.
+/// The packages of such processes, each with a program of its name.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
 pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";
 
-/// Something that a worker can time.
 pub(crate) struct Task {
     pub(crate) system: String,
     pub(crate) what: String,
-    /// Additions, multiplications and multiply-adds of one step.
+    /// The additions, multiplications and multiply-adds of one step.
     pub(crate) operations: usize,
 }
 
-/// A worker that waits for requests.
 pub(crate) struct Worker {
     child: Child,
     requests: ChildStdin,
@@ -28,8 +26,7 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a worker, with `native` for this processor in a target folder of its own, and says where
-/// it lies.
+/// Builds a worker and returns its path; native builds have a target folder of their own.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // …/target/release/program
@@ -52,7 +49,7 @@ pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
 }
 
 impl Worker {
-    /// Starts a worker and reads what it can do.
+    /// Starts a worker and reads its tasks.
     pub(crate) fn start(program: &Path) -> Result<Self> {
         let mut child = Command::new(program)
             .stdin(Stdio::piped())
@@ -79,7 +76,7 @@ impl Worker {
         &self.tasks
     }
 
-    /// The seconds that so many units of a task take.
+    /// Returns the seconds for a number of units of a task.
     pub(crate) fn seconds(&mut self, task: usize, units: usize) -> Result<f64> {
         writeln!(self.requests, "{task} {units}").context("the worker has ended")?;
         self.requests.flush().context("the worker has ended")?;
@@ -88,10 +85,9 @@ impl Worker {
     }
 }
 
-/// A worker ends when nobody asks any more.
 impl Drop for Worker {
     fn drop(&mut self) {
-        // It is of no use any more; whether it was still there does not matter.
+        // The process may have ended already.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -1,9 +1,6 @@
-//! One system of the catalog: its names, the text of its block, the closed solution of its flow,
-//! the source of every claim.
-//!
-//! The text is the very text that the macro compiles: it is cut out of the system's own source
-//! file. So what a reader of the text gets and what the library offers cannot differ. Nothing is
-//! parsed here beyond finding the block.
+//! Entries of the catalog: a system's names, its block as text, the closed solution of its flow,
+//! and the sources of its claims. The text is cut out of the system's own source file, so it equals
+//! the text that the macro compiles. Apart from finding the block, nothing is parsed here.
 
 use std::ops::Range;
 
@@ -12,7 +9,7 @@ use kahan_algebra::token::TokenKind;
 
 use crate::solution::ClosedFlow;
 
-/// One system of the catalog.
+/// A system of the catalog.
 ///
 /// ```
 /// use kahan_systems::registry::find;
@@ -23,32 +20,30 @@ use crate::solution::ClosedFlow;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Its name on the command line: `e1`.
+    /// The command-line name, such as `e1`.
     pub command: &'static str,
-    /// Its type in this crate: `E1`.
+    /// The name of the type in this crate, such as `E1`.
     pub type_name: &'static str,
-    /// Its name as people write it: `Euler top`.
+    /// The usual name, such as `Euler top`.
     pub name: &'static str,
-    /// What it is, in one line.
+    /// A description in one line.
     pub title: &'static str,
-    /// The source file with the block: `include_str!` of the file itself.
+    /// The contents of the source file that holds the block.
     pub(crate) file: &'static str,
-    /// A value for each parameter, numerator and denominator, at which tests run it.
-    ///
-    /// The values are of the size that the literature gives them, and dyadic, so that every float
-    /// has them exactly.
+    /// A value for each parameter, as numerator and denominator. Tests use these values. They have
+    /// the size usual in the literature, and are dyadic, so that floats represent them exactly.
     pub parameters: &'static [(i64, i64)],
-    /// The closed solution of its flow, where one is known.
+    /// The closed solution of the flow, if known.
     pub flow: Option<ClosedFlow>,
-    /// Where each claim is from, by the claim's name: its place in the paper, or `FOUND`.
+    /// The source of each claim by name: a place in the paper, or `FOUND`.
     pub sources: &'static [(&'static str, &'static str)],
 }
 
-/// The source of a claim that is in no paper: it was found from the equations alone.
+/// The source of claims that were found from the equations.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// The entry of an integrable system E1 to E6, whose claims are the cells of one row of the paper's
-/// tables; the last argument is a remark on the tensor Q.
+/// Makes the entry of an integrable system E1 to E6, whose claims fill a row of the paper's tables.
+/// The last argument is a remark on the tensor Q.
 macro_rules! row_of_the_tables {
     ($i:literal, $title:literal $(, $remark:literal)?) => {
         Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
@@ -65,7 +60,7 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// A system without parameters, closed solution and claims, whose name is that of its type.
+    /// Makes an entry without parameters, closed solution and claims, named after its type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,
@@ -75,42 +70,38 @@ impl Entry {
         Entry { command, type_name, name: type_name, title, file, parameters: &[], flow: None, sources: &[] }
     }
 
-    /// Sets the name as people write it.
     pub(crate) const fn named(self, name: &'static str) -> Self {
         Entry { name, ..self }
     }
 
-    /// Sets a value for each parameter.
     pub(crate) const fn with_parameters(self, parameters: &'static [(i64, i64)]) -> Self {
         Entry { parameters, ..self }
     }
 
-    /// Sets the closed solution of the flow.
     pub(crate) const fn with_flow(self, flow: ClosedFlow) -> Self {
         Entry { flow: Some(flow), ..self }
     }
 
-    /// Sets where the claims are from.
+    /// Sets the sources of the claims.
     pub(crate) const fn with_sources(self, sources: &'static [(&'static str, &'static str)]) -> Self {
         Entry { sources, ..self }
     }
 
-    /// The block in the language of `kahan!`, without `kahan! {` and its closing brace.
+    /// Returns the block in the language of `kahan!`, without `kahan! {` and its closing brace.
     #[must_use]
     pub fn text(&self) -> &'static str {
         block_range(self.file).map_or("", |range| &self.file[range])
     }
 
-    /// The place in the paper of the claim with this name, or where else it is from.
+    /// Returns the source of a claim, such as its place in the paper.
     #[must_use]
     pub fn source(&self, claim: &str) -> Option<&'static str> {
         self.sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 }
 
-/// Where the first block of a Rust source file stands: the bytes between `kahan! {` at the
-/// beginning of a line and the matching brace. `None` if there is no such line or the brace is
-/// never closed.
+/// Returns the byte range of the first block in a Rust source file: between `kahan! {` at the
+/// beginning of a line and the matching brace. `None` without a complete block.
 #[must_use]
 pub fn block_range(file: &str) -> Option<Range<usize>> {
     const OPENING: &str = "kahan! {";

@@ -1,12 +1,9 @@
-//! A catalog of Kahan maps with what they preserve: the Euler top, Lotka–Volterra and the systems
-//! E1 to E9 of Hone and Petrera, and further systems. In: a quadratic field a file, written as a
-//! `kahan!` block with its claims. Out: the types that the macro makes of the blocks, the closed
-//! solutions that are known, and an [`Entry`](entry::Entry) each, by [`registry`]. It must
-//! not know the `kahan` command, nor the paper's claims.
-//!
-//! A block claims every rational formula that holds, and the macro proves it while it compiles the
-//! block; the file's first lines name what no rational formula can say. The half step ε is written
-//! `eps`. [`registry`] says how a system is added. [`lattices`] are systems of any number of sites.
+//! A catalog of quadratic fields with the structures that their Kahan maps preserve: the Euler top,
+//! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file holds a field as a
+//! `kahan!` block with its claims, which the macro proves; ε, half the time step, is written `eps`.
+//! The crate exports the macro's types, closed solutions, and an [`Entry`](entry::Entry) for each
+//! system in [`registry`], which explains how to add one. [`lattices`] are systems with any number
+//! of sites. The crate knows neither the `kahan` command nor the claims of the paper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -18,8 +15,7 @@ pub mod solution;
 pub mod special;
 
 pub mod catalog {
-    //! The systems, one module each, with all that belongs to it: its type, its entry, its closed
-    //! solutions.
+    //! The systems: one module each, with its type, entry and closed solutions.
 
     macro_rules! modules {
         ($($group:ident {

@@ -1,25 +1,22 @@
-//! The catalog by name: which systems there are, and everything that is told of all of them at
-//! once.
+//! The catalog by name.
 //!
 //! # Adding a system
 //!
-//! 1. A file in `systems/src/catalog/`, say `toda.rs`: the `kahan!` block, and an [`Entry`] called
-//!    `ENTRY` below it. `weierstrass.rs` is a short one to copy.
-//! 2. A line in [`with_catalog!`](crate::with_catalog): `toda::Toda { a } in 4;`, four being the
-//!    number of variables.
+//! 1. Write a file in `systems/src/catalog/`, say `toda.rs`: the `kahan!` block, and below it an
+//!    [`Entry`] called `ENTRY`. `weierstrass.rs` is a short example.
+//! 2. Add a line to [`with_catalog!`](crate::with_catalog): `toda::Toda { a } in 4;` for four
+//!    variables.
 //!
-//! The command, the atlas, the completions and the tests read the registry. The modules are
-//! declared by a macro, which `cargo fmt` does not look into: `rustfmt systems/src/catalog/*.rs`
-//! formats them, and `.ci/run` checks that it was done.
+//! The command, the atlas, the completions and the tests read the registry. A macro declares the
+//! modules, so `cargo fmt` skips them: `rustfmt systems/src/catalog/*.rs` formats them, and
+//! `.ci/run` checks that.
 
 use crate::catalog::*;
 use crate::entry::Entry;
 
-/// Hands the catalog to a macro: `paper { … } further { … }`, a line a system, in the order in
-/// which they are listed.
-///
-/// A line is the module, the type with its parameters, if it has any, and the number of variables.
-/// In `paper` are the systems of Hone and Petrera, in `further` all others.
+/// Passes the catalog to a macro: `paper { … } further { … }`, one line for each system in order of
+/// display. A line holds the module, the type with its parameters, if any, and the number of
+/// variables. `paper` are the systems of Hone and Petrera.
 ///
 /// ```
 /// use kahan_systems::with_catalog;
@@ -69,23 +66,22 @@ macro_rules! entries {
         paper { $($paper:ident::$of_paper:ident $({ $($p:ident),* })? in $n:literal;)* }
         further { $($further:ident::$of_further:ident $({ $($q:ident),* })? in $m:literal;)* }
     ) => {
-        /// The systems of the paper, in the order in which they are listed.
+        /// The systems of the paper, in order of display.
         pub static SYSTEMS: &[Entry] = &[$($paper::ENTRY),*];
 
-        /// The systems that are not in the paper: what is claimed of them was found by `kahan
-        /// discover`.
+        /// Further systems; `kahan discover` found their claims.
         pub static FURTHER: &[Entry] = &[$($further::ENTRY),*];
     };
 }
 
 with_catalog!(entries);
 
-/// The whole catalog: the systems of the paper, then the others.
+/// Returns all systems: those of the paper, then the others.
 pub fn all() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain(FURTHER)
 }
 
-/// The system with this command name or type name, in any case of letters.
+/// Finds a system by command name or type name, ignoring case.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))

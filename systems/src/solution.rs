@@ -1,13 +1,11 @@
-//! What the explicit solutions have in common.
-//!
-//! Each system with a closed solution has two types in its module: `Solution`, the orbit of its
-//! Kahan map, with `Solution::through(&point, &eps)` and `.at(n)` for any integer n, and
-//! `FlowSolution`, the trajectory of its field, with `FlowSolution::through(&point)` and `.at(&t)`.
-//! Systems with parameters take them first. The numbers that fix a solution are public fields under
-//! the paper's names. `.at(0)` is the point given. Rational solutions work over every [`Scalar`],
-//! so exactly over big rationals; the others over every [`Real`](crate::special::Real). Who does
-//! not know the type of a system finds its trajectories through
-//! [`Entry::flow`](crate::entry::Entry::flow), in 256 bits.
+//! Common parts of the closed solutions. Systems with a closed solution have two types in their
+//! modules: `Solution`, an orbit of Kahan's map, with `Solution::through(&point, &eps)` and
+//! `.at(n)` for any integer n; and `FlowSolution`, a trajectory, with
+//! `FlowSolution::through(&point)` and `.at(&t)`. Parameters come first. Public fields hold the
+//! constants of a solution, named as in the paper. `.at(0)` is the given point. Rational solutions
+//! work over every [`Scalar`], and exactly over big rationals; others over every
+//! [`Real`](crate::special::Real). [`Entry::flow`](crate::entry::Entry::flow) returns trajectories
+//! in 256 bits for systems known at run time.
 
 mod reciprocal;
 
@@ -20,16 +18,14 @@ use crate::special::Precise;
 
 pub use reciprocal::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// A trajectory: the point at time t.
+/// A trajectory as a function from t to the point.
 pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
 
-/// The trajectories of a flow, from the parameters and the point at t = 0.
-///
-/// `None` where no solution of the closed form passes through the point, and for a point or
-/// parameters of another number.
+/// A function from parameters and the point at t = 0 to a trajectory. `None` if no solution of the
+/// closed form passes through the point, or if an argument has the wrong length.
 pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
 
-/// A solution as a trajectory.
+/// Converts a solution to a trajectory.
 pub(crate) fn trajectory<S: 'static, const N: usize>(
     solution: Result<S, OutOfDomain>,
     at: fn(&S, &Precise) -> SVector<Precise, N>,
@@ -38,15 +34,15 @@ pub(crate) fn trajectory<S: 'static, const N: usize>(
     Some(Box::new(move |t| at(&solution, t).iter().copied().collect()))
 }
 
-/// Coordinates as a point, if there are N.
+/// Converts coordinates to a point, if there are N.
 pub(crate) fn point<const N: usize>(coordinates: &[Precise]) -> Option<SVector<Precise, N>> {
     <[Precise; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
 }
 
-/// No solution of the closed form passes through the point given: a condition on it fails.
+/// The error that no solution of the closed form passes through a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfDomain {
-    /// What has to hold, as a formula in the point's coordinates, ε and the parameters.
+    /// The violated condition, as a formula in the point's coordinates, ε and the parameters.
     pub condition: &'static str,
 }
 
@@ -58,23 +54,21 @@ impl fmt::Display for OutOfDomain {
 
 impl core::error::Error for OutOfDomain {}
 
-/// The real branch that a hyperbolic or elliptic solution of a map belongs to; the map keeps it.
-///
-/// Between the two lies the set where det A vanishes for one sign of ε; no orbit crosses it.
+/// A real branch of a hyperbolic or elliptic solution; orbits stay on their branch. The set between
+/// the branches, where det A vanishes for one sign of ε, is never crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// The branch that stays bounded and tends to the flow's solution as ε → 0.
+    /// The bounded branch, which tends to the flow's solution as ε → 0.
     Inner,
-    /// The branch beyond, which alternates in sign from step to step and has poles.
+    /// The other branch, with alternating signs and poles.
     Outer,
 }
 
-/// `Ok` if the condition holds.
 pub(crate) fn require(holds: bool, condition: &'static str) -> Result<(), OutOfDomain> {
     if holds { Ok(()) } else { Err(OutOfDomain { condition }) }
 }
 
-/// τ = 1/(2εx) and 1 − ε²x², which a rational solution with x = 1/(2ε(n + τ)) needs.
+/// Returns τ = 1/(2εx) and 1 − ε²x², for rational solutions with x = 1/(2ε(n + τ)).
 pub(crate) fn shift_and_divisor<T: Scalar>(x: &T, eps: &T) -> Result<(T, T), OutOfDomain> {
     let scaled = eps.clone() * x.clone();
     require(!scaled.is_zero(), "eps x != 0")?;
@@ -83,18 +77,17 @@ pub(crate) fn shift_and_divisor<T: Scalar>(x: &T, eps: &T) -> Result<(T, T), Out
     Ok((T::one() / (integer::<T>(2) * scaled), divisor))
 }
 
-/// 4N² − 1 = (2N − 1)(2N + 1).
+/// Returns 4N² − 1 = (2N − 1)(2N + 1).
 pub(crate) fn square_less_one<T: Scalar + Copy>(shifted: T) -> T {
     let double = shifted + shifted;
     (double - T::one()) * (double + T::one())
 }
 
-/// An integer as a scalar.
 pub(crate) fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
 }
 
-/// (−1)ⁿ.
+/// Returns (−1)ⁿ.
 pub(crate) fn alternating<T: Scalar>(n: i64) -> T {
     if n % 2 == 0 { T::one() } else { -T::one() }
 }

@@ -1,7 +1,6 @@
-//! The catalog: its entries, what the steps of its systems cost, and its closed solutions.
+//! Tests of the catalog: entries, costs of steps, lattices and closed solutions.
 
 mod catalog {
-    //! The entries, swept, and what the steps of the systems cost.
 
     mod entries;
     mod operation_counts;
@@ -10,8 +9,8 @@ mod catalog {
 mod lattices;
 
 mod solutions {
-    //! Special functions and explicit solutions: against values of another program, against
-    //! identities, against each other in two precisions, and against exact orbits.
+    //! Special functions and closed solutions, compared with another program, identities, two
+    //! precisions, and exact orbits.
 
     mod e9_quadrature;
     mod exact_orbits;

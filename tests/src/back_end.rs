@@ -1,8 +1,7 @@
-//! One face for the two back ends, so that one suite tests both: generated code and the run-time
-//! interpreter.
-//!
-//! In: a system with its parameters given, points and ε (half the time step) as exact numbers. Out:
-//! every object of the method as plain vectors, and `None` where the map or a claim has no value.
+//! A common trait of both back ends, generated code and the run-time interpreter, so that one suite
+//! tests both. Takes a system at given parameters, points and ε (half the time step) as exact
+//! numbers. Returns every object of the method as plain vectors, or `None` where the map or a claim
+//! has no value.
 
 mod generated;
 mod interpreter;
@@ -12,9 +11,9 @@ use crate::exact::{Matrix, Q, Vector};
 pub use generated::Generated;
 pub use interpreter::{Interpreted, Read};
 
-/// Everything that a system knows at a point.
+/// The objects of a system at a point.
 pub trait BackEnd {
-    /// Which back end this is, for messages.
+    /// Returns the back end's name, for messages.
     fn label(&self) -> String;
     /// f(x)
     fn field(&self, x: &[Q]) -> Vector;
@@ -32,7 +31,7 @@ pub trait BackEnd {
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector>;
     /// ∂x̃/∂x; `None` at a pole.
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix>;
-    /// (∂x̃/∂x)·v where x̃ is known, as `next`; `None` at a pole.
+    /// (∂x̃/∂x)·v, given x̃ as `next`; `None` at a pole.
     fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
     /// det A(x,ε)
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
@@ -40,12 +39,12 @@ pub trait BackEnd {
     fn det_jacobian(&self, x: &[Q], eps: &Q) -> Option<Q>;
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q);
-    /// x₀, x₁, … x_steps, or up to the last point before a pole; and whether a pole ended it.
+    /// x₀, x₁, … x_steps, up to the last point before a pole; and whether a pole ended the orbit.
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool);
-    /// The unconditional integrals, in order; `None` where one of them has no value.
+    /// The unconditional integrals in order; `None` where one has no value.
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector>;
-    /// The unconditional density; `None` where it has no value, or none is declared.
+    /// The unconditional density; `None` without a value or a declaration.
     fn density(&self, x: &[Q], eps: &Q) -> Option<Q>;
-    /// An unconditional bracket; `None` where it has no value, or none of this name is declared.
+    /// An unconditional bracket; `None` without a value or a declaration.
     fn bracket(&self, name: &str, x: &[Q], eps: &Q) -> Option<Matrix>;
 }

@@ -1,8 +1,5 @@
-//! Exact numbers for tests: rationals, vectors and matrices of them, and seeded small ones.
-//!
-//! In: text `p/q`, pairs of integers, seeds. Out: [`Q`] and plain vectors of it, compared with
-//! `==`. Determinants are Laplace's expansion on purpose: slow, but not the elimination that is
-//! under test.
+//! Exact numbers for tests: rationals, vectors, matrices and seeded draws. Determinants use
+//! Laplace's expansion, which is slow but independent of the eliminations under test.
 
 use kahan_algebra::prime_field::SplitMix64;
 use num_bigint::BigInt;
@@ -12,7 +9,7 @@ use num_rational::BigRational;
 pub type Q = BigRational;
 /// A point or a vector.
 pub type Vector = Vec<Q>;
-/// A matrix, row by row.
+/// A matrix by rows.
 pub type Matrix = Vec<Vec<Q>>;
 
 /// p/d.
@@ -21,10 +18,7 @@ pub fn q(p: i64, d: i64) -> Q {
     Q::new(p.into(), d.into())
 }
 
-/// The number written as `p/q` or `p`.
-///
-/// # Panics
-/// If it is written otherwise.
+/// Reads `p/q` or `p`. Panics for other text.
 #[must_use]
 pub fn number(text: &str) -> Q {
     let (p, d) = text.split_once('/').unwrap_or((text, "1"));
@@ -33,13 +27,13 @@ pub fn number(text: &str) -> Q {
     Q::new(integer(p), integer(d))
 }
 
-/// The numbers written with commas between them: `3/7, -2`.
+/// Reads numbers separated by commas: `3/7, -2`.
 #[must_use]
 pub fn numbers(text: &str) -> Vector {
     text.split(',').map(|entry| number(entry.trim())).collect()
 }
 
-/// The numbers with commas between them, as [`numbers`] reads them.
+/// Writes numbers separated by commas, as [`numbers`] reads them.
 #[must_use]
 pub fn shown(x: &[Q]) -> String {
     x.iter().map(Q::to_string).collect::<Vec<_>>().join(", ")
@@ -82,7 +76,7 @@ pub fn transposed(m: &[Vec<Q>]) -> Matrix {
     (0..m.len()).map(|j| m.iter().map(|row| row[j].clone()).collect()).collect()
 }
 
-/// det M, by Laplace's expansion along the first column.
+/// det M by Laplace's expansion along the first column.
 #[must_use]
 pub fn determinant(m: &[Vec<Q>]) -> Q {
     let Some(first) = m.first() else { return q(1, 1) };
@@ -100,7 +94,7 @@ pub fn determinant(m: &[Vec<Q>]) -> Q {
     total
 }
 
-/// adj(M) b: entry i is det M with column i replaced by b (Cramer's rule without the quotient).
+/// adj(M) b: entry i is det M with column i replaced by b (Cramer's rule without the division).
 #[must_use]
 pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     let replaced = |column: usize| -> Matrix {
@@ -114,27 +108,26 @@ pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     (0..m.len()).map(|column| determinant(&replaced(column))).collect()
 }
 
-/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4: small common denominators keep exact work on
-/// six states cheap.
+/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4; small denominators keep exact arithmetic cheap.
 #[derive(Clone, Debug)]
 pub struct Rationals {
     random: SplitMix64,
 }
 
 impl Rationals {
-    /// The sequence of a seed.
+    /// Makes the sequence of a seed.
     #[must_use]
     pub fn seeded(seed: u64) -> Self {
         Self { random: SplitMix64::new(seed) }
     }
 
-    /// The next one.
+    /// Draws a number.
     pub fn draw(&mut self) -> Q {
         let p = self.random.below(19) as i64 - 9;
         q(p, self.random.below(4) as i64 + 1)
     }
 
-    /// The next one that is not zero.
+    /// Draws a nonzero number.
     pub fn nonzero(&mut self) -> Q {
         loop {
             let next = self.draw();
@@ -144,7 +137,7 @@ impl Rationals {
         }
     }
 
-    /// The next `n` as a point.
+    /// Draws a point of `n` numbers.
     pub fn point(&mut self, n: usize) -> Vector {
         (0..n).map(|_| self.draw()).collect()
     }

@@ -1,9 +1,7 @@
-//! Formulas of the paper as text, read by the front end's own parser: to evaluate, or to compare as
-//! polynomials.
-//!
-//! In: names and a formula in the language of claims, so with `eps` and any divisor. Out: its value
-//! at exact numbers, or its normal form. A formula is smuggled in as a claim of a block whose
-//! states are the names; nothing is proved.
+//! Formulas of the paper as text, evaluated or compared as polynomials. Takes names and a formula
+//! in the language of claims, with `eps` and any divisors. Returns values at exact numbers, or a
+//! normal form. The formula is parsed as a claim of a block whose states are the names; nothing is
+//! proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
 use kahan_algebra::lexer::lex;
@@ -14,16 +12,13 @@ use kahan_algebra::system::System;
 
 use crate::exact::{Q, q};
 
-/// A formula in some names and `eps`; variable k is the k-th name, and ε comes after them.
+/// A formula in some names and `eps`; variable k is the k-th name, followed by ε.
 #[derive(Clone, Debug)]
 pub struct Expression {
     plan: Plan,
 }
 
-/// Parses and checks a block without proving its claims.
-///
-/// # Panics
-/// With the mistakes, if there are any.
+/// Reads and checks a block without proving its claims. Panics with the mistakes, if any.
 #[must_use]
 pub fn read_unproved(text: &str) -> System {
     let system = kahan_algebra::read_unproved(&lex(text).tokens).system();
@@ -31,10 +26,7 @@ pub fn read_unproved(text: &str) -> System {
 }
 
 impl Expression {
-    /// Reads a formula.
-    ///
-    /// # Panics
-    /// If it is none in these names.
+    /// Reads a formula. Panics if it is invalid in these names.
     #[must_use]
     pub fn new(names: &[&str], formula: &str) -> Self {
         let equations: String = names.iter().map(|name| format!("{name}dot = 0;\n")).collect();
@@ -43,7 +35,7 @@ impl Expression {
         Self { plan: claim.plan }
     }
 
-    /// The value at these values of the names and of ε; `None` where a divisor is zero.
+    /// Evaluates the formula at values of the names and ε; `None` if a divisor is zero.
     #[must_use]
     pub fn at(&self, values: &[Q], eps: &Q) -> Option<Q> {
         let value = |index: usize| values.get(index).unwrap_or(eps).clone();
@@ -52,10 +44,7 @@ impl Expression {
         results.into_iter().next().flatten().map(|value| value.to_big())
     }
 
-    /// The formula expanded.
-    ///
-    /// # Panics
-    /// If it has a divisor.
+    /// Expands the formula. Panics if it has a divisor.
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
         let functions = Functions::new(Budget::unlimited());
@@ -69,7 +58,7 @@ impl Expression {
     }
 }
 
-/// The value of a polynomial, term by term.
+/// Evaluates a polynomial term by term.
 #[must_use]
 pub fn evaluate(polynomial: &Polynomial, values: &[Q]) -> Q {
     let term = |(monomial, coefficient): (&kahan_algebra::poly::Monomial, &Rational)| {

@@ -1,5 +1,4 @@
-//! What the tests share: exact numbers, both back ends behind one face, the oracle, random fields,
-//! rounding bounds.
+//! Shared parts of the tests: exact numbers, back ends, the oracle, random fields, rounding bounds.
 
 pub mod back_end;
 pub mod doubles;

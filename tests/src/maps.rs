@@ -1,9 +1,7 @@
-//! Generated maps without their types: over any scalar, for points of any dimension.
-//!
-//! In: the catalog and the random fields, a scalar. Out: [`Steps`] and [`Map`]s, in the order of
-//! `subject::paper`, `subject::further` and `subject::random`, with the same parameters. What the
-//! tests do with a map is written over these traits, so that it is compiled once and not for every
-//! system.
+//! Generated maps behind traits, over any scalar and dimension. Returns [`Steps`] and [`Map`]s of
+//! the catalog and the random fields, in the order and with the parameters of `subject::paper`,
+//! `subject::further` and `subject::random`. Tests written over these traits are compiled once
+//! instead of once for each system.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, ExtendScalars, KahanAt, Orbit, SingularStep};
@@ -12,18 +10,18 @@ use kahan_systems::with_catalog;
 
 use crate::exact::Q;
 
-/// A matrix, row by row.
+/// A matrix by rows.
 pub type Rows<T> = Vec<Vec<T>>;
 
 /// The steps of a map.
 pub trait Steps<T> {
-    /// x̃, whatever it is.
+    /// x̃, finite or not.
     fn step(&self, x: &[T], eps: T) -> Vec<T>;
-    /// x̃ or why there is none.
+    /// x̃, or the reason why it has no value.
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep>;
 }
 
-/// Everything that a map has.
+/// The objects of a map.
 pub trait Map<T>: Steps<T> {
     /// f(x)
     fn field(&self, x: &[T]) -> Vec<T>;
@@ -47,7 +45,7 @@ pub trait Map<T>: Steps<T> {
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
-    /// (∂x̃/∂x)·v, x̃ being `next`.
+    /// (∂x̃/∂x)·v, given x̃ as `next`.
     fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
     /// The prepared map.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
@@ -57,9 +55,9 @@ pub trait Map<T>: Steps<T> {
 
 /// A map prepared at an ε.
 pub trait Prepared<T> {
-    /// x̃, whatever it is.
+    /// x̃, finite or not.
     fn step(&self, x: &[T]) -> Vec<T>;
-    /// x̃ or why there is none.
+    /// x̃, or the reason why it has no value.
     fn try_step(&self, x: &[T]) -> Result<Vec<T>, SingularStep>;
     /// ∂x̃/∂x
     fn jacobian(&self, x: &[T]) -> Rows<T>;
@@ -69,18 +67,17 @@ pub trait Prepared<T> {
 
 /// The points of an orbit.
 pub trait Points<T> {
-    /// The next of them; `None` behind the last.
+    /// Returns the next point; `None` after the last.
     fn next_point(&mut self) -> Option<Vec<T>>;
-    /// Whether a pole ended it.
+    /// Says whether a pole ended the orbit.
     fn has_stopped(&self) -> bool;
 }
 
-/// So many points of an orbit, or all that it has.
+/// Returns at most `most` points of an orbit.
 pub fn points<T>(orbit: &mut dyn Points<T>, most: usize) -> Vec<Vec<T>> {
     std::iter::from_fn(|| orbit.next_point()).take(most).collect()
 }
 
-/// A map with its dimension.
 struct OfDimension<M, const N: usize>(M);
 
 pub(crate) fn point<T: Scalar, const N: usize>(x: &[T]) -> SVector<T, N> {
@@ -194,18 +191,16 @@ impl<T: Pivot, M: KahanMap<T, N> + Clone, const N: usize> Points<T> for Orbit<Ka
     }
 }
 
-/// A fraction as a scalar.
 fn ratio<T: Scalar>(&(p, d): &(i64, i64)) -> T {
     T::constant(&Constant::ratio(p, d))
 }
 
-/// The values at which tests run a system.
+/// Returns the parameters at which tests run a system.
 #[must_use]
 pub fn parameters<T: Scalar>(entry: &Entry) -> Vec<T> {
     entry.parameters.iter().map(ratio).collect()
 }
 
-/// A map of any type.
 pub(crate) fn erased<T, M, const N: usize>(map: M) -> Box<dyn Map<T>>
 where
     T: Pivot,
@@ -214,7 +209,6 @@ where
     Box::new(OfDimension(map))
 }
 
-/// A system of the catalog at the parameters of its entry.
 macro_rules! at_its_parameters {
     ($scalar:ty, $module:ident::$type:ident $({ $($parameter:ident),* })?) => {{
         let mut _values = parameters::<$scalar>(&kahan_systems::$module::ENTRY).into_iter();
@@ -227,13 +221,13 @@ macro_rules! maps_of_catalog {
         paper { $($paper:ident::$of_paper:ident $({ $($p:ident),* })? in $n:literal;)* }
         further { $($further:ident::$of_further:ident $({ $($q:ident),* })? in $m:literal;)* }
     ) => {
-        /// The paper's systems.
+        /// Returns the systems of the paper.
         #[must_use]
         pub fn paper<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
             vec![$(erased::<T, _, $n>(at_its_parameters!(T, $paper::$of_paper $({ $($p),* })?))),*]
         }
 
-        /// The steps of the whole catalog.
+        /// Returns the steps of the whole catalog.
         #[must_use]
         pub fn steps<T: Pivot>() -> Vec<Box<dyn Steps<T>>> {
             vec![
@@ -246,7 +240,6 @@ macro_rules! maps_of_catalog {
 
 with_catalog!(maps_of_catalog);
 
-/// Random fields at their parameters.
 macro_rules! at_random_parameters {
     ($($name:ident: $n:literal { $($parameter:ident = $p:literal / $d:literal),* },)*) => {
         vec![$(erased::<_, _, $n>(crate::random_systems::$name { $($parameter: ratio(&($p, $d))),* })),*]
@@ -255,13 +248,13 @@ macro_rules! at_random_parameters {
 
 macro_rules! random_maps {
     (in_floats { $($floats:tt)* } over_rationals { $($rationals:tt)* }) => {
-        /// The random fields that are compiled over floats.
+        /// Returns the random fields compiled over floats.
         #[must_use]
         pub fn random_in_floats<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
             at_random_parameters!($($floats)*)
         }
 
-        /// The random fields.
+        /// Returns all random fields.
         #[must_use]
         pub fn random() -> Vec<Box<dyn Map<Q>>> {
             at_random_parameters!($($floats)* $($rationals)*)
@@ -271,14 +264,13 @@ macro_rules! random_maps {
 
 crate::with_random_systems!(random_maps);
 
-/// The paper's systems, and the random fields that are compiled over floats.
+/// Returns the systems of the paper and the random fields compiled over floats.
 #[must_use]
 pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// x₁, …, x_steps by every way to take steps that a map has: `step` with ε each time, the prepared
-/// map's, its orbit, and the map's.
+/// Returns x₁, …, x_steps by `step`, by the prepared map, by its orbit, and by the map's orbit.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {
@@ -293,7 +285,7 @@ pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [V
     [by(&|x| map.step(x, eps)), by(&|x| prepared.step(x)), of(prepared.orbit(x)), of(map.orbit(x, eps))]
 }
 
-/// Calls every method; returns the number of points of an orbit of four.
+/// Calls every method, and returns the number of points of an orbit with at most four.
 pub fn call_everything<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T) -> usize {
     let _ = (map.field(x), map.field_jacobian(x), map.bilinear(x, x), map.polarized(x, x));
     let _ = (map.matrix(x, eps), map.rhs(x, eps), map.rational_map(x, eps), map.det_matrix(x, eps));

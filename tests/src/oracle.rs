@@ -1,27 +1,23 @@
-//! The oracle's files: exact vectors of every object, orbits, and points on det A = 0.
-//!
-//! In: `data/SYSTEM.json`, which `data/generate.py` writes and describes. Out: typed access; a
-//! value that the oracle does not define at a point is `None`.
+//! Access to the oracle's files: exact values of every object, orbits, and points on det A = 0.
+//! `data/generate.py` writes and describes `data/SYSTEM.json`. A value that is undefined at a point
+//! is `None`.
 
 use serde_json::Value;
 
 use crate::exact::{Matrix, Q, Vector, number};
 
-/// The systems that have a file.
+/// The systems with a file.
 pub const SYSTEMS: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
 
-/// One file.
+/// A file of the oracle.
 #[derive(Clone, Debug)]
 pub struct File(Value);
 
-/// One entry of a file: a case, an orbit, or a singular point.
+/// An entry of a file: a case, an orbit, or a singular point.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry<'a>(&'a Value, &'a Value);
 
-/// Reads the file of a system.
-///
-/// # Panics
-/// If there is none.
+/// Reads the file of a system. Panics if it is missing.
 #[must_use]
 pub fn file(system: &str) -> File {
     let path = format!("{}/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
@@ -30,10 +26,7 @@ pub fn file(system: &str) -> File {
 }
 
 impl File {
-    /// The entries under `cases`, `orbits` or `singular`.
-    ///
-    /// # Panics
-    /// If there are none.
+    /// Returns the entries under `cases`, `orbits` or `singular`. Panics without entries.
     #[must_use]
     pub fn entries(&self, key: &str) -> Vec<Entry<'_>> {
         let list = self.0[key].as_array().unwrap_or_else(|| panic!("no {key}"));
@@ -55,40 +48,37 @@ fn matrix(value: &Value) -> Matrix {
 }
 
 impl<'a> Entry<'a> {
-    /// The value, unless the key is absent or `null`.
+    /// Returns the value of a key; `None` if absent or `null`.
     fn get(&self, key: &str) -> Option<&'a Value> {
         self.0.get(key).filter(|value| !value.is_null())
     }
 
-    /// Whether the file mentions this key here, be it with `null`.
+    /// Says whether the key is present, even with `null`.
     #[must_use]
     pub fn mentions(&self, key: &str) -> bool {
         self.0.get(key).is_some()
     }
 
-    /// The parameters, in the system's order.
-    ///
-    /// # Panics
-    /// If one is missing.
+    /// Returns the parameters in the system's order. Panics if one is missing.
     #[must_use]
     pub fn parameters(&self) -> Vector {
         let names = self.1.as_array().expect("the file names its parameters");
         names.iter().map(|name| scalar(&self.0["params"][name.as_str().unwrap_or_default()])).collect()
     }
 
-    /// A number.
+    /// Returns a number.
     #[must_use]
     pub fn scalar(&self, key: &str) -> Option<Q> {
         self.get(key).map(scalar)
     }
 
-    /// A vector.
+    /// Returns a vector.
     #[must_use]
     pub fn vector(&self, key: &str) -> Option<Vector> {
         self.get(key).map(vector)
     }
 
-    /// A matrix, or a list of points.
+    /// Returns a matrix or a list of points.
     #[must_use]
     pub fn matrix(&self, key: &str) -> Option<Matrix> {
         self.get(key).map(matrix)

@@ -1,9 +1,7 @@
-//! The file `random_systems.rs`: random fields as the macro compiles them.
-//!
-//! All of them are compiled over ℚ. Code over floats costs most of what building the tests takes,
-//! so there are such steps of those in `IN_FLOATS` only: every kind in two dimensions at least, and
-//! every dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
-//! back_ends`.
+//! The random fields of `random_systems.rs`, compiled by the macro. All are compiled over ℚ. Code
+//! over floats dominates the build time of the tests, so only the fields in `IN_FLOATS` get such
+//! steps: every kind from two dimensions on, and every dimension.
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites the file.
 
 pub use kahan_judge::random_fields::RandomField;
 use kahan_judge::random_fields::{DIMENSIONS, Draw, Maker, Tree, affine, dense, scaled, sparse, spelled};
@@ -11,13 +9,13 @@ use num_rational::BigRational;
 
 use crate::exact::q;
 
-/// A value p/d for each parameter, a dyadic rational so that every float scalar has it exactly.
+/// A value p/d for each parameter, dyadic so that floats represent it exactly.
 const PARAMETERS: [(&str, i64, i64); 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
 
 const KINDS: [(&str, Maker); 5] =
     [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
 
-/// A fixed set: each of the kinds in every dimension.
+/// Returns a fixed set: each kind in every dimension.
 fn every_field() -> Vec<RandomField> {
     let of = |n: usize| {
         KINDS.into_iter().map(move |(kind, make)| make(n, &mut Draw::seeded(&format!("{kind} {n}"))))
@@ -25,7 +23,7 @@ fn every_field() -> Vec<RandomField> {
     (1..=DIMENSIONS).flat_map(of).collect()
 }
 
-/// The values of the parameters of a field.
+/// Returns the parameters' values of a field.
 #[must_use]
 pub fn parameter_values(field: &RandomField) -> Vec<BigRational> {
     values(field).map(|(_, p, d)| q(p, d)).collect()
@@ -35,7 +33,7 @@ fn values(field: &RandomField) -> impl Iterator<Item = (&'static str, i64, i64)>
     PARAMETERS.into_iter().filter(|(name, ..)| field.parameters.contains(name))
 }
 
-/// f(x), from the trees.
+/// Evaluates f(x) from the trees.
 #[must_use]
 pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
     let parameters = values(field).map(|(name, p, d)| (name, q(p, d)));
@@ -44,8 +42,7 @@ pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
     field.equations.iter().map(|equation| value(equation, &names)).collect()
 }
 
-/// The value of a tree, where the names have these values. The value of a literal is that of its
-/// digits, read here and not by the front end.
+/// Evaluates a tree at values of the names. Literals are read here, independently of the front end.
 fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
     let values = |trees: &[Tree]| trees.iter().map(|tree| value(tree, names)).collect::<Vec<_>>().into_iter();
     match tree {
@@ -62,7 +59,7 @@ fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
     }
 }
 
-/// The number that digits with a point, an exponent or underscores stand for.
+/// Reads digits with an optional point, exponent or underscores.
 fn decimal(text: &str) -> BigRational {
     let digits = text.replace('_', "");
     let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
@@ -72,27 +69,26 @@ fn decimal(text: &str) -> BigRational {
     BigRational::from_integer(number) * q(10, 1).pow(exponent - fraction.len() as i32)
 }
 
-/// The fields that are compiled over floats, too, by name: of those in six variables, `Sparse6` has
-/// a closed form within the budget of terms, and `Dense6` is eliminated in a loop.
+/// The names of fields also compiled over floats. In six variables, `Sparse6` has a closed form
+/// within the budget of terms, and `Dense6` is eliminated in a loop.
 const IN_FLOATS: [&str; 13] = [
     "Affine1", "Scaled1", "Sparse2", "Scaled2", "Spelled2", "Dense2", "Sparse3", "Affine3", "Spelled3",
     "Scaled4", "Affine5", "Sparse6", "Dense6",
 ];
 
-/// The fields that are compiled over floats, too, and then those over ℚ only.
+/// Returns the fields also compiled over floats, and the others.
 fn in_floats_and_not() -> [Vec<RandomField>; 2] {
     let (floats, not) = every_field().into_iter().partition(|field| IN_FLOATS.contains(&field.name.as_str()));
     [floats, not]
 }
 
-/// Every field, in the order of [`maps::random`](crate::maps::random): those over floats, too,
-/// first.
+/// Returns all fields in the order of [`maps::random`](crate::maps::random).
 #[must_use]
 pub fn in_order() -> Vec<RandomField> {
     in_floats_and_not().into_iter().flatten().collect()
 }
 
-/// The text of `random_systems.rs`.
+/// Returns the text of `random_systems.rs`.
 #[must_use]
 pub fn written_file() -> String {
     let mut file = String::from(
@@ -117,7 +113,6 @@ pub fn written_file() -> String {
     file
 }
 
-/// A line for each field.
 fn listed(fields: &[RandomField]) -> String {
     let line = |field: &RandomField| {
         let values: Vec<String> = values(field).map(|(name, p, d)| format!("{name} = {p} / {d}")).collect();

@@ -1,7 +1,5 @@
-//! The examples of the READMEs and of `docs/`, as tests.
-//!
-//! They stand here, because a packed crate has neither the README of the repository nor the crates
-//! that its own README uses beside it.
+//! The examples of the READMEs and of `docs/` as tests. They are here because a packed crate lacks
+//! the repository's README and the other crates that its own README uses.
 
 #[doc = include_str!("../../README.md")]
 struct Repository;

@@ -1,12 +1,9 @@
-//! How far a float step may be from the exact one: a bound derived from the plan that the code was
-//! written from, with and without fused multiply-adds.
-//!
-//! In: a system, a point whose numbers the float has exactly, the unit roundoff u. Out: a bound on
-//! |x̂̃ − x̃| for each component. Notation: γ_k = k·u/(1 − k·u); a product of k factors (1 + δ),
-//! |δ| ≤ u, or their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of
-//! Numerical Algorithms, Lemma 3.1). Underflow is not covered: callers choose points away from it.
-//! The bound itself is computed in f64 from positive terms, which errs by far less than the last
-//! factor.
+//! Bounds on the error of a float step, derived from the plan of its code, with or without fused
+//! multiply-adds. Takes a system, a point exact in the float type, and the unit roundoff u; returns
+//! a bound on |x̂̃ − x̃| for each component. With γ_k = k·u/(1 − k·u), a product of k factors (1 +
+//! δ), |δ| ≤ u, or reciprocals of them, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of
+//! Numerical Algorithms, Lemma 3.1). Underflow is excluded: callers choose points away from it. The
+//! bound is computed in f64 from positive terms; a final factor covers its own rounding errors.
 
 mod running_bound;
 
@@ -25,12 +22,12 @@ use crate::subject::Subject;
 
 use running_bound::Rounded;
 
-/// 2⁻⁵³ and 2⁻²⁴.
+/// The unit roundoff 2⁻⁵³ of `f64`.
 pub const UNIT_F64: f64 = f64::EPSILON / 2.0;
-/// See [`UNIT_F64`].
+/// The unit roundoff 2⁻²⁴ of `f32`.
 pub const UNIT_F32: f64 = f32::EPSILON as f64 / 2.0;
 
-/// For what the bound's own evaluation in f64 may lose.
+/// The factor that covers rounding errors of the bound itself.
 const INFLATION: f64 = 1.0 + 1e-6;
 
 /// γ_k
@@ -39,7 +36,7 @@ fn gamma(k: usize, unit: f64) -> f64 {
     ku / (1.0 - ku)
 }
 
-/// Where a float step is taken, with the exact step from there.
+/// The state and ε of a float step, with the exact next state.
 #[derive(Clone, Debug)]
 pub struct Place {
     /// x
@@ -50,8 +47,7 @@ pub struct Place {
     pub next: Vector,
 }
 
-/// Bounds on the errors of one system's float steps, by the closed form or by elimination,
-/// whichever the macro took.
+/// Error bounds for float steps, by the closed form or by elimination, as in the macro's code.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,
@@ -61,15 +57,14 @@ pub struct StepBound<'a> {
 }
 
 impl<'a> StepBound<'a> {
-    /// For floats with this unit roundoff.
+    /// Makes the bounds for floats with this unit roundoff.
     #[must_use]
     pub fn new(subject: &'a Subject, unit: f64) -> Self {
         let field = &subject.system.field;
         Self { field, parameters: &subject.parameters, step: derive(subject.system).step().cloned(), unit }
     }
 
-    /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor
-    /// may round to zero.
+    /// Returns a bound for each component of x̃; `None` if a divisor may round to zero.
     #[must_use]
     pub fn at(&self, place: &Place) -> Option<Vec<f64>> {
         let values: Vec<Q> = place.x.iter().chain(self.parameters).chain([&place.eps]).cloned().collect();
@@ -85,7 +80,7 @@ impl<'a> StepBound<'a> {
     }
 }
 
-/// The polynomials as the emitted plan computes them.
+/// Evaluates polynomials with the errors of the emitted plan.
 fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Rounded> {
     let plan = plan_of(polynomials.iter().copied());
     let results = running_bound::results(&plan, &[], unit, |variable| exact(values, variable));
@@ -96,10 +91,8 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
     values[usize::from(variable.0)].clone().into()
 }
 
-/// The errors of the products numerator · reciprocal, the prepared constants' own included.
-///
-/// # Panics
-/// If the plan is not that of the map: its exact results are compared with x̃.
+/// Bounds the errors of the products numerator · reciprocal, including those of prepared constants.
+/// Panics if the plan's exact results differ from x̃.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);
@@ -116,15 +109,14 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
     Some(increments.into_iter().map(|increment| increment.error).collect())
 }
 
-/// The error of 2ε·v, v = A⁻¹f by elimination with partial pivoting.
-///
-/// Elimination solves (Â + ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4); here
-/// multipliers and back substitution use a rounded reciprocal, one rounding more in each, so
-/// γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (a multiplier may round to at most 1 + 2u, covered by
-/// the factor 2 in what follows) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most
-/// n²·2ⁿ·max|Â|. In Â and f̂ each slope and each component is a quotient of planned polynomials,
-/// rounded once; A takes two roundings more, of the product with ε and of 1 − εf′. With E the sum
-/// of the two matrix errors, ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖), maximum norms.
+/// Bounds the error of 2ε·v, v = A⁻¹f by elimination with partial pivoting. Elimination solves (Â +
+/// ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4). Here multipliers and back
+/// substitution use rounded reciprocals with one more rounding each, hence γ_{3n+2}. Partial
+/// pivoting has |L̂| ≤ 1 (at most 1 + 2u after rounding, covered by a factor 2 below) and |Û| ≤
+/// 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Slopes and components in Â and
+/// f̂ are quotients of planned polynomials, rounded once; A has two more roundings, of the product
+/// with ε and of 1 − εf′. With the sum E of both matrix errors, in maximum norms:
+///   ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {
@@ -158,11 +150,11 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
     let velocity =
         (0..n).map(|i| float(&(&place.next[i] - &place.x[i])).abs()).fold(0.0, f64::max) / (2.0 * eps);
     let error = inverse * (matrix_error * velocity + velocity_error) / (1.0 - inverse * matrix_error);
-    // One more rounding: the product with 2ε.
+    // One more rounding, of the product with 2ε.
     Some(vec![2.0 * eps * (error + unit * (velocity + error)); n])
 }
 
-/// A(x,ε): the rows of Â over the parameters' divisors.
+/// Returns A(x,ε): the rows of Â divided by the divisors of the equations.
 fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
     let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
         let divisor = evaluate(component.denominator(), values);
@@ -171,7 +163,7 @@ fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
     scaled_matrix(field).iter().zip(&field.components).map(row).collect()
 }
 
-/// ‖M⁻¹‖ in the maximum norm: the largest sum of a row's absolute values.
+/// ‖M⁻¹‖ in the maximum norm, the largest row sum of absolute values.
 fn inverse_norm(matrix: &[Vec<Q>]) -> f64 {
     let n = matrix.len();
     let determinant = float(&determinant(matrix)).abs();

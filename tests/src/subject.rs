@@ -1,8 +1,6 @@
-//! What the suites run over: a system with parameter values, in both back ends.
-//!
-//! In: the catalog with parameters from a test or from its entries, and the random fields with
-//! their own. Out: [`Subject`]s, and [`on_every_back_end`], which calls a law at seeded points of
-//! all of them.
+//! Systems with parameter values in both back ends, over which the suites run. [`Subject`]s come
+//! from the catalog, with parameters of a test or of the entries, and from the random fields.
+//! [`on_every_back_end`] calls a law at seeded points of all of them.
 
 use std::sync::LazyLock;
 
@@ -17,16 +15,16 @@ use crate::expression::read_unproved;
 use crate::maps;
 use crate::random_fields::{in_order, parameter_values};
 
-/// One system with its parameters, in both back ends.
+/// A system with parameters, in both back ends.
 #[allow(missing_debug_implementations)]
 pub struct Subject {
     /// The system's name.
     pub name: &'static str,
-    /// What the front end reads in its text.
+    /// The system as read by the front end.
     pub system: &'static System,
     /// The parameters' values.
     pub parameters: Vector,
-    /// The code that the macro wrote.
+    /// The code written by the macro.
     pub generated: Box<dyn BackEnd>,
     /// The interpreter.
     pub interpreted: Interpreted,
@@ -39,13 +37,13 @@ impl Subject {
         Self { name: system.name(), system, parameters, generated, interpreted }
     }
 
-    /// The number of states.
+    /// Returns the number of states.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.interpreted.dimension()
     }
 
-    /// Both back ends.
+    /// Returns both back ends.
     #[must_use]
     pub fn back_ends(&self) -> [&dyn BackEnd; 2] {
         [self.generated.as_ref(), &self.interpreted]
@@ -63,10 +61,8 @@ static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(en
 static RANDOM: LazyLock<Vec<Read>> =
     LazyLock::new(|| in_order().iter().map(|field| Read::new(read_unproved(&field.block()))).collect());
 
-/// A system of the catalog by its command name, at these parameters.
-///
-/// # Panics
-/// If there is no such system, or it has another number of parameters.
+/// Returns a catalog system by command name, at these parameters. Panics without such a system, or
+/// for a wrong number of parameters.
 #[must_use]
 pub fn catalog(command: &str, parameters: &[Q]) -> Subject {
     let place = all().position(|entry| entry.command == command);
@@ -79,19 +75,19 @@ fn at_its_parameters(entry: &Entry) -> Subject {
     catalog(entry.command, &maps::parameters::<Q>(entry))
 }
 
-/// The paper's systems, at the parameters of their entries.
+/// Returns the paper's systems at their entries' parameters.
 #[must_use]
 pub fn paper() -> Vec<Subject> {
     SYSTEMS.iter().map(at_its_parameters).collect()
 }
 
-/// The catalog's further systems, at the parameters of their entries.
+/// Returns the catalog's further systems at their entries' parameters.
 #[must_use]
 pub fn further() -> Vec<Subject> {
     FURTHER.iter().map(at_its_parameters).collect()
 }
 
-/// The random fields, each at its parameters: those that are compiled over floats first.
+/// Returns the random fields at their parameters, those also compiled over floats first.
 #[must_use]
 pub fn random() -> Vec<Subject> {
     let (fields, maps) = (in_order(), maps::random());
@@ -103,7 +99,7 @@ pub fn random() -> Vec<Subject> {
     subjects.collect()
 }
 
-/// Calls a law at seeded points of a system that are not on det A = 0.
+/// Calls a law at seeded points of a system with det A ≠ 0.
 fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     const POINTS: usize = 3;
     let mut rationals = Rationals::seeded(seed);
@@ -123,12 +119,8 @@ fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mu
     panic!("{} has too few points off det A = 0", subject.name);
 }
 
-/// Calls a law on every system of the catalog and every random field, at seeded points that are not
-/// on det A = 0.
-///
-/// # Panics
-/// If too few points are left. Whatever the law panics with stands below a line that names the
-/// point.
+/// Calls a law on every catalog system and every random field, at seeded points with det A ≠ 0.
+/// Panics if too few points remain. A line that names the point precedes a panic of the law.
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {
@@ -136,7 +128,7 @@ pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationa
     }
 }
 
-/// [`on_every_subject`], once for each back end.
+/// Calls a law as [`on_every_subject`] does, once for each back end.
 pub fn on_every_back_end(seed: u64, law: impl Fn(&dyn BackEnd, &[Q], &Q, &mut Rationals)) {
     on_every_subject(seed, |subject, x, eps, rationals| {
         for back_end in subject.back_ends() {

@@ -4,7 +4,7 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// The polynomial's value, the variable `free` excepted: constant part, and coefficient of `free`.
+/// Returns the polynomial as a linear function of `free`: constant part and slope.
 fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<(Rational, Rational)> {
     let mut line = (Rational::zero(), Rational::zero());
     for (monomial, coefficient) in polynomial.terms() {
@@ -25,8 +25,8 @@ fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<
     Some(line)
 }
 
-/// Changes the value of a state so that the polynomial vanishes; the values are those of states,
-/// parameters and ε. `None` where no state enters linearly, or its coefficient vanishes.
+/// Changes one state so that the polynomial vanishes, given values of states, parameters and ε.
+/// `None` if no state enters linearly with a nonzero coefficient.
 #[must_use]
 pub fn moved_onto(
     polynomial: &Polynomial,

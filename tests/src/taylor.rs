@@ -1,20 +1,14 @@
-//! The flow itself, by Taylor series: what steps of Kahan's map are compared with, and shares
-//! nothing with them but the field.
-//!
-//! In: a field, a point, a time. Out: the point that the flow reaches, up to rounding where the
-//! steps are short enough.
+//! The flow by Taylor series, for comparison with steps of Kahan's map; they share only the field.
 
 use kahan_core::prelude::*;
 
-/// The degree of the series.
 const DEGREE: usize = 30;
 
-/// The point that the flow of `field` reaches from `x` in `time`, by `steps` steps of a Taylor
-/// series of degree 30.
-///
-/// With x(t) = Σ aₖtᵏ: (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ + [k = 0]·c. A step of length t loses
-/// |a₃₁|·t³¹; with a radius of convergence r that is of the size (t/r)³¹ of the state, 10⁻³⁷ for t
-/// = r/16.
+/// Returns the point that the flow reaches from `x` in `time`, by `steps` Taylor steps of degree
+/// 30. With x(t) = Σ aₖtᵏ:
+///   (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ + [k = 0]·c.
+/// A step of length t loses |a₃₁|·t³¹. For a radius of convergence r this is about (t/r)³¹ of the
+/// state, 10⁻³⁷ for t = r/16.
 pub fn flow<F, T, const N: usize>(field: &F, x: SVector<T, N>, time: T, steps: u32) -> SVector<T, N>
 where
     F: QuadraticField<T, N>,
@@ -57,7 +51,7 @@ fn integer<T: Scalar>(n: u32) -> T {
     T::constant(&kahan_core::Constant::integer(i64::from(n)))
 }
 
-/// The largest difference of two points' components, rounded to `f64`.
+/// Returns the largest difference of components, rounded to `f64`.
 pub fn distance<T: Scalar + Copy, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| (*a - *b).approximate().abs()).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! What each crate may use: the table of ARCHITECTURE.md against what cargo says.
+//! Dependencies and builds of the crates, compared with ARCHITECTURE.md's table and budgets.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use serde_json::Value;
 
-/// What only the command and the drawing of pages need, and who of them.
+/// Dependencies reserved for the command and for drawing pages, with their permitted users.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
@@ -18,28 +18,28 @@ const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("pulldown-latex", &["kahan-draw"]),
 ];
 
-/// The most lines that `cargo tree` may print of the catalog.
+/// The greatest length of `cargo tree` for the catalog, in lines.
 const CATALOG_TREE: usize = 45;
 
-/// The most units that the README's first command may compile.
+/// The greatest number of units that the README's first command may compile.
 const FIRST_UNITS: usize = 60;
 
-/// The packages that the first command, the command and the wheel compile in the same way.
+/// The packages that the first command, the command and the wheel must compile identically.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
-/// How the names of crates begin whose code is timed: by `kahan trade`, by sweeps of settings, and
-/// by the benchmarks, the last of these.
+/// The prefixes of crates whose code is timed: by `kahan trade`, by sweeps of settings, and by the
+/// benchmarks (the last prefix).
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
-/// Crates, each with those that it uses.
+/// The dependencies of each crate.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace")
 }
 
-/// Runs cargo in the workspace and gives its standard output.
+/// Runs cargo in the workspace and returns its standard output.
 fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(arguments)
@@ -51,13 +51,13 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("cargo writes UTF-8")
 }
 
-/// The published crates, each with what it depends on; what only tests need is left out.
+/// Returns the published crates with their dependencies, without those of tests.
 fn of_cargo() -> Uses {
     let text = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
     let metadata: Value = serde_json::from_str(&text).expect("cargo writes JSON");
     let name = |value: &Value| value["name"].as_str().expect("a name").to_owned();
     let packages = metadata["packages"].as_array().expect("packages").iter();
-    // A package that is never published has an empty list of registries.
+    // Unpublished packages have an empty list of registries.
     let published = packages.filter(|package| package["publish"].is_null());
     let crates = published.map(|package| {
         let dependencies = package["dependencies"].as_array().expect("dependencies").iter();
@@ -67,17 +67,16 @@ fn of_cargo() -> Uses {
     crates.collect()
 }
 
-/// The cells of a table's row.
 fn cells(row: &str) -> impl Iterator<Item = &str> {
     row.trim_matches('|').split('|').map(str::trim)
 }
 
-/// What stands between backticks.
+/// Returns the texts between backticks.
 fn quoted(text: &str) -> impl Iterator<Item = String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 
-/// The table of ARCHITECTURE.md whose columns are called "crate" and "may use".
+/// Reads the table of ARCHITECTURE.md with the columns "crate" and "may use".
 fn of_the_table() -> Uses {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let mut rows = text.lines().skip_while(|line| cells(line).next() != Some("crate"));
@@ -121,8 +120,7 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// The crates for which the profiles `release` and `sweep` of a manifest name a level, with that
-/// level; `*` for all.
+/// Returns the crates whose level the profiles `release` and `sweep` set, with the level.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -143,14 +141,14 @@ fn levels(manifest: &str) -> Vec<(String, String)> {
     found
 }
 
-/// The crates that a profile of a manifest does not optimise fully.
+/// Returns the crates that a manifest's profiles don't optimise fully.
 fn not_optimised(manifest: &str) -> Vec<String> {
     let levels = levels(manifest).into_iter();
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Cargo compiles what a macro uses without optimisation where no level is named, and the same
-/// crate for the command once more: the algebra takes a sixth of a cold build.
+/// Without an explicit level, cargo compiles the macro's dependencies unoptimised, and compiles
+/// them again for the command. The algebra takes a sixth of a cold build.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");
@@ -166,7 +164,7 @@ fn what_the_macro_and_the_command_share_is_compiled_once() {
     }
 }
 
-/// The hash of a unit of a graph: of what is compiled, how, and of the units that it uses.
+/// Returns the hash of a unit: its source, its settings, and the units that it uses.
 fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     if let Some(known) = known[index] {
         return known;
@@ -183,12 +181,12 @@ fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     *known[index].insert(hasher.finish())
 }
 
-/// The units that a call of cargo compiles or runs: the name of each one's package, and its hash.
+/// Returns the units that a cargo call compiles or runs: package name and hash.
 fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let output = Command::new(env!("CARGO"))
         .args(call)
         .args(["--locked", "--unit-graph", "-Z", "unstable-options"])
-        // The graph is not stable; this toolchain has it.
+        // The unit graph is unstable; this toolchain provides it.
         .env("RUSTC_BOOTSTRAP", "1")
         .current_dir(root())
         .output()
@@ -199,22 +197,23 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let mut known = vec![None; units.len()];
     let name = |unit: &Value| {
         let id = unit["pkg_id"].as_str().expect("an identifier");
-        // `…/crates/kahan-core#0.1.0`, or `…/systems#kahan-systems@0.1.0` where the folder has another name.
+        // An identifier has the form `…/crates/kahan-core#0.1.0`, or
+        // `…/systems#kahan-systems@0.1.0` if the folder has another name.
         let (path, version) = id.split_once('#').expect("a version");
         version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
     };
     (0..units.len()).map(|index| (name(&units[index]), hash(units, index, &mut known))).collect()
 }
 
-/// Cargo compiles a crate again where its features differ, so a feature that one program asks for is
-/// asked for by all; `crates/kahan-cli/Cargo.toml` lists those that no crate of ours needs.
+/// Cargo compiles a crate again for other features, so all programs request the features that any
+/// of them needs. `crates/kahan-cli/Cargo.toml` lists those that no crate of the workspace needs.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
     // `cargo run --release` builds one program, and resolves features over the default members.
     let first = units(&["build", "--release", "--bin=kahan-verify"]);
     assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
     let command = units(&["build", "--release", "--package=kahan-cli"]);
-    // As maturin calls it.
+    // The call made by maturin.
     let wheel =
         units(&["rustc", "--release", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
     for name in SHARED {
@@ -228,7 +227,7 @@ fn what_programs_and_the_wheel_share_is_compiled_once() {
     }
 }
 
-/// `.ci/run` tests the whole workspace, and so does what the README promises, as it stands there.
+/// `.ci/run` tests the whole workspace, and the README's `cargo test` must build equal units.
 #[test]
 fn the_tests_of_the_default_members_are_those_of_the_workspace() {
     let whole = units(&["test", "--workspace"]);
@@ -238,7 +237,7 @@ fn the_tests_of_the_default_members_are_those_of_the_workspace() {
 
 #[test]
 fn what_is_timed_is_optimised() {
-    // The command is not: it reads and prints.
+    // The command is not optimised, as it only reads and prints.
     assert!(not_optimised("Cargo.toml").contains(&"kahan-cli".to_owned()));
     for manifest in ["Cargo.toml", "benches/Cargo.toml"] {
         for name in not_optimised(manifest) {

@@ -1,24 +1,19 @@
-//! The modules of a crate's `src`, and those of the algebra's `plan`, are layers, each of which
-//! needs those before it only.
-//!
-//! Every path that leaves a file is looked at, not only those of `use`: `crate::…` with whatever
-//! stands in its braces, and `super::…` as far as it climbs. A name of the root is taken to the
-//! folder that `lib.rs` re-exports it from. Tests may need what they like.
+//! The modules of a crate's `src`, and of the algebra's `plan`, are layers, each of which uses only
+//! earlier ones. The test collects all paths that leave a file: `crate::…` with its braces, and
+//! `super::…`. Names exported by the root are resolved through `lib.rs`. Tests may use anything.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A crate, or a module of one, whose folders are layers.
+/// A crate or module whose folders are layers.
 struct Layered {
     folder: &'static str,
     /// The crate's name in paths.
     name: &'static str,
-    /// The module, and the names that its own file defines and all layers may need; none for a
-    /// crate.
+    /// The module, with names of its own file that all layers may use; `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
-    /// From the bottom to the top. What lies beside the folders are doors, which need all of them
-    /// and which none of them needs.
+    /// The layers from bottom to top. Other files use all layers and are used by none.
     layers: &'static [&'static str],
 }
 
@@ -103,7 +98,6 @@ const PLAN: Layered = Layered {
     ],
 };
 
-/// All of them.
 const ALL: [Layered; 8] = [CORE, DYNAMICS, SYNTAX, ALGEBRA, PLAN, LIFT, DRAW, COMMAND];
 
 const LIFT: Layered = Layered {
@@ -150,19 +144,19 @@ impl Layered {
         root.join(self.folder).join("src").join(self.module.map_or("", |(module, _)| module))
     }
 
-    /// The file that declares the layers.
+    /// Returns the file that declares the layers.
     fn root_file(&self) -> PathBuf {
         self.source().join(if self.module.is_some() { "mod.rs" } else { "lib.rs" })
     }
 
-    /// From the names of the root to the folders that they come from.
+    /// Maps the root's names to the folders that define them.
     fn exports(&self) -> BTreeMap<String, String> {
         let lib = code(&self.root_file());
         let exported = after(&lib, "pub use ").flat_map(paths);
         exported.filter_map(|path| Some((path.last()?.clone(), path.first()?.clone()))).collect()
     }
 
-    /// The files of a layer.
+    /// Returns the files of a layer.
     fn files(&self, layer: &str) -> Vec<PathBuf> {
         let mut found = Vec::new();
         let folder = self.source().join(layer);
@@ -173,8 +167,8 @@ impl Layered {
         found
     }
 
-    /// The places that a file's paths lead to, each as a path from the root, or from the module;
-    /// those outside a module are the crate's to judge.
+    /// Returns the targets of a file's paths, as paths from the root or the module. Paths out of a
+    /// module are the crate's to check.
     fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
         let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
         let outer = self.module.map(|(module, _)| module);
@@ -187,7 +181,7 @@ impl Layered {
         let mut needs: Vec<Vec<String>> =
             ["crate::", &own].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
         for path in after(text, "super::").flat_map(paths) {
-            // Modules within a file only make this climb seem higher than it is.
+            // Modules within a file only make this climb seem higher.
             let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
             let rest = path.into_iter().skip(climbed - 1);
             let kept = module[..module.len().saturating_sub(climbed)].iter().map(|&name| name.to_owned());
@@ -200,7 +194,7 @@ impl Layered {
         needs
     }
 
-    /// The paths of a file that lead above its layer, and how many paths it has.
+    /// Returns a file's paths to higher layers, and its number of paths.
     fn upward(&self, file: &Path, text: &str) -> (Vec<String>, usize) {
         let exports = self.exports();
         let rank = self.layers.iter().position(|layer| {
@@ -223,7 +217,7 @@ impl Layered {
     }
 }
 
-/// A file as code alone: no comments, no tests at its end.
+/// Returns a file without comments and without the tests at its end.
 fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).expect("a file of the crate");
     let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
@@ -242,8 +236,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The paths that a tree of `use` or an expression begins with, its braces multiplied out as far as
-/// two names.
+/// Returns the paths that begin a `use` tree or expression, expanded, up to two names long.
 fn paths(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim_start();
     let Some(inside) = tree.strip_prefix('{') else {
@@ -273,7 +266,7 @@ fn paths(tree: &str) -> Vec<Vec<String>> {
     all
 }
 
-/// What follows each occurrence of `word` as a whole word.
+/// Returns the text after each occurrence of `word` as a whole word.
 fn after<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = &'a str> {
     text.match_indices(word).filter_map(move |(place, _)| {
         let begins = !text[..place].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$');
@@ -299,7 +292,7 @@ fn a_layer_needs_those_below_it_only() {
     }
 }
 
-/// `lib.rs` declares the layers in this order, and beside the folders there are doors only.
+/// `lib.rs` declares the layers in this order; no other folders exist.
 #[test]
 fn the_layers_are_the_folders() {
     for layered in ALL {

@@ -1,8 +1,8 @@
-//! What no single crate can test. One program, so that what its modules share is compiled and
-//! linked once; `tests/README.md` says which test goes where.
+//! Tests across crates, in one program, so that shared modules are compiled and linked once.
+//! `tests/README.md` says where a test belongs.
 
 mod blocks {
-    //! Blocks of `kahan!`: wherever they stand, whatever is in them, and from what is found.
+    //! Blocks of `kahan!`: their surroundings, their contents, and discovered blocks.
 
     mod discovered;
     mod same_text;
@@ -11,7 +11,7 @@ mod blocks {
 }
 
 mod exact {
-    //! Over ℚ, with `==`, in both back ends.
+    //! Tests over ℚ in both back ends.
 
     mod back_ends;
     mod defining_laws;
@@ -24,7 +24,7 @@ mod exact {
 }
 
 mod floats {
-    //! Floats against exact numbers, within bounds that are derived.
+    //! Floats against exact numbers, with derived bounds.
 
     mod allocation;
     mod compensated;
@@ -41,7 +41,7 @@ mod floats {
 mod many;
 
 mod methods {
-    //! Compositions, estimates, orders.
+    //! Compositions, error estimates and orders.
 
     mod composition;
     mod error_estimate;

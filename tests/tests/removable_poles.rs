@@ -1,9 +1,7 @@
-//! Where det A = 0 and the reduced map has a value, every back end returns it, and where it has
-//! none, every back end says so: generated code, the same system read at run time, the interpreter
-//! and projective integers.
-//!
-//! A point on a removable pole: random coordinates, and the common factor that was divided out
-//! solved for one variable.
+//! Zeros of det A: all back ends return the value of the reduced map, or all report that it has
+//! none. The back ends are generated code, the system read at run time, the interpreter, and
+//! projective integers. Points on removable poles have random coordinates, with one variable
+//! determined by the cancelled common factor.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -23,23 +21,22 @@ use kahan_systems::{E1, E3, E9};
 use kahan_tests::expression::read_unproved;
 use kahan_tests::surface::moved_onto;
 
-/// The points drawn for each system.
 const POINTS: usize = 12;
 
-/// A place where the map may have no value, all exact.
+/// A place where the map may have no value, in exact numbers.
 struct Place {
     x: Vec<Rational>,
     parameters: Vec<Rational>,
     eps: Rational,
 }
 
-/// Small rationals, none of them 0.
+/// Draws a small nonzero rational.
 fn number(draws: &mut SplitMix64) -> Rational {
     let size = Rational::new(1 + draws.below(9) as i64, 1 + draws.below(4) as i64);
     if draws.below(2) == 0 { size } else { -size }
 }
 
-/// Places where the simplest factor of what was divided out vanishes.
+/// Returns places where the simplest cancelled factor vanishes.
 fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec<Place> {
     let symbols = &derived.system.field.symbols;
     let n = symbols.dimension();
@@ -64,14 +61,14 @@ fn vector<const N: usize>(x: &[Rational]) -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| x[i].to_big())
 }
 
-/// A system as a map over ℚ, at values of its parameters in their order.
+/// Returns a system as a map over ℚ, at parameter values in order.
 fn read_at<const N: usize>(system: &System, parameters: &[Rational]) -> Interpreted<BigRational, N> {
     let map = Field::of(system).with(system.field.symbols.parameters.iter().zip(parameters));
     map.expect("a field").as_kahan_map().expect("as many variables")
 }
 
-/// Generated code against the same system read at run time: exact steps, and float steps with their
-/// promise, bit for bit.
+/// Compares generated code with the system read at run time: exact steps, and float steps with
+/// their promise, bit for bit.
 fn compiled_and_read_agree<M, const N: usize>(
     name: &str,
     map: &M,
@@ -89,7 +86,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
     if let Ok(next) = map.try_step(&x, eps.clone()) {
-        // Where A is singular, its equation for a tangent vector says nothing.
+        // For singular A, the equation of tangent vectors has no unique solution.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
         let carried = map.at(eps.clone()).tangent().carry_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
@@ -105,8 +102,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// What is made at run time from the same text: the interpreter, projective integers, and the map's
-/// own step.
+/// Compares a text's run-time maps: interpreter, projective integers and the map's step.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
@@ -120,7 +116,7 @@ fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Plac
     step
 }
 
-/// All back ends at removable poles of a system; they all have a value there.
+/// Asserts that all back ends agree and have values at a system's removable poles.
 fn agree<M, const N: usize>(name: &str, text: &str, parameters: &[i64], map: &M)
 where
     M: ExtendScalars<BigRational, N>,
@@ -142,8 +138,8 @@ fn the_catalog_has_its_values() {
     agree("e3", text("e3"), &[], &E3);
 }
 
-/// What E3 loses, E9 keeps at ξ = 1, as parameters are put in after the map is reduced: a pole for
-/// all.
+/// E9 at ξ = 1 keeps the factor that E3 cancels, because parameters are substituted after
+/// reduction; all back ends report a pole.
 #[test]
 fn e9_at_xi_1_has_the_pole_that_e3_loses() {
     let [e3, e9] = ["e3", "e9"].map(|name| read_unproved(find(name).expect("in the catalog").text()));
@@ -181,8 +177,7 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// A random field that moves all variables but the last along one ray: 1 − εu·z is divided out n −
-/// 2 times.
+/// Returns a field that moves all variables but the last along one ray; 1 − εu·z cancels.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));
@@ -193,7 +188,7 @@ fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     format!("{ray}{last}dot = {} + ({})*{};", terms.join(" + "), number(draws), name(draws))
 }
 
-/// Random fields have no generated code here; what reads them at run time agrees.
+/// Asserts that run-time back ends agree for random fields, which have no generated code here.
 fn random_fields_agree<const N: usize>(seed: u64) {
     let mut draws = SplitMix64::new(seed);
     for _ in 0..3 {
@@ -214,8 +209,7 @@ fn random_fields_have_their_values() {
     random_fields_agree::<6>(606);
 }
 
-/// In floats the interpreter has the bits of the map's own step, also where it rounds to a point
-/// beside a removable pole.
+/// Float interpreters have the bits of the map's step, also next to a removable pole.
 #[test]
 fn float_interpreters_agree_beside_removable_poles() {
     let system = read_unproved(find("e3").expect("E3").text());
@@ -226,7 +220,7 @@ fn float_interpreters_agree_beside_removable_poles() {
         let compiled = E3.step(&SVector::<f64, 3>::from_column_slice(&state), eps);
         let point = Point { state, parameters: Vec::new(), eps };
         let next = interpreter.next(&Float64, &point).expect("the reduced denominator is not 0 there");
-        // A target with fused multiply-adds rounds once where the interpreter rounds twice.
+        // Targets with fused multiply-adds round once where the interpreter rounds twice.
         if !cfg!(target_feature = "fma") {
             assert_eq!(next, compiled.as_slice());
         }

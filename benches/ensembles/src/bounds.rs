@@ -1,14 +1,11 @@
-//! The machine's bounds: how fast it divides, and how fast it multiplies and adds, when nothing
-//! else is in the way.
-//!
-//! Loops of independent operations in registers, as many in flight as hide the latency; without
-//! closures, which take these instructions only where they are inlined in time.
+//! Throughput bounds of the machine: divisions, and multiply-adds. The loops hold enough
+//! independent operations in registers to hide the latency. They avoid closures, which use these
+//! instructions only if inlined in time.
 
-// Calling a function compiled for more instructions than the program is needs `unsafe`; that they
-// are there is looked up right before.
+// `unsafe`: calls functions compiled for instructions whose presence was checked.
 #![allow(unsafe_code)]
 
-/// That many divisions of `f64`, four at a time; does nothing where the processor lacks AVX2.
+/// Computes `divisions` divisions of `f64`, four at a time; does nothing without AVX2.
 pub(crate) fn divisions_avx2(divisions: usize) {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx2") {
@@ -17,8 +14,7 @@ pub(crate) fn divisions_avx2(divisions: usize) {
     }
 }
 
-/// That many multiply-adds of `f64`, eight at a time; does nothing where the processor lacks
-/// AVX-512F.
+/// Computes `multiply_adds` multiply-adds of `f64`, eight at a time; does nothing without AVX-512F.
 pub(crate) fn multiply_adds_avx512(multiply_adds: usize) {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx512f") {

@@ -1,4 +1,4 @@
-//! Counting the operations of a step by running it over a scalar that counts.
+//! Operation counts of a step, from a run over a counting scalar.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -11,10 +11,9 @@ thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// What two Newton iterations and a last product cost in place of a division.
+/// The operations that replace a division: two Newton iterations and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
-/// A float that counts what is done with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Counted(f64);
 
@@ -23,8 +22,7 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Additions, multiplications and multiply-adds of one step, the last one of each component and
-/// estimated divisions included; 0 for a step without lanes.
+/// Counts sums, products and multiply-adds of one step; 0 for steps without lanes.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {
@@ -81,7 +79,7 @@ impl One for Counted {
     }
 }
 
-/// A sign costs nothing: it goes into the operation that follows.
+/// A sign is free, as the next operation absorbs it.
 impl Neg for Counted {
     type Output = Self;
 

@@ -1,5 +1,5 @@
-//! A process that times ensembles when it is asked to: several builds of it, for the processor at
-//! large and for this one, are timed in turns by the benchmarks.
+//! A process that times ensembles on request. The benchmarks time several builds of it in turns,
+//! for all processors and for this one.
 
 mod bounds;
 mod counted;

@@ -1,8 +1,5 @@
-//! What can be timed, and in which units.
-//!
-//! A unit is one step of [`POINTS`] trajectories, whether together or, for a single trajectory,
-//! that many steps; of a bound it is what [`POINTS`] trajectories need of the instruction:
-//! [`POINTS`] divisions or multiply-adds.
+//! Timed tasks and their units. A unit is one step of [`POINTS`] trajectories together, [`POINTS`]
+//! steps of a single trajectory, or for bounds [`POINTS`] divisions or multiply-adds.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -15,13 +12,12 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// Trajectories of an ensemble: a tile of three variables fits the nearest cache.
+/// The number of trajectories; a tile of three variables fits the nearest cache.
 pub(crate) const POINTS: usize = 512;
 
-/// Steps after which an ensemble begins anew, so that no orbit leaves the usual range.
+/// The steps after which an ensemble restarts, so that orbits stay in an ordinary range.
 const SEGMENT: usize = 1024;
 
-/// Every task, in a fixed order.
 pub(crate) fn all() -> Vec<Task> {
     let mut tasks = bounds();
     tasks.extend(system("LotkaVolterra", fields::LotkaVolterra, start::LOTKA_VOLTERRA));
@@ -38,7 +34,6 @@ fn timed(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// The machine's own limits, where it has them.
 fn bounds() -> Vec<Task> {
     let task = |what, run: fn(usize)| Task {
         system: "bound",
@@ -56,7 +51,7 @@ fn bounds() -> Vec<Task> {
     tasks
 }
 
-/// One system on every level, and one trajectory by itself.
+/// Returns the tasks of one system: every level, and a single trajectory.
 fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,
@@ -107,7 +102,6 @@ where
     seconds
 }
 
-/// Dependent steps of one trajectory.
 fn single<M: KahanMap<f64, N>, const N: usize>(
     start: [f64; N],
     at: &KahanAt<M, f64, N>,

@@ -1,7 +1,6 @@
-//! The eight systems of the benchmarks, and what the processes that time them share ([`serve`]).
-//!
-//! One file a system, holding its `kahan!` block and nothing else, so that the cost of compiling it
-//! can be measured on the very text.
+//! The eight systems of the benchmarks, and the protocol of the processes that time them
+//! ([`serve`]). Each file holds a system's `kahan!` block only, so that the cost of compiling it
+//! can be measured.
 
 mod clebsch;
 mod e1;
@@ -22,23 +21,23 @@ pub use euler_top::EulerTop;
 pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 
-/// ε of every timing, half the time step: a rounded number, as most are.
+/// ε of all timings, half the time step; a rounded number, as usual.
 pub const EPS: f64 = 1.0 / 1000.0;
 
 /// A system as text.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// The name of its type.
+    /// The name of the type.
     pub name: &'static str,
-    /// An expression for one of its values.
+    /// An expression for a value of the type.
     pub value: &'static str,
     /// The number of variables.
     pub dimension: usize,
-    /// The file that holds its block.
+    /// The file that holds the block.
     pub text: &'static str,
 }
 
-/// Every system as text.
+/// All systems as text.
 pub const SOURCES: [Source; 8] = [
     Source {
         name: "LotkaVolterra",
@@ -70,37 +69,37 @@ pub const SOURCES: [Source; 8] = [
     },
 ];
 
-/// What stands between the braces of a file's `kahan!` block, which ends with a brace at the
-/// beginning of a line; `None` where there is no such block.
+/// Returns the inside of a file's `kahan!` block, which ends with a brace at the beginning of a
+/// line; `None` without a block.
 pub fn block_of(file: &str) -> Option<&str> {
     let (_, block) = file.split_once("kahan! {")?;
     Some(block.split_once("\n}")?.0)
 }
 
-/// The Euler top of the timings: bounded orbits, no parameter exact.
+/// Returns the Euler top of the timings, with bounded orbits and rounded parameters.
 pub fn euler_top() -> EulerTop<f64> {
     EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }
 }
 
-/// The classical chaotic parameters.
+/// Returns Lorenz's system with the classical chaotic parameters.
 pub fn lorenz() -> Lorenz<f64> {
     Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 }
 }
 
-/// Three different weights.
+/// Returns Clebsch's system with three different weights.
 pub fn clebsch() -> Clebsch<f64> {
     Clebsch { w1: 1.0, w2: 1.7, w3: 2.9 }
 }
 
-/// The points at which timings begin.
+/// The initial states of the timings.
 pub mod start {
-    /// Of [`LotkaVolterra`](crate::LotkaVolterra).
+    /// For [`LotkaVolterra`](crate::LotkaVolterra).
     pub const LOTKA_VOLTERRA: [f64; 2] = [1.5, 0.8];
-    /// Of the systems of three variables.
+    /// For systems of three variables.
     pub const SPACE: [f64; 3] = [1.3, 0.7, 0.4];
-    /// Of [`Lorenz`](crate::Lorenz), near the attractor.
+    /// For [`Lorenz`](crate::Lorenz), near the attractor.
     pub const LORENZ: [f64; 3] = [1.3, 0.7, 20.4];
-    /// Of [`Clebsch`](crate::Clebsch).
+    /// For [`Clebsch`](crate::Clebsch).
     pub const CLEBSCH: [f64; 6] = [0.3, 0.7, 0.4, 0.8, 0.5, 0.6];
 }
 
@@ -108,7 +107,7 @@ pub mod start {
 mod tests {
     use kahan_core::prelude::*;
 
-    /// What Clebsch's flow keeps has gradients orthogonal to the field.
+    /// The gradients of the flow's integrals are orthogonal to the field.
     #[test]
     fn clebsch_is_the_integrable_case() {
         let w = super::clebsch();

@@ -1,28 +1,24 @@
-//! A process that times things when it is asked to, so that several builds of it can be timed in
-//! turns.
-//!
-//! First it writes its tasks, a line each: the system, what is done, and the operations of one step
-//! besides divisions, where they are counted; an empty line ends them. Then a line `TASK UNITS` is
-//! answered by the seconds that so many units took.
+//! A process that times tasks on request, so that several builds of it can be timed in turns. It
+//! first writes its tasks, one on each line: the system, the task, and the operations of a step
+//! without divisions, if counted; then an empty line. A request `TASK UNITS` is answered by the
+//! seconds that these units took.
 
 use std::io::{self, BufRead, Write};
 
-/// Something to time.
+/// A timed task.
 pub struct Task {
-    /// The system, or what else is timed.
+    /// The system, or another subject.
     pub system: &'static str,
-    /// How it is run.
+    /// The way in which it runs.
     pub what: &'static str,
-    /// Additions, multiplications and multiply-adds of one step, or 0 where nobody counts them.
+    /// The additions, multiplications and multiply-adds of a step; 0 if not counted.
     pub operations: usize,
-    /// The seconds that so many units take.
+    /// Runs a number of units and returns the seconds.
     pub seconds: Box<dyn Fn(usize) -> f64>,
 }
 
-/// Offers the tasks and answers requests until nobody asks any more.
-///
-/// # Errors
-/// Where a line is no request, and where standard input or output break.
+/// Writes the tasks and answers requests until the input ends. Fails for invalid requests, and if
+/// standard input or output fail.
 pub fn serve(tasks: &[Task]) -> io::Result<()> {
     let mut output = io::stdout().lock();
     for task in tasks {

@@ -1,4 +1,4 @@
-//! The families that are timed.
+//! The timed families.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
-//! Steps of long chains: nanoseconds a site, beside a memory triad's an element.
-//!
-//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table; with
-//! `--features parallel` chains are stepped over threads. Each figure is the least of several
-//! rounds, in which all contenders take turns.
+//! Times steps of long chains in nanoseconds per site, beside a memory triad per element.
+//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table;
+//! `--features parallel` uses threads. Each figure is the least of several rounds, in which all
+//! contenders take turns.
 
 mod families;
 mod midpoint;
@@ -16,7 +15,7 @@ use kahan_core::{LatticeScalar, Level};
 use families::{Kdv, Toda, Volterra};
 
 const ROUNDS: usize = 7;
-/// Sites that are stepped in a round, in all steps together.
+/// The sites stepped in a round, over all steps.
 const WORK: usize = 20_000_000;
 
 fn main() {
@@ -53,7 +52,7 @@ fn table(level: Level) {
     println!();
 }
 
-/// Nanoseconds a site and step of a family.
+/// Returns a timer of a family, in nanoseconds per site and step.
 fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
     level: Level,
     map: &M,
@@ -74,7 +73,7 @@ fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
     })
 }
 
-/// Nanoseconds an element of a ← b + s·c.
+/// Returns a timer of a ← b + s·c, in nanoseconds per element.
 fn triad(sites: usize) -> Box<dyn FnMut() -> f64> {
     let (mut a, b, c) = (vec![0.0_f64; sites], vec![1.0_f64; sites], vec![2.0_f64; sites]);
     let times = (WORK / sites).max(2);

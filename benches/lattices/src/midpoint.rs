@@ -1,8 +1,7 @@
-//! Kahan's map of KdV beside the implicit midpoint rule, both on the same banded solver.
-//!
-//! Newton's iteration for y = x + 2ε f(m), m = (x + y)/2, solves A(m,ε) δ = −(m − x − ε f(m)) and
-//! moves m by δ: the matrix is that of Kahan's map at m. It begins at the extrapolated midpoint and
-//! ends where δ is at the rounding of the state. A step of the solver is what is timed.
+//! Kahan's map of KdV and the implicit midpoint rule, both with one banded solver. Newton's
+//! iteration for y = x + 2ε f(m), m = (x + y)/2, solves A(m,ε) δ = −(m − x − ε f(m)), with the
+//! matrix of Kahan's map at m, and adds δ to m. It starts at the extrapolated midpoint and ends
+//! when δ reaches the rounding level. The timing covers steps of the solver.
 
 use std::time::{Duration, Instant};
 
@@ -48,7 +47,7 @@ impl LatticeMap<f64> for Newton {
     }
 }
 
-/// A table: for several steps the error after a time of 1, and the processor time.
+/// Prints the error after a time of 1 and the processor time, for several steps.
 pub(crate) fn table() {
     let (sites, h, time) = (512, 0.2, 1.0);
     let start: Vec<f64> = (0..sites)
@@ -69,7 +68,7 @@ pub(crate) fn table() {
         let (midpoint, midpoint_time, iterations) = midpoint(h, &start, eps, steps);
         let errors = [error(&kahan, &reference), error(&midpoint, &reference)];
         let times = [kahan_time, midpoint_time].map(|time| time.as_secs_f64() * 1e3);
-        // Both are of order 2: a quarter of the error takes twice the steps.
+        // Both have order 2: a quarter of the error takes twice the steps.
         let ratio = times[1] * errors[1].sqrt() / (times[0] * errors[0].sqrt());
         println!(
             "| {steps} | {:.1e} | {:.2} | {:.1e} | {:.2} | {:.2} | {ratio:.2} |",
@@ -113,8 +112,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             let evaluated = begun.elapsed();
             let mut at = Newton { kdv: Kdv { h }, right }.at(eps, sites).expect("a chain");
             let mut next = m.clone();
-            // Its memory is new each time, which is not the method's fault: it is touched before
-            // the clock runs.
+            // Touches the new memory before the clock starts.
             at.step(&mut next);
             next.clone_from(&m);
             let begun = Instant::now();
@@ -137,7 +135,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
     (x, time, iterations)
 }
 
-/// The field of KdV in one plain loop.
+/// Evaluates the field of KdV in a plain loop.
 fn field(u: &[f64], h: f64) -> Vec<f64> {
     let n = u.len();
     let (advection, dispersion) = (1.5 / h, 0.5 / (h * h * h));
@@ -156,7 +154,7 @@ fn field(u: &[f64], h: f64) -> Vec<f64> {
     f
 }
 
-/// The classical method of order four, at steps so small that its error is not seen.
+/// Applies the classical Runge–Kutta method of order four, with negligible error.
 fn runge_kutta(map: &Kdv<f64>, start: &[f64], time: f64, steps: u32) -> Vec<f64> {
     let at = map.at(1.0, start.len()).expect("a chain");
     let dt = time / f64::from(steps);

@@ -1,11 +1,10 @@
-//! Energies of conservative systems: the one that the map of a lift keeps exactly, and the one of
-//! the original equations.
+//! Energies of conservative systems: of a lift's map, which preserves its own, and of the field.
 
 use kahan_lift::{Reembedding, Which};
 
 use crate::systems::{Formula, System};
 
-/// The systems whose lifts keep an energy for 10⁶ steps.
+/// Systems whose lifts preserve an energy for 10⁶ steps.
 const KEPT: [&str; 9] = [
     "pendulum",
     "double well",
@@ -18,20 +17,20 @@ const KEPT: [&str; 9] = [
     "Toda chain of 3",
 ];
 const STEPS: u64 = 1_000_000;
-/// How often energies are looked at.
+/// The number of samples of the energies.
 const LOOKS: u64 = 10_000;
-/// The starts of a system, which differ by parts in a million.
+/// The number of initial states, which differ by parts in a million.
 const STARTS: u32 = 16;
 const EPS: f64 = 0.01;
-/// The largest error of a kept energy, relative to the sum of its terms' sizes. Each step rounds a
-/// few times by at most 1.1e-16. If these errors are independent, their sum grows like the square
+/// The largest error of a preserved energy, relative to the sum of its terms' sizes. Each step
+/// makes a few rounding errors of at most 1.1e-16; if independent, their sum grows like the square
 /// root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
 const ROUNDING: f64 = 1e-12;
 /// The largest growth of the error between 10⁴ and 10⁶ steps: 10 for a random walk, 100 for a
-/// drift. It is a root mean square over 16 starts, which errs by a factor of 1.4 or so.
+/// drift. The root mean square over 16 orbits is uncertain by a factor of about 1.4.
 const WALK: f64 = 30.0;
 
-/// Kept energies over many steps: the largest error, and how it grows.
+/// Prints the largest error of preserved energies, and its growth.
 pub(crate) fn energy() {
     println!(
         "| system | new variables | largest error over {STEPS:.0e} steps | growth from 10⁴ to 10⁶ steps |\n|---|---|---|---|"
@@ -68,8 +67,7 @@ pub(crate) fn energy() {
     }
 }
 
-/// The systems with polynomial or trigonometric potentials, whose energies stay as they are without
-/// a projection.
+/// Systems with polynomial or trigonometric potentials, without drift of the energy.
 const SMOOTH: [&str; 8] = [
     "quartic oscillator",
     "Duffing",
@@ -80,13 +78,12 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest error in the last eighth of the time over that in the first, which says that errors
-/// have no trend.
+/// The largest ratio of the errors in the last and first eighth of the time.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;
 
-/// The largest errors of the original energy in the first and the last eighth of the time.
+/// Prints the largest errors of the original energy in the first and the last eighth of the time.
 pub(crate) fn projection() {
     println!(
         "| system | as lifted: first, last eighth | ratio | projected: first, last eighth | ratio | steps of the map |\n|---|---|---|---|---|---|"

@@ -1,9 +1,8 @@
-//! Time at equal error of lifted fields, as a ratio to the Dormand–Prince method of order 8.
-//!
-//! Each method runs to the time 100 from the same start, with steps or tolerances that are halved;
-//! a table says how long the cheapest run takes whose error is at most 1e-3, 1e-6 and 1e-9, over
-//! that of the Dormand–Prince method. The symplectic method is that of Störmer and Verlet, where
-//! the system has one, composed to order 8 by the coefficients of Kahan and Li.
+//! Time at equal error of lifted fields, relative to the Dormand–Prince method of order 8. Each
+//! method runs to the time 100 from one initial state with halved steps or tolerances. The table
+//! gives the time of the cheapest run with an error of at most 1e-3, 1e-6 and 1e-9, relative to
+//! Dormand–Prince. The symplectic method is Störmer–Verlet, where applicable, composed to order 8
+//! with the coefficients of Kahan and Li.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,12 +17,11 @@ use crate::systems::distance;
 
 const TIME: f64 = 100.0;
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
-/// How often a run is repeated; the least time counts.
+/// The number of repetitions of a run; the least time counts.
 const REPEATS: usize = 5;
 
 type Slope = fn(&[f64], &mut [f64]);
 
-/// A field as `ode_solvers` wants it.
 struct Field(Slope);
 
 impl<const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Field {
@@ -32,7 +30,6 @@ impl<const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Field {
     }
 }
 
-/// A system with its field by hand.
 struct System {
     name: &'static str,
     text: &'static str,
@@ -123,7 +120,7 @@ impl System {
         (lift, map)
     }
 
-    /// The state at the end with both tolerances `tolerance`.
+    /// Returns the final state with both tolerances `tolerance`.
     fn dormand_prince(&self, tolerance: f64) -> Vec<f64> {
         match self.start.len() {
             2 => self.dormand_prince_of::<2>(tolerance),
@@ -140,8 +137,7 @@ impl System {
         solver.y_out().last().expect("the end is put out").as_slice().to_vec()
     }
 
-    /// Returns the state at the end after `steps` steps of Störmer and Verlet's method, composed
-    /// with these weights.
+    /// Returns the final state after `steps` Störmer–Verlet steps, composed with these weights.
     fn verlet(&self, steps: u64, weights: &[f64]) -> Vec<f64> {
         let n = self.start.len() / 2;
         let mut x = self.start.to_vec();
@@ -167,7 +163,7 @@ impl System {
     }
 }
 
-/// Runs several times; returns the least time in seconds and the result.
+/// Runs several times, and returns the least time in seconds with the result.
 fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     let mut least = f64::INFINITY;
     let mut result = Vec::new();
@@ -179,8 +175,7 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns, for each tolerance, the least time of a run whose error is within it. Settings become
-/// finer from run to run.
+/// Returns the least time within each tolerance; later runs have finer settings.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

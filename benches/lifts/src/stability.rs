@@ -1,11 +1,10 @@
-//! Whether errors of relations grow as is predicted.
-//!
-//! In: all lifts and forms between which `kahan lift` chooses, at most 120 a system, and the lift
-//! that it does choose. Each is followed at ε = 0.01 to the time 300; where an error is larger than
-//! 5 % of the largest size that its variable has, again at ε/8, then ε/64. A lift is good if the
-//! relations hold at ε = 0.01 and the states are right there or at a smaller ε (phases may err at
-//! first whatever the lift), good at smaller ε if both hold there, else bad. States of chaotic
-//! systems are not compared. Out: a row a system, the shares of right predictions, and every miss.
+//! Predicted and observed growth of the errors of a lift's relations. All lifts and forms that
+//! `kahan lift` considers, at most 120 per system, and the chosen one run at ε = 0.01 to the time
+//! 300. If an error exceeds 5 % of its variable's largest size, runs at ε/8 and ε/64 follow. A lift
+//! is good if its relations hold at ε = 0.01 and its states are right there or at a smaller ε
+//! (phases may err at first); good at smaller ε if both hold there; else bad. States of chaotic
+//! systems are not compared. Prints a row per system, the shares of right predictions, and every
+//! miss.
 
 use std::fmt;
 
@@ -15,13 +14,11 @@ use crate::systems::{System, distance, size};
 
 const EPS: f64 = 0.01;
 const TIME: f64 = 300.0;
-/// How often states and relations are looked at.
+/// The number of samples of states and relations.
 const LOOKS: u32 = 300;
-/// The largest error of a good lift.
 const GOOD: f64 = 0.05;
-/// The factors by which ε becomes smaller where a lift is not good at first.
+/// The factors by which ε is reduced if a lift is not good at first.
 const FINER: [u32; 2] = [8, 64];
-/// The most lifts and forms of a system.
 const MOST: usize = 120;
 
 /// The largest errors along an orbit of the map, relative to the size of their variables.
@@ -62,7 +59,6 @@ fn errors(system: &System, lift: &Lift, reference: &[Vec<f64>], finer: u32) -> E
     errors
 }
 
-/// A prediction for the relations of a lift.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Predicted {
     Stable,
@@ -71,7 +67,7 @@ enum Predicted {
 }
 
 impl Predicted {
-    /// The prediction for the relations that are not kept.
+    /// Returns the prediction for the relations that are not preserved.
     fn of(lift: &Lift) -> Self {
         match lift.relations.iter().filter_map(|one| one.along).find(|one| *one != Along::Kept) {
             Some(Along::Grows) => Predicted::Grows,
@@ -85,7 +81,7 @@ impl Predicted {
     }
 }
 
-/// A lift with its errors at ε = 0.01 and, where these are large, at smaller ones.
+/// A lift with its errors at ε = 0.01, and at smaller ε if these are large.
 struct Judged {
     predicted: Predicted,
     errors: Vec<Errors>,
@@ -103,12 +99,12 @@ impl Judged {
         judged
     }
 
-    /// Whether relations and states are right at the last ε.
+    /// Says whether relations and states are right at the last ε.
     fn is_right(&self) -> bool {
         self.errors.last().is_some_and(|one| one.relations <= GOOD && one.states <= GOOD)
     }
 
-    /// 0: good; 1: good at a smaller ε; 2: bad.
+    /// Returns 0 for good, 1 for good at a smaller ε, 2 for bad.
     fn fate(&self) -> usize {
         if self.is_right() { usize::from(self.errors[0].relations > GOOD) } else { 2 }
     }
@@ -118,7 +114,7 @@ impl Judged {
     }
 }
 
-/// How many lifts of each prediction are good at once, at smaller ε, and at none.
+/// The number of lifts by prediction and outcome: good, good at smaller ε, bad.
 #[derive(Clone, Copy, Default)]
 struct Counts([[usize; 3]; 3]);
 

@@ -1,8 +1,7 @@
-//! The systems of `systems.tsv`, their lifts, and reference solutions.
-//!
-//! A line of the file is a name, equations, values of parameters, a start, a time before which no
-//! solution loses its predictability, the energy of a conservative system, and words: `chaotic`,
-//! and `extra` for systems beyond the thirty.
+//! The systems of `systems.tsv`, their lifts, and reference solutions. A line holds a name,
+//! equations, parameter values, an initial state, a time up to which solutions are predictable, the
+//! energy of a conservative system, and the words `chaotic`, or `extra` for systems beyond the
+//! thirty.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;
@@ -13,16 +12,14 @@ use kahan_lift::{Lift, Options, Which, lift, stated};
 use kahan_runtime::Map;
 use ode_solvers::{DVector, Dop853, OutputType};
 
-/// A system with a start and values of its parameters.
 pub(crate) struct System {
     pub(crate) name: &'static str,
     tokens: Vec<Token>,
-    /// Names and values, in the order in which equations name them.
+    /// Names and values, in the order of their first use.
     pub(crate) parameters: Vec<(String, f64)>,
-    /// The states, and the time 0 where the equations depend on it.
+    /// The states, followed by the time 0 if the equations depend on it.
     pub(crate) start: Vec<f64>,
     pub(crate) time: f64,
-    /// The energy of a conservative system, by hand.
     pub(crate) energy: Option<Formula>,
     kind: &'static str,
     field: Vec<Formula>,
@@ -74,7 +71,7 @@ impl System {
         lift.unwrap_or_else(|mistakes| panic!("{}: {}", self.name, mistakes[0]))
     }
 
-    /// All lifts and forms between which is chosen.
+    /// Returns all lifts and forms considered.
     pub(crate) fn lifts(&self) -> Vec<Lift> {
         kahan_lift::lifts(&self.tokens, &self.options(Which::Automatic)).expect("equations")
     }
@@ -87,7 +84,7 @@ impl System {
         field.with(values.map(|(name, value)| (name.as_str(), *value))).expect("all parameters")
     }
 
-    /// All variables of a lift at these states.
+    /// Returns all variables of a lift at these states.
     pub(crate) fn embedded(&self, lift: &Lift, states: &[f64]) -> Vec<f64> {
         [states.to_vec(), lift.embed(states, &self.values())].concat()
     }
@@ -96,8 +93,8 @@ impl System {
         slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
     }
 
-    /// States at the ends of `parts` equal parts of the time, by the Dormand–Prince method with this
-    /// tolerance.
+    /// Returns the states at the ends of `parts` equal parts of the time, by the Dormand–Prince
+    /// method with this tolerance.
     pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);
@@ -113,7 +110,6 @@ impl System {
     }
 }
 
-/// The field of a system as `ode_solvers` wants it.
 struct Slope<'a>(&'a System);
 
 impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
@@ -122,7 +118,7 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
     }
 }
 
-/// A right-hand side as it was written, so that references do not go through the crate under test.
+/// A right-hand side as written, independent of the crate under test.
 pub(crate) enum Formula {
     Number(f64),
     State(usize),
@@ -133,7 +129,7 @@ pub(crate) enum Formula {
 }
 
 impl Formula {
-    /// The right-hand sides of a block.
+    /// Reads the right-hand sides of a block.
     pub(crate) fn read(text: &str, states: &[&str], parameters: &[(&str, f64)]) -> Vec<Self> {
         let mut mistakes = Diagnostics::default();
         let block = parse_lifted(&lenient::read(text).lexed.tokens, &mut mistakes);
@@ -176,7 +172,7 @@ impl Formula {
         }
     }
 
-    /// The sum of the sizes of a sum's terms.
+    /// Returns the sum of the sizes of a sum's terms.
     pub(crate) fn size(&self, x: &[f64]) -> f64 {
         match self {
             Formula::Sum(terms) => terms.iter().map(|(_, term)| term.value(x).abs()).sum(),
@@ -206,14 +202,13 @@ impl Formula {
     }
 }
 
-/// The largest size of a component.
 pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }
 
-/// The largest difference of `b`'s components to `a`'s first ones, relative to the size of `b`.
+/// Returns the largest difference of components that both have, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    // `max` would forget what is not a number.
+    // `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size(b)
 }

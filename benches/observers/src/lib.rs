@@ -1,4 +1,4 @@
-//! The fields whose orbits are observed, and the cells of a stability map.
+//! The observed fields, and the cells of a stability map.
 
 use kahan_core::prelude::*;
 
@@ -24,8 +24,8 @@ kahan! {
 /// ε of the stability maps, half the time step.
 pub const MAP_EPS: f64 = 0.05;
 
-/// A square of starts of Hénon and Heiles' system, so many a side: y and q from −0.4 to 0.4, q
-/// running fastest, x = p = 0.1.
+/// Returns a grid of `side`² initial states of Hénon and Heiles' system: y and q from −0.4 to 0.4,
+/// q varying fastest, x = p = 0.1.
 pub fn cells(side: usize) -> Ensemble<f64, 4> {
     let axis = Axis { start: -0.4, end: 0.4, count: side };
     let fixed = Axis { start: 0.1, end: 0.1, count: 1 };

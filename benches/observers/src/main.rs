@@ -1,8 +1,6 @@
-//! What observers cost: orbits of E6 that are observed beside the orbit alone, in turns, and
-//! stability maps of Hénon and Heiles' system.
-//!
-//! `cargo run --release -p kahan-bench-observers` in this folder prints two tables. Ratios are
-//! medians of rounds in which all take turns; times are the least of the rounds.
+//! The cost of observers: orbits of E6 with observers, in turns with the plain orbit, and stability
+//! maps of Hénon and Heiles' system. `cargo run --release -p kahan-bench-observers` in this folder
+//! prints two tables: medians of ratios over rounds, and the least times.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -22,10 +20,9 @@ fn main() {
     stability_maps();
 }
 
-/// A name, and what runs once and tells its seconds.
+/// A name, and a run that returns its seconds.
 type Contender = (&'static str, Box<dyn Fn() -> f64>);
 
-/// An orbit of E6 with observers, in seconds.
 fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn() -> f64> {
     Box::new(move || {
         let mut orbit = E6.orbit(black_box(vector![0.3, 0.8, 0.5]), EPS);

@@ -1,8 +1,7 @@
-//! Lattices that someone wrote from the README and the page of the language alone.
-//!
-//! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their steps
-//! with Kahan's map by dense elimination; without `--bin check`, times and what is kept are
-//! printed.
+//! Lattices written by a user with only the README and the language reference.
+//! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their
+//! steps with Kahan's map by dense elimination; without `--bin check`, times and conserved
+//! quantities are printed.
 #![allow(missing_docs, reason = "parameters are named in the equations")]
 use kahan_core::prelude::*;
 
@@ -27,7 +26,7 @@ kahan! {
 }
 
 kahan! {
-    /// Sites that exchange by a flux over offsets up to 3, open ends and a parameter.
+    /// Sites on a ring with a flux over offsets up to 3, and a parameter.
     pub struct Flux { c }
     for i in periodic {
         q[i]dot = c*(q[i+2]*q[i+3] - q[i-1]*q[i]) + (q[i+1] - 2*q[i] + q[i-1]);
@@ -57,14 +56,13 @@ kahan! {
 }
 
 kahan! {
-    /// The same with fixed ends.
+    /// The α-chain of Fermi, Pasta, Ulam and Tsingou with fixed ends.
     pub struct FputOpen { alpha }
     for i in open {
         u[i]dot = p[i];
         p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
     }
-    // The bond to the left wall, (u[0] - 0), is in no summand (u[i+1] - u[i]); multiplied out, it
-    // is.
+    // Expanded: the bond to the left wall, u[0] - 0, has not the form u[i+1] - u[i].
     hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
 }
 

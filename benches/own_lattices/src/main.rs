@@ -1,4 +1,4 @@
-//! Steps every lattice with 10, 1000 and 1 000 000 sites; what is kept, and nanoseconds a site.
+//! Steps lattices with 10, 1000 and 1 000 000 sites; prints invariants and nanoseconds per site.
 use kahan_bench_own_lattices::*;
 use kahan_core::LatticeAt;
 use kahan_core::prelude::*;

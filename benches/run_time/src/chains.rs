@@ -1,4 +1,4 @@
-//! Chains of dependent steps, on both sides.
+//! Chains of dependent steps, by the macro's code and at run time.
 
 use std::hint::black_box;
 
@@ -10,14 +10,12 @@ use kahan_runtime::{MachineFloat, MapAt};
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// All chains of one map.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
     M: ExtendScalars<f64, N> + Copy + 'static,
 {
     let &Pair { system, generated, ref read, start } = pair;
     let task = |what, run: Box<dyn Fn(usize)>| in_segments(system, what, move |steps| timed(|| run(steps)));
-    /// Goes to the last point of an orbit.
     macro_rules! arrive {
         ($orbit:expr, $steps:expr) => {{
             black_box($orbit.nth($steps).expect("an orbit over floats goes on"));
@@ -79,7 +77,6 @@ where
     ]
 }
 
-/// All steps in one call.
 fn advance<T: MachineFloat, const N: usize>(at: &MapAt<T>, start: [T; N], steps: usize) {
     let mut x = black_box(start);
     at.advance(&mut x, steps as u64).expect("as many entries as variables");

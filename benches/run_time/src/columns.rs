@@ -1,6 +1,4 @@
-//! Many trajectories at once, on both sides.
-//!
-//! A unit is one step of [`POINTS`] trajectories.
+//! Many trajectories at once, by the macro's code and at run time; a unit has [`POINTS`] steps.
 
 use std::hint::black_box;
 
@@ -12,10 +10,10 @@ use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// Trajectories of an ensemble, as many as in the section on ensembles.
+/// The number of trajectories, as in the section on ensembles.
 const POINTS: usize = 512;
 
-/// One map on every level that there is.
+/// Returns the tasks of one map on all available levels.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,

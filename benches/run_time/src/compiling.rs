@@ -1,5 +1,4 @@
-//! From a plan to machine code: fields of the catalog, their steps with their integrals or with
-//! columns.
+//! Compilation of plans to machine code: steps of catalog fields, with integrals or with columns.
 
 use std::hint::black_box;
 
@@ -9,12 +8,10 @@ use kahan_runtime::{Field, FieldText, Map};
 
 use crate::pair::timed;
 
-/// The parameters of the Euler top.
 const RATES: [(&str, f64); 3] = [("a1", 1.1), ("a2", -2.3), ("a3", 1.7)];
-/// Those of Clebsch's field.
 const WEIGHTS: [(&str, f64); 3] = [("w1", 1.0), ("w2", 1.7), ("w3", 2.9)];
 
-/// Fields with their claims, of three variables and of six.
+/// Returns the tasks for fields with claims, of three and six variables.
 pub(crate) fn all() -> Vec<Task> {
     let (e6, euler, clebsch) = (
         include_str!("../../../systems/src/catalog/e6.rs"),
@@ -28,7 +25,7 @@ pub(crate) fn all() -> Vec<Task> {
     tasks
 }
 
-/// The first use of a map.
+/// The first use of a map, which compiles it.
 type Use = fn(&Map, &[f64]);
 
 fn field(
@@ -58,7 +55,6 @@ fn field(
     [task("compiling: step and integrals", with_integrals), task("compiling: step and columns", with_columns)]
 }
 
-/// The median of so many times.
 fn median(count: usize, time: impl Fn() -> f64) -> f64 {
     let mut times: Vec<f64> = (0..count).map(|_| time()).collect();
     times.sort_by(f64::total_cmp);
@@ -71,7 +67,7 @@ fn with_integrals(map: &Map, state: &[f64]) {
     black_box(integrals);
 }
 
-/// Both forms that many trajectories take: one number at a time, and whole registers.
+/// Compiles both forms for columns: scalar and vector registers.
 fn with_columns(map: &Map, state: &[f64]) {
     let mut columns: Vec<[f64; 8]> = state.iter().map(|x| [*x; 8]).collect();
     let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(|column| &mut column[..]).collect();

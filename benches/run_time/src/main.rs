@@ -1,5 +1,4 @@
-//! A process that times fields that are read at run time beside the macro's code when it is asked
-//! to.
+//! A process that times fields read at run time beside the macro's code on request.
 
 mod chains;
 mod columns;
@@ -31,7 +30,6 @@ fn main() -> std::io::Result<()> {
     serve(&tasks)
 }
 
-/// Everything of one system that has both sides.
 fn system<M, const N: usize>(
     source: Source,
     generated: M,

@@ -1,4 +1,4 @@
-//! One map twice: as the macro's code, and read at run time.
+//! A map as the macro's code and as read at run time.
 
 use std::time::Instant;
 
@@ -7,10 +7,10 @@ use kahan_bench_fields::{EPS, Source, block_of};
 use kahan_core::prelude::*;
 use kahan_runtime::{Field, Map};
 
-/// Steps after which a run begins anew, so that no orbit leaves the usual range.
+/// The steps after which a run restarts, so that orbits stay in an ordinary range.
 pub(crate) const SEGMENT: usize = 1024;
 
-/// One map twice, with the point at which timings begin.
+/// Both forms of a map, with the initial state of timings.
 pub(crate) struct Pair<M, const N: usize> {
     pub(crate) system: &'static str,
     pub(crate) generated: M,
@@ -19,10 +19,7 @@ pub(crate) struct Pair<M, const N: usize> {
 }
 
 impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
-    /// Reads the map from the text of its block.
-    ///
-    /// # Panics
-    /// If the two go to different points.
+    /// Reads the map from its block's text. Panics if both forms reach different points.
     pub(crate) fn new(source: Source, generated: M, values: &[(&str, f64)], start: [f64; N]) -> Self {
         let text = block_of(source.text).unwrap_or_else(|| panic!("{}: a file without a block", source.name));
         let field = Field::parse(text).unwrap_or_else(|mistakes| panic!("{}: {mistakes}", source.name));
@@ -38,7 +35,7 @@ impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
     }
 }
 
-/// A task that runs segments; `run` gets the steps of one, and says how long they took.
+/// Makes a task that runs in segments; `run` takes the steps of a segment and returns the seconds.
 pub(crate) fn in_segments(
     system: &'static str,
     what: &'static str,
@@ -50,7 +47,6 @@ pub(crate) fn in_segments(
     Task { system, what, operations: 0, seconds }
 }
 
-/// The seconds that something takes.
 pub(crate) fn timed(run: impl FnOnce()) -> f64 {
     let begun = Instant::now();
     run();

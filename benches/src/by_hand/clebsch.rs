@@ -1,7 +1,7 @@
-//! Clebsch's case in six variables, m and p. With P = εp and the differences c = (w₃−w₂, w₁−w₃,
-//! w₂−w₁) the increment of m is ε(p × Wp̃ + p̃ × Wp), without a division. Eliminating it leaves Kp̃
-//! = … with K = diag(d) + \[a\]×, where a = εm + P × WP, d₁ = 1 − c₃P₂² + c₂P₃² and cyclically, and
-//! as a·(p × a) = 0,
+//! Clebsch's case in six variables, m and p. With P = εp and c = (w₃−w₂, w₁−w₃, w₂−w₁) the
+//! increment of m is ε(p × Wp̃ + p̃ × Wp), free of divisions. Eliminating it leaves a linear system
+//! for p̃ with the matrix K = diag(d) + \[a\]×, where a = εm + P × WP, d₁ = 1 − c₃P₂² + c₂P₃² and
+//! cyclically. Since a·(p × a) = 0:
 //!
 //! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
 //! - D = d₁d₂d₃ + S,
@@ -11,7 +11,6 @@ use kahan_bench_fields::Clebsch;
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(map: Clebsch<f64>, start: [f64; 6], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, skew part", Role::ByHand, start, skew_part(map, eps)),
@@ -20,7 +19,6 @@ pub(crate) fn contenders(map: Clebsch<f64>, start: [f64; 6], eps: f64) -> Vec<Co
     ]
 }
 
-/// The formulas as above.
 pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
@@ -45,8 +43,7 @@ pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f6
     }
 }
 
-/// The same with the 2 beside the division, not in front of it, and D summed so that its last term
-/// comes last.
+/// Multiplies by 2 beside the division, not before it, and adds D's latest term last.
 pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
@@ -72,8 +69,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// With (da)_i = dᵢaᵢ the numerators of p are e∘(p × a) − da × (p × a); those of m are formed from
-/// them while the division runs.
+/// With da = (dᵢaᵢ), p's numerators are e∘(p × a) − da × (p × a); m's follow during the division.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

@@ -3,7 +3,6 @@
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, one reciprocal", Role::ByHand, start, one_reciprocal(eps)),
@@ -13,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// One reciprocal, 1/(kt).
+/// Uses one reciprocal, 1/(kt).
 pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -26,8 +25,7 @@ pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// 1/k first: x and y need no more than that, and only x closes the chain; z is divided by t at the
-/// end.
+/// Computes 1/k first, which x and y need; only x closes the chain. z is divided by t at the end.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -38,7 +36,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// A division a component: no multiplication after the division.
+/// Uses a division for each component, without multiplications after it.
 pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -49,8 +47,7 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// k/(2ε) = h + x with h = 1/(2ε), t/ε = 2h − x: one addition leads to the division that closes the
-/// chain.
+/// Uses k/(2ε) = h + x and t/ε = 2h − x with h = 1/(2ε): one addition before the division.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
     move |[x, y, z]| {

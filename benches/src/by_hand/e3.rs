@@ -3,7 +3,6 @@
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
@@ -13,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// D = 1 + ε((z + εr) + εr).
+/// Computes D = 1 + ε((z + εr) + εr).
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -26,7 +25,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D = (1 + Z) + (X·2X + Y·2Y): the sum of squares is formed a second time for the numerators.
+/// Computes D = (1 + Z) + (X·2X + Y·2Y), and the sum of squares again for the numerators.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -40,7 +39,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D as in the short chain, but the squares formed once, and scaled beside the division.
+/// Computes D as in the short chain, with the squares once, scaled beside the division.
 pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -53,7 +52,7 @@ pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D/(2ε²) = h(2h + z) + r with h = 1/(2ε): no product with ε of its own.
+/// Computes D/(2ε²) = h(2h + z) + r with h = 1/(2ε), without separate products with ε.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

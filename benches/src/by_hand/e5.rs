@@ -3,7 +3,6 @@
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
@@ -13,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// One reciprocal, 2ε/(Du).
+/// Uses one reciprocal, 2ε/(Du).
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -26,7 +25,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// 1/D closes the chain; 1/u, which z alone needs, runs beside.
+/// Closes the chain with 1/D; 1/u, needed by z only, runs beside it.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -39,7 +38,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// The same with z divided by u at the end: nothing that compilers would pack into one register.
+/// Divides z by u at the end, so that compilers cannot pack the divisions into one register.
 pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -51,8 +50,8 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y: (2h + y)Δz =
-/// (2x − z)(y + ỹ) + 2yΔx.
+/// Computes D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y by
+/// (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

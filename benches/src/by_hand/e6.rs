@@ -3,11 +3,10 @@
 //! x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z + 2εah/D, D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u +
 //! 2Z²v.
 //!
-//! 3ε is not prepared: it would be rounded, and the integrals would drift.
+//! The constant 3ε is not prepared: its rounding would make the integrals drift.
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
@@ -16,7 +15,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// D from the numerators of x and z.
+/// Computes D from the numerators of x and z.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -30,7 +29,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D from X, Y, Z in parallel.
+/// Computes D from X, Y, Z in parallel.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -46,7 +45,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// The same with 3Y as Y + 2Y, and with 8ε, which is exact where ε is.
+/// Like the short chain, with 3Y as Y + 2Y and the constant 8ε, which is exact where ε is.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

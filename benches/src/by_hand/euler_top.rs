@@ -5,7 +5,6 @@ use kahan_bench_fields::EulerTop;
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(top: EulerTop<f64>, start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(top, eps)),
@@ -13,7 +12,7 @@ pub(crate) fn contenders(top: EulerTop<f64>, start: [f64; 3], eps: f64) -> Vec<C
     ]
 }
 
-/// D = 1 − qx·rx − py·rb − pz·qc: all products but three serve the numerators as well.
+/// Computes D = 1 − qx·rx − py·rb − pz·qc, with all but three products shared with the numerators.
 pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     move |[x, y, z]| {
@@ -26,7 +25,7 @@ pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3
     }
 }
 
-/// D summed in pairs, its terms all products of two products.
+/// Sums D in pairs; its terms are products of two products.
 pub(crate) fn short_chain(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     let (two_p, two_q, two_r) = (2.0 * p, 2.0 * q, 2.0 * r);

@@ -6,14 +6,12 @@
 //! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D,
 //! - D = cT + X(kX + sY).
 //!
-//! The flow contracts volumes, no integral can drift: here everything that depends on ε and the
-//! parameters is prepared.
+//! The flow contracts volumes, so no integral can drift, and all constants are prepared.
 
 use kahan_bench_fields::Lorenz;
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(map: Lorenz<f64>, start: [f64; 3], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(map, eps)),
@@ -21,7 +19,6 @@ pub(crate) fn contenders(map: Lorenz<f64>, start: [f64; 3], eps: f64) -> Vec<Con
     ]
 }
 
-/// The formulas as above.
 pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);
     let (k, l, c) = (1.0 + s, 1.0 + eps, 1.0 + b);
@@ -37,8 +34,8 @@ pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3])
     }
 }
 
-/// D = X(kεx + sεy) + (ct₀ + csεz), every coefficient one constant; the 2 in constants of the
-/// numerators.
+/// Computes D = X(kεx + sεy) + (ct₀ + csεz) with prepared coefficients; the factors 2 are in
+/// constants of the numerators.
 pub(crate) fn short_chain(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);
     let (k, l, c) = (1.0 + s, 1.0 + eps, 1.0 + b);

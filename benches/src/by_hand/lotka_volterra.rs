@@ -3,7 +3,6 @@
 
 use crate::contender::{Contender, Role};
 
-/// All of them.
 pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     vec![
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
@@ -13,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// D = 1 − ε(p + q − ε): every difference is used twice.
+/// Computes D = 1 − ε(p + q − ε), which uses every difference twice.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -24,7 +23,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// D = (1 + (Y − X)) + ε((X + Y) − ε): six operations in a row.
+/// Computes D = (1 + (Y − X)) + ε((X + Y) − ε), six operations in a chain.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -36,7 +35,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The same with a division a component: no multiplication after the division.
+/// Divides each component, without multiplications after the divisions.
 pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -48,8 +47,7 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Numerators and D/(2ε), its coefficients prepared: two multiplications side by side and two sums
-/// lead to the division.
+/// Prepares coefficients: two parallel products and two sums precede the division by D/(2ε).
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

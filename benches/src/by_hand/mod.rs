@@ -1,12 +1,10 @@
-//! Careful hand-written steps, one file a system: the yardstick for generated code.
-//!
-//! In: ε and the parameters. Out: functions from state to state that keep the increment form x +
-//! n/D (it rounds once a component and keeps integrals in long runs) and take nothing but ε, εα,
-//! 1/(2ε) and their doubles as rounded constants where an integral would notice. Each file has the
-//! shape with the fewest operations and the one with the shortest dependent chain; which of them
-//! wins which figure is for the measurement to say.
-//!
-//! Chains on current x86-64: addition 2–3 cycles, multiplication 4, division 14, and only what
+//! Careful hand-written steps, one file for each system, as references for generated code. They map
+//! ε and parameters to functions from state to state in the increment form x + n/D, which rounds
+//! once per component and preserves integrals in long runs. Where an integral would notice, only ε,
+//! εα, 1/(2ε) and their doubles are rounded constants. Each file has the forms with the fewest
+//! operations and with the shortest chain. On current x86-64 additions take 2–3 cycles,
+//! multiplications 4, divisions 14; only the path to the denominator counts. Capital letters in
+//! comments are variables times ε.
 //! leads to the denominator counts. Capital letters in the comments are variables times ε.
 
 pub(crate) mod clebsch;

@@ -1,17 +1,16 @@
-//! Every hand-written step against the exact map over ℚ.
+//! Tests of every hand-written step against the exact map over ℚ.
 
 use kahan_bench_fields as fields;
 use kahan_core::num_traits::ToPrimitive;
 use kahan_core::prelude::*;
 
-/// ½ ulp is the least possible; the increments of the points below add a few roundings of their own
-/// size.
+/// ½ ulp is the least possible error; increments at these points add a few roundings.
 const BOUND: f64 = 3.0 * f64::EPSILON;
 
-/// Not a power of two, and large enough for every power of ε to show.
+/// Not a power of two, and large enough for all powers of ε to matter.
 const EPS: f64 = 0.1;
 
-/// Points with coordinates in (−1, 1) that fill the box, by multiples of irrational numbers.
+/// Returns points that fill the box (−1, 1)ᴺ, by multiples of irrational numbers.
 fn points<const N: usize>() -> impl Iterator<Item = [f64; N]> {
     (1..=200)
         .map(|k| std::array::from_fn(|i| 2.0 * (f64::from(k) * (i as f64 + 2.0).sqrt() * 0.37).fract() - 1.0))
@@ -21,7 +20,7 @@ fn exact(x: f64) -> BigRational {
     BigRational::from_float(x).expect("finite")
 }
 
-/// The step of `map` over ℚ at the very floats, rounded, beside that of each variant.
+/// Compares each variant with the step of `map` over ℚ at equal floats.
 fn agree<const N: usize>(
     map: impl KahanMap<BigRational, N>,
     eps: f64,
@@ -82,7 +81,7 @@ fn e6() {
     agree(fields::E6, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &shortest_chain(EPS)]);
 }
 
-/// ρ is large, so ε is smaller: ερ must not put poles into the box.
+/// ρ is large, so ε is smaller: ερ must not create poles in the box.
 #[test]
 fn lorenz() {
     use super::lorenz::{fewest_operations, short_chain};

@@ -1,4 +1,4 @@
-//! The cost of compiling, before and after.
+//! The cost of compiling, now and before.
 
 use anyhow::Result;
 
@@ -7,7 +7,6 @@ use crate::compile::{BEFORE, Cost, from_text};
 use crate::limit::Limit;
 use crate::table::{Table, short};
 
-/// The figures beside those kept from before.
 pub(crate) fn compile(costs: &[Cost]) -> Result<(Vec<Section>, Vec<Limit>)> {
     let before = from_text(BEFORE)?;
     let mut table = Table::new(&["block", "expansion", "was", "debug build", "was", "release build", "was"]);

@@ -1,4 +1,4 @@
-//! Long orbits.
+//! Drift on long orbits.
 
 use super::Section;
 use crate::drift::{EPS, lines};
@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use crate::race::Effort;
 use crate::table::Table;
 
-/// Follows the orbits; a look goes to 10⁷ steps only.
+/// Computes the orbits; a quick run stops at 10⁷ steps.
 pub(crate) fn drift(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(1);
     progress.begin("E6: a long orbit");

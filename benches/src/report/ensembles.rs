@@ -1,4 +1,4 @@
-//! Ensembles: the default build against one for this processor and against the machine's bounds.
+//! Ensembles: the default build against a native build and the machine's bounds.
 
 use anyhow::Result;
 
@@ -9,7 +9,6 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// Divider and multiply-add loops.
 const BOUND: &str = "bound";
 /// One division of `f64`, four at a time.
 const DIVISIONS: &str = "divisions, AVX2";
@@ -17,7 +16,6 @@ const DIVISIONS: &str = "divisions, AVX2";
 const MULTIPLY_ADDS: &str = "multiply-adds, AVX-512";
 const ENSEMBLE: &str = "ensemble";
 
-/// One line of the table: who ran what.
 struct Line {
     native: bool,
     system: String,
@@ -26,7 +24,6 @@ struct Line {
     nanoseconds: f64,
 }
 
-/// Builds and times the ensembles.
 pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(2);
     progress.begin("building for every processor and for this one");
@@ -57,8 +54,7 @@ pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Ensembles".to_owned(), text, table }], limits))
 }
 
-/// Nanoseconds of one trajectory's step in an ensemble of the default build, of each system that is
-/// run as one.
+/// Returns the nanoseconds per trajectory and step of the default build, for each system.
 pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::ENSEMBLES, false)?)?;
     let tasks = worker.tasks().iter().enumerate().filter(|(_, task)| task.what == ENSEMBLE);
@@ -68,9 +64,9 @@ pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
 }
 
-/// Times everything of one system in both builds, and the bounds, in turns; each system's lines,
-/// then those of the bounds. What all ratios of a system refer to, the ensemble of the default
-/// build, is its first line.
+/// Times all tasks of a system in both builds, and the bounds, in turns. Returns the lines of each
+/// system, then those of the bounds. The first line of a system, its ensemble in the default build,
+/// is the reference of its ratios.
 fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
     let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
     systems.sort_by_key(|&system| system == BOUND);
@@ -104,7 +100,7 @@ fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> 
     Ok(races.iter().zip(&times).map(lines).collect())
 }
 
-/// A unit of work is a step of this many trajectories.
+/// The number of trajectories in a unit.
 const POINTS: f64 = 512.0;
 
 fn row(line: &Line, lines: &[Line]) -> Vec<String> {
@@ -121,7 +117,7 @@ fn find<'l>(lines: &'l [Line], native: bool, what: &str) -> Option<&'l Line> {
     lines.iter().find(|line| line.native == native && line.what == what)
 }
 
-/// Its time over the least that the processor's busiest unit allows.
+/// Returns the ratio to the least time that the processor's busiest unit permits.
 fn of_bound(line: &Line, lines: &[Line]) -> Option<f64> {
     let least = |what| find(lines, false, what).map(|line| line.nanoseconds);
     let bound = match line.what.as_str() {

@@ -1,4 +1,4 @@
-//! Orbits: time per unit of simulated time, and the distance from the flow at the end.
+//! Integrations: time per unit of simulated time, and the final error.
 
 use super::Section;
 use crate::journey::{REFERENCE, SPAN, STEP, TOLERANCE};
@@ -8,7 +8,7 @@ use crate::race::{Effort, race, seconds};
 use crate::systems::System;
 use crate::table::{Table, short};
 
-/// Times the journeys of `systems`; no limit is set for them.
+/// Times the methods of `systems`, without limits.
 pub(crate) fn journeys(systems: &[System], effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(systems.len());
     let mut table = Table::new(&["orbit", "ns a unit of time", "ratio", "quartiles", "error at the end"]);

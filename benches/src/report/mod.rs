@@ -1,4 +1,4 @@
-//! Measurements as sections, each with the limits that it decides, as text or among the results.
+//! Measurements as sections with their limits, as text or JSON.
 
 mod compile;
 mod drift;
@@ -27,7 +27,6 @@ pub(crate) use run_time::run_time;
 pub(crate) use steps::{step_times, steps};
 pub(crate) use tiers::{tier_prices, tiers};
 
-/// A heading, what the table below it means, the table.
 pub(crate) struct Section {
     pub(crate) title: String,
     pub(crate) text: String,
@@ -44,7 +43,7 @@ impl fmt::Display for Section {
     }
 }
 
-/// The sections of a part with its limits, and on what they were measured, as JSON.
+/// Returns the sections and limits of a part as JSON, with the machine.
 pub(crate) fn result(root: &Path, sections: &[Section], limits: &[Limit]) -> String {
     let sections = sections.iter().map(|section| {
         let Section { title, text, table } = section;

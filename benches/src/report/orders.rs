@@ -1,4 +1,4 @@
-//! Order 8 against DOP853 at one error.
+//! Order 8 against DOP853 at equal errors.
 
 use super::Section;
 use crate::limit::Limit;
@@ -8,7 +8,7 @@ use crate::race::{Effort, race, seconds};
 use crate::table::{Table, short};
 use kahan_bench_fields::{self as fields, start};
 
-/// Times both ways for the Euler top, E6 and Lotka–Volterra.
+/// Times both methods for the Euler top, E6 and Lotka–Volterra.
 pub(crate) fn orders(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(3);
     let mut table = Table::new(&[

@@ -1,4 +1,4 @@
-//! Fields that are read at run time, beside the macro's code.
+//! Fields read at run time, beside the macro's code.
 
 use anyhow::{Context, Result};
 
@@ -9,23 +9,22 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// What the two sides of a task's name begin with.
+/// The prefixes of a task's name for both sides.
 const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
-/// What the tasks that have one side alone begin with.
+/// The prefix of tasks with one side.
 const COMPILING: &str = "compiling: ";
-/// What is told, not judged: a call a step beside code that has none, and the registers and the
-/// rounding that each side takes when it is not asked.
+/// Tasks without limits: separate calls for each step, whose counterpart has no calls, and
+/// ensembles with each side's default registers and rounding.
 const UNJUDGED: [&str; 2] = ["a step at a time", "ensemble"];
-/// The most that the run-time side may take of the macro's time.
+/// The largest permitted ratio of run time to the macro.
 const AT_MOST: f64 = 1.15;
-/// The most milliseconds from a plan to machine code.
+/// The largest permitted milliseconds from a plan to machine code.
 const COMPILING_AT_MOST: [(&str, f64); 2] =
     [("E6: step and integrals", 0.2), ("Clebsch: step and integrals", 1.0)];
-/// Trajectories of an ensemble, whose step is the unit of its tasks.
+/// The number of trajectories in a unit of an ensemble's task.
 const POINTS: f64 = 512.0;
 
-/// Both sides of one task in one build.
 struct Line {
     system: String,
     what: String,
@@ -38,7 +37,7 @@ impl Line {
         self.run_time / self.generated
     }
 
-    /// Nanoseconds of one state's step.
+    /// Returns the nanoseconds per state and step.
     fn cells(&self) -> [String; 3] {
         let states = if self.what.starts_with("ensemble") { POINTS } else { 1.0 };
         let time = |nanoseconds: f64| short(Some(nanoseconds / states));
@@ -46,7 +45,6 @@ impl Line {
     }
 }
 
-/// Builds and times both sides.
 pub(crate) fn run_time(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(3);
     progress.begin("building for every processor and for this one");
@@ -93,7 +91,6 @@ pub(crate) fn run_time(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((sections, limits))
 }
 
-/// Times both sides of each task in turns.
 fn measure(worker: &mut Worker, effort: Effort) -> Result<Vec<Line>> {
     let find = |system: &str, what: &str| {
         let mut tasks = worker.tasks().iter();
@@ -118,7 +115,6 @@ fn measure(worker: &mut Worker, effort: Effort) -> Result<Vec<Line>> {
     Ok(names.into_iter().zip(&times).map(line).collect())
 }
 
-/// Times the way from a plan to machine code.
 fn compiling(worker: &mut Worker, effort: Effort) -> Result<(Section, Vec<Limit>)> {
     let tasks = worker.tasks().iter().enumerate();
     let tasks: Vec<(usize, String, String)> = tasks

@@ -12,7 +12,6 @@ use crate::rivals::midpoint;
 use crate::systems::{STATIC_LU, System};
 use crate::table::{Table, short};
 
-/// What is known of one contender.
 struct Row {
     name: &'static str,
     role: Role,
@@ -20,8 +19,7 @@ struct Row {
     instructions: Option<f64>,
 }
 
-/// Times the steps of `systems`, unless there is no `effort`, and counts their instructions, unless
-/// there is no valgrind.
+/// Times the steps of `systems` for an `effort`; counts instructions if valgrind is installed.
 pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(systems.len());
     let (mut sections, mut limits, mut by_lu) = (Vec::new(), Vec::new(), Vec::new());
@@ -65,19 +63,19 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
     Ok((sections, limits))
 }
 
-/// Nanoseconds of one step of one system.
+/// Nanoseconds of one step of a system.
 pub(crate) struct StepTimes {
     pub(crate) system: &'static str,
     pub(crate) generated: f64,
-    /// Of the fastest hand-written step.
+    /// The fastest hand-written step.
     pub(crate) by_hand: f64,
-    /// Of Kahan's map by nalgebra's LU of static size.
+    /// Kahan's map by nalgebra's LU of static size.
     pub(crate) lu: f64,
-    /// Of the implicit midpoint rule by Newton's method.
+    /// The implicit midpoint rule with Newton's method.
     pub(crate) midpoint: f64,
 }
 
-/// The times of one step in a chain of dependent steps, each contender's least.
+/// Returns the least times per step in chains of dependent steps.
 pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
     let of = |system: &System| {
         let (steps, standings) = (&system.steps, standings(system, effort));
@@ -96,14 +94,13 @@ pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
     systems.iter().map(of).collect()
 }
 
-/// The hand-written step with the least latency.
+/// Returns the hand-written step with the least latency.
 fn fastest_by_hand(rows: &[Row]) -> Option<&Row> {
     let ratio = |row: &Row| row.standing.map_or(f64::NAN, |standing| standing.ratio.median);
     let by_hand = rows.iter().filter(|row| row.role == Role::ByHand && row.standing.is_some());
     by_hand.min_by(|a, b| ratio(a).total_cmp(&ratio(b)))
 }
 
-/// The steps of a system, timed in turns.
 fn standings(system: &System, effort: Effort) -> Vec<Standing> {
     let steps = &system.steps;
     race(steps.len(), effort, |i, units| seconds(|| steps[i].run(units)))

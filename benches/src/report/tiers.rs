@@ -1,4 +1,4 @@
-//! Tiers: what a promise costs.
+//! Tiers: the cost of their promises.
 
 use anyhow::Result;
 
@@ -9,17 +9,15 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// What all others are compared with.
+/// The reference of all others.
 const FAST: &str = "fast";
-/// The same, asked for one step at a time, as the stable tier is.
+/// The fast tier with separate calls for each step, like the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: what they are compared with, whether in the build for this processor
-/// (with multiply-adds), and the most that the ratio may be.
+/// The tiers with a limit: reference, native build (with multiply-adds) or not, largest ratio.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
-/// Builds and times the tiers.
 pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(3);
     let mut table = Table::new(&["a step", "ns", "ratio", "ns, built for this processor", "ratio"]);
@@ -57,8 +55,7 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
-/// Each tier's price against the fast one in the build for every processor, for systems of two and
-/// three variables.
+/// Returns each tier's price relative to the fast tier, in the default build, up to 3 variables.
 pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
     let lines = measure(&mut worker, effort)?;
@@ -73,13 +70,12 @@ struct Line {
 }
 
 impl Line {
-    /// The limits are for two and three variables; larger systems are told, not judged.
+    /// Says whether limits apply: they hold for two and three variables only.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }
 }
 
-/// Times the tiers of each system in turns.
 fn measure(worker: &mut Worker, effort: Effort) -> Result<Vec<Line>> {
     let tasks: Vec<(String, String)> =
         worker.tasks().iter().map(|task| (task.system.clone(), task.what.clone())).collect();

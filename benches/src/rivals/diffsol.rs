@@ -1,13 +1,9 @@
-//! The Tsitouras method of order 5(4) with step control, of the crate `diffsol`, without its
-//! compilers.
+//! The adaptive Tsitouras method of order 5(4) from the crate `diffsol`, without its compilers.
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;
 
-/// The state after `time`, with both tolerances `tolerance`.
-///
-/// # Panics
-/// If the integration fails.
+/// Returns the state after `time`, or panics; `tolerance` is both tolerances.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N>,

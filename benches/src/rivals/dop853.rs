@@ -1,9 +1,8 @@
-//! The Dormand–Prince method of order 8 with step control, of the crate `ode_solvers`.
+//! The adaptive Dormand–Prince method of order 8 from the crate `ode_solvers`.
 
 use kahan_core::prelude::*;
 use ode_solvers::{Dop853, OutputType, SVector as Vector, System};
 
-/// A field as `ode_solvers` wants it.
 struct Field<F>(F);
 
 impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for Field<F> {
@@ -14,10 +13,7 @@ impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for 
     }
 }
 
-/// The state after `time`, with both tolerances `tolerance`.
-///
-/// # Panics
-/// If the integration fails.
+/// Returns the state after `time`, or panics; `tolerance` is both tolerances.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N> + Clone,

@@ -1,9 +1,9 @@
-//! Kahan's map as a linear system, A(x,ε)·x̃ = b(x,ε), by `nalgebra`'s LU decompositions.
+//! Kahan's map as the linear system A(x,ε)·x̃ = b(x,ε), solved by `nalgebra`'s LU decompositions.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DMatrix, DVector, DimMin};
 
-/// One step through `SMatrix` and its LU decomposition with partial pivoting.
+/// Steps by the LU decomposition of an `SMatrix` with partial pivoting.
 pub(crate) fn of_static_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -15,7 +15,7 @@ where
     }
 }
 
-/// One step through `DMatrix` and its LU decomposition with partial pivoting; it allocates.
+/// Steps by the LU decomposition of a `DMatrix` with partial pivoting, which allocates.
 pub(crate) fn of_dynamic_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -29,8 +29,7 @@ where
     }
 }
 
-/// # Panics
-/// At a singular matrix, which no chain here meets.
+/// Panics for a singular matrix, which these chains never meet.
 fn solved<X>(solution: Option<X>) -> X {
     solution.expect("the chains stay away from poles")
 }

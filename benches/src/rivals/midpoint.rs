@@ -1,19 +1,14 @@
-//! The implicit midpoint rule, x̃ = x + h·f(½(x + x̃)), by Newton's method: the geometric
-//! integrator one writes first.
+//! The implicit midpoint rule x̃ = x + h·f(½(x + x̃)) with Newton's method.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
-/// What it is called in all tables.
 pub(crate) const NAME: &str = "implicit midpoint, Newton";
-/// Newton's method ends with an update below this, relative to max(1, |x̃|), in the maximum norm.
+/// The largest final update of Newton's method, relative to max(1, |x̃|), in the maximum norm.
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// One step of h = 2ε: analytic Jacobian I − ½h·f′, LU with partial pivoting, Euler's step as the
-/// first guess.
-///
-/// # Panics
-/// Where the Jacobian is singular, which no chain here meets.
+/// Steps by h = 2ε: exact Jacobian I − ½h·f′, LU with partial pivoting, and Euler's step as the
+/// first guess. Panics for a singular Jacobian, which these chains never meet.
 pub(crate) fn step<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -23,8 +18,7 @@ where
     move |x| {
         let x = SVector::from(x);
         let mut next = x + map.field(&x) * h;
-        // Quadratic convergence: more than a few iterations mean that rounding keeps the update
-        // above the tolerance.
+        // Convergence is quadratic; further iterations mean that rounding exceeds the tolerance.
         for _ in 0..8 {
             let middle = (x + next) * 0.5;
             let residual = x + map.field(&middle) * h - next;

@@ -1,4 +1,4 @@
-//! What a user would have taken instead: one file each.
+//! Other methods that a user could choose.
 
 pub(crate) mod diffsol;
 pub(crate) mod dop853;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-/// One step of h = 2ε.
+/// Steps by h = 2ε.
 pub(crate) fn step<F, const N: usize>(field: F, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     F: QuadraticField<f64, N>,
@@ -23,7 +23,7 @@ mod tests {
     use super::*;
     use kahan_bench_fields::E1;
 
-    /// E1's x is 1/(1 + t), from x(0) = 1; halving the step divides the error by 2⁴.
+    /// E1 has x = 1/(1 + t) for x(0) = 1; halving the step divides the error by 2⁴.
     #[test]
     fn the_order_is_four() {
         let error = |steps: usize| {

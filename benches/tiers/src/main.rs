@@ -1,4 +1,4 @@
-//! A process that times the tiers of one step when it is asked to.
+//! A process that times the tiers of one step on request.
 
 mod tasks;
 

@@ -8,10 +8,9 @@ use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
 use kahan_core::{ExtendScalars, ThroughF64};
 
-/// Steps after which a chain begins anew, so that no orbit leaves the usual range.
+/// The steps after which a chain restarts, so that orbits stay in an ordinary range.
 const SEGMENT: usize = 1024;
 
-/// Every tier of every system, in a fixed order.
 pub(crate) fn all() -> Vec<Task> {
     let (top, lorenz, clebsch) = (fields::euler_top(), fields::lorenz(), fields::clebsch());
     let mut tasks = Vec::new();
@@ -43,7 +42,6 @@ where
             begun.elapsed().as_secs_f64()
         }),
     };
-    /// Goes to the last point of an orbit.
     macro_rules! arrive {
         ($orbit:expr, $steps:expr) => {{
             black_box($orbit.nth($steps).expect("an orbit over floats goes on"));

@@ -1,4 +1,4 @@
-//! What the command answers.
+//! The answer of the command `kahan trade`.
 
 use std::process::Command;
 
@@ -10,17 +10,16 @@ use serde_json::Value;
 use super::price::pace;
 use super::scene::Setting;
 
-/// The command's answer on one scene.
 pub(crate) struct Told {
     pub(crate) choice: Setting,
-    /// Settings with the nanoseconds a unit of time that the command names: the finest of each
-    /// scheme, as all settings of a scheme have the same price a step.
+    /// Settings with the command's nanoseconds per unit of time: the finest of each scheme, because
+    /// all settings of a scheme have equal prices per step.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// How fast the machine was meanwhile.
+    /// The machine's speed during the run.
     pub(crate) pace: f64,
 }
 
-/// Asks this checkout's command.
+/// Runs this checkout's command.
 pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) -> Result<Told> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let before = pace();
@@ -56,7 +55,7 @@ fn setting(object: &Value) -> Result<Setting> {
     let order = object["order"].as_u64().context("no order")?;
     let composition = Composition::of_order(u32::try_from(order)?).context("no such order")?;
     let compensated = object["compensated"] == true;
-    // Reading JSON may miss the last bit.
+    // Reading JSON may lose the last bit.
     let eps = precision.eps_near(object["eps"].as_f64().context("no eps")?, Need::Trajectory);
     Ok(Setting { scheme: Scheme { precision, composition, compensated }, eps })
 }

@@ -1,16 +1,14 @@
-//! The choices of `kahan trade` and of the library against every setting there is, on scenes of
-//! their own, timed side by side.
+//! Checks the choices of `kahan trade` and of the library against all settings, on new scenes,
+//! timed side by side. `cargo run --release -p kahan-bench-trade` in `benches/` takes six minutes
+//! on an idle machine. It prints each scene's results, and fails if
 //!
-//! `cargo run --release -p kahan-bench-trade` in `benches/`, on a machine with nothing else to do,
-//! takes six minutes. It prints what each scene shows, and fails where
-//!
-//! - a choice errs by more than its tolerance: the orbit is run again, every point of it compared;
-//! - the command's choice costs more than 1.3 times what the best setting costs that it may know to
-//!   be cheaper, or the library's more than 3 times what the best of all costs. The command takes
-//!   `f32` to be no cheaper than `f64`, as compilers make of it what they like, so a choice in
-//!   `f64` may cost 1.5 times what some `f32` does; what is printed compares with the best of all;
-//! - a price that the command names is not near the one measured here, where the orbit is compiled
-//!   by the macro into an optimised program, as a user's is.
+//! - a choice's error, at all points of a repeated orbit, exceeds its tolerance;
+//! - the command's choice costs more than 1.3 times the best setting that it may know to be
+//!   cheaper, or the library's more than 3 times the best of all. The command assumes that `f32` is
+//!   no cheaper than `f64`, so a choice in `f64` may cost 1.5 times a setting in `f32`; the output
+//!   compares with the best of all;
+//! - a price of the command differs too much from the one measured here, where the macro compiles
+//!   the orbit into an optimised program.
 
 mod command;
 mod price;
@@ -32,11 +30,10 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// What the command's choice and the library's may cost over what the best setting does.
+/// The largest cost of the command's and the library's choice, relative to the best setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
-/// The command looks at some points of an orbit, more where it moves fast, this at all of them.
+/// The command checks some points of an orbit, more where it moves fast; this program checks all.
 const UNSEEN: f64 = 1.02;
-/// The tolerances that each scene is asked for.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
 fn main() -> ExitCode {
@@ -57,13 +54,12 @@ fn main() -> ExitCode {
     }
 }
 
-/// What was looked at, and what is wrong.
 struct Check {
-    /// Choices, and those that are within their tolerance.
+    /// The number of choices, and of those within their tolerance.
     choices: usize,
     within: usize,
     prices: usize,
-    /// The least and the largest quotient of a price measured here and the command's.
+    /// The least and largest ratio of a price measured here to the command's.
     factors: [f64; 2],
     failures: Vec<String>,
 }
@@ -104,7 +100,7 @@ impl Check {
                 end: horizon,
                 allowed: 1e-3 * tolerance,
             };
-            // So many steps of an ε that was rounded end near the horizon, not at it.
+            // With a rounded ε the last point is near the horizon.
             let limits = Limits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
@@ -179,7 +175,7 @@ impl Check {
         Ok(())
     }
 
-    /// Runs both choices again and looks at every point.
+    /// Repeats both choices and checks every point.
     fn errors<M: ExtendScalars<BigRational, N>, const N: usize>(
         &mut self,
         name: &str,
@@ -201,7 +197,7 @@ impl Check {
     }
 }
 
-/// The library's choice; `None` where it refuses.
+/// Returns the library's choice; `None` if it refuses.
 fn library<M, const N: usize>(
     map: &M,
     start: &SVector<BigRational, N>,

@@ -1,4 +1,4 @@
-//! What settings cost, by the clock, in turns.
+//! Prices of settings, timed in turns.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -8,17 +8,17 @@ use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
 
-/// Rounds, in each of which every setting has its turn; the least time counts, since nothing makes
-/// a step faster than it is.
+/// The number of rounds, in which all settings take turns; the least time counts, because
+/// disturbances only slow a step.
 const ROUNDS: usize = 60;
 
-/// By what factor a price measured here may differ from the one that the command names, which times
-/// machine code with the same operations. A compiler packs operations and spills registers as it
-/// likes, above all in single precision: factors from 0.9 to 2.1 were seen. A program whose crates
-/// are not optimised together takes 3.6 times as long, one that is not optimised a hundred times.
+/// The largest permitted ratio between a price measured here and the command's, which times machine
+/// code with equal operations. Compilers differ in packing and spilling, above all in single
+/// precision: ratios from 0.9 to 2.1 were seen. Crates that are not optimised together take 3.6
+/// times as long, unoptimised programs a hundred times.
 pub(crate) const NEAR: f64 = 2.5;
 
-/// Nanoseconds a unit of time of each setting, and the pace of the machine meanwhile.
+/// Returns the nanoseconds per unit of time for each setting, and the machine's pace.
 pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     scene: &Scene<M, N>,
     settings: &[Setting],
@@ -33,8 +33,8 @@ pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     (prices, least)
 }
 
-/// Seconds of a loop that is always the same, multiplications and additions that wait for each
-/// other: prices that are taken at different times are compared relative to it.
+/// Returns the seconds of a fixed loop of dependent operations, by which prices measured at
+/// different times are normalised.
 pub(crate) fn pace() -> f64 {
     let turn = || {
         let clock = Instant::now();

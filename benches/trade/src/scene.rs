@@ -1,4 +1,4 @@
-//! One scene, compiled: the error of a setting, and what it costs.
+//! One scene in compiled form: errors and prices of settings.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,7 +9,6 @@ use kahan_dynamics::{Need, Precision, Scheme};
 use kahan_runtime::interpreted::round;
 use kahan_study::reference::Reference;
 
-/// A scheme at an ε.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting {
     pub(crate) scheme: Scheme,
@@ -33,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// The setting's orbit, begun by a closure.
+/// Runs an expression with the setting's orbit, begun by a closure.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -90,8 +89,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// The largest distance from the reference over every step, the last standing for the horizon;
-    /// as soon as it is beyond `enough`, that.
+    /// Returns the largest distance from the reference over all steps, the last of which stands for
+    /// the horizon; stops beyond `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -111,19 +110,18 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         worst
     }
 
-    /// Nanoseconds a unit of time, once.
+    /// Measures the nanoseconds per unit of time once.
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// As many steps, at least, as are timed, and as are timed in one piece: a start takes
-        /// time, too.
+        /// The least number of timed steps, in all and in one piece; starting takes time.
         const STEPS: usize = 400;
         const PIECE: usize = 64;
-        // Far beyond the horizon a state may come where arithmetic takes longer: an epidemic's end
-        // is subnormal in `f32`.
+        // Far beyond the horizon states may slow arithmetic: an epidemic's end is subnormal in
+        // `f32`.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// A function of its own for each kind of orbit, which begins it and follows it as a user's
-        /// loop does: a function that held them all would be too large to be compiled well, and an
-        /// orbit that came from outside would be kept in memory.
+        /// Times one kind of orbit, begun and followed here as in a user's loop. A common function
+        /// for all kinds would be too large to be compiled well, and an orbit from outside would
+        /// stay in memory.
         #[inline(never)]
         fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
@@ -140,8 +138,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// The coarsest eps of each kind that does, on a grid of a tenth, as far as it may cost less
-    /// than `dearest`: what costs more is not the best.
+    /// Returns the coarsest sufficient eps of each scheme, on a grid with ratio 1.1, while its
+    /// price stays below `dearest`.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {

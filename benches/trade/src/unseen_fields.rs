@@ -1,5 +1,4 @@
-//! Fields that are nowhere else in this repository: each as compiled code, and as the text that the
-//! command is given.
+//! Fields that occur nowhere else in this repository, as compiled code and as text for the command.
 
 use kahan_core::prelude::*;
 

@@ -1,12 +1,8 @@
-//! Answers as pictures and pages.
-//!
-//! In: answers of `kahan-study`, or points, numbers and formulas, and how they are to look. Out:
-//! drawings, as SVG within a page or as files of their own, and pages of HTML. It must not know the
-//! command, nor any file.
-//!
-//! `plot` draws: a [`Plot`], a [`Space`] or a [`Grid`] becomes a [`Drawing`]. [`picture`] makes such
-//! of answers. [`document`] sets formulas, tables and whole pages, which show drawings; [`answer`]
-//! is what an answer says there.
+//! Pictures and pages of answers. Takes answers of `kahan-study`, or points, numbers and formulas,
+//! and a description of their looks. Returns drawings, as SVG within a page or as files, and pages
+//! of HTML. The crate knows neither the command nor any file. `plot` turns a [`Plot`], [`Space`] or
+//! [`Grid`] into a [`Drawing`]; [`picture`] builds these from answers. [`document`] sets formulas,
+//! tables and pages; [`answer`] sets answers within them.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,9 +1,6 @@
-//! Pictures: points, orbits in space and grids of numbers as drawings with axes.
-//!
-//! One description of a figure ([`Plot`], [`Space`], [`Grid`]) becomes a [`Drawing`], which is SVG
-//! within a page, or a file of its own, as SVG or as PNG. Drawings take colours and type from a
-//! style sheet that knows light and dark, scale with the window, and are read out by their label.
-//! Lengths are units of the view box; text stays legible on a telephone because the box is small.
+//! Drawings with axes: points in the plane, orbits in space, and grids of numbers. A description
+//! ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a file as SVG,
+//! PNG or PDF. Lengths are units of the view box; a small box keeps text legible on telephones.
 
 mod drawing;
 mod grid;
@@ -37,28 +34,28 @@ use path::{Place, dots, line, polyline, rings, stroked};
 pub(crate) use script::{lowered, raised};
 pub use space::{Cloud, Space};
 
-/// How the points of a series are drawn.
+/// The style of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// A line through them.
+    /// A line through the points.
     Line,
-    /// A thin line through very many of them.
+    /// A thin line, for thousands of points.
     Thin,
-    /// A broad pale line, to be drawn below others.
+    /// A broad pale line, drawn below others.
     Band,
     /// A dashed line, for comparison.
     Level,
-    /// A dot each.
+    /// Dots.
     Dots,
-    /// A small dot each.
+    /// Small dots.
     Points,
-    /// A dot each that is as fine as can be seen, for very many.
+    /// The finest visible dots, for tens of thousands of points.
     Fine,
-    /// A thin line with a dot at each.
+    /// A thin line with dots.
     Both,
-    /// A thin line with a small ring at each.
+    /// A thin line with small rings.
     Rings,
-    /// A large ring around each.
+    /// Large rings.
     Ring,
 }
 
@@ -67,7 +64,6 @@ impl Mark {
         !matches!(self, Mark::Dots | Mark::Points | Mark::Fine | Mark::Ring)
     }
 
-    /// The width of its dots.
     fn dot(self) -> Option<f64> {
         match self {
             Mark::Dots | Mark::Both => Some(4.0),
@@ -77,7 +73,6 @@ impl Mark {
         }
     }
 
-    /// The radius of its rings.
     fn ring(self) -> Option<f64> {
         match self {
             Mark::Rings => Some(2.2),
@@ -86,7 +81,7 @@ impl Mark {
         }
     }
 
-    /// The width of its line in a colour; the sixth is for what others are compared with.
+    /// Returns the width of lines in a colour; the sixth colour marks references.
     fn line(self, colour: usize) -> f64 {
         match self {
             Mark::Band => 7.0,
@@ -98,7 +93,7 @@ impl Mark {
         }
     }
 
-    /// The dashes of its line, which tell colours apart where all are grey. They have round ends.
+    /// Returns the dashes of lines (with round caps), which tell the colours apart in grey print.
     fn dashes(self, colour: usize) -> Option<&'static str> {
         match (self, colour) {
             (Mark::Level, _) => Some("5 4"),
@@ -108,28 +103,26 @@ impl Mark {
     }
 }
 
-/// Points that belong together.
+/// Points drawn in one style.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// What the legend calls it; may be empty.
+    /// The label in the legend; empty for none.
     pub label: String,
     /// The colour, 1 to 6.
     pub colour: usize,
-    /// How it is drawn.
+    /// The style.
     pub mark: Mark,
-    /// (x, y) in the units of the axes. What these do not show is left out, and lines end where
-    /// they leave what is shown.
+    /// The points (x, y) in units of the axes. Points outside are omitted, and lines are clipped.
     pub points: Vec<(f64, f64)>,
 }
 
 impl Series {
-    /// A series of these points.
+    /// Makes a series.
     #[must_use]
     pub fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         Series { label: label.to_owned(), colour, mark, points }
     }
 
-    /// Its lines through parts, and its dots or rings at places.
     fn shape(&self, theme: Theme, parts: &[Vec<Place>], places: &[Place]) -> Markup {
         let Series { mark, colour, .. } = *self;
         let paint = if mark == Mark::Band { Paint::BAND } else { Paint::curve(colour) };
@@ -147,22 +140,22 @@ impl Series {
 /// A drawing in the plane.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// What is seen, for those who do not see it.
+    /// The description for screen readers.
     pub description: String,
-    /// What it is drawn on.
+    /// The sheet to draw on.
     pub sheet: Sheet,
-    /// To the right.
+    /// The horizontal axis.
     pub x: NumberLine,
-    /// Upwards.
+    /// The vertical axis.
     pub y: NumberLine,
-    /// What is drawn, each over those before.
+    /// The series in drawing order; later ones cover earlier ones.
     pub series: Vec<Series>,
-    /// What stands behind the legend; may be empty.
+    /// A note after the legend; may be empty.
     pub note: String,
 }
 
 impl Plot {
-    /// A drawing whose axes show all points.
+    /// Makes a plot whose axes show all points.
     #[must_use]
     pub fn around(description: &str, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
         let points = || series.iter().flat_map(|series| &series.points);
@@ -180,7 +173,7 @@ impl Plot {
         self.x.shows(x) && self.y.shows(y)
     }
 
-    /// The lines from point to point, as far as the axes show them.
+    /// Returns the polylines through the points, clipped to the axes.
     fn lines(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
         for pair in points.windows(2) {
@@ -195,7 +188,7 @@ impl Plot {
         lines
     }
 
-    /// The part of the line between two points that the axes show.
+    /// Clips the segment between two points to the axes.
     fn part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
         let mut ends = [0.0_f64, 1.0];
         for (axis, from, to) in [(&self.x, from.0, to.0), (&self.y, from.1, to.1)] {
@@ -214,13 +207,13 @@ impl Plot {
         (ends[0] <= ends[1]).then(|| ends.map(at))
     }
 
-    /// How many points there are that the axes do not show.
+    /// Counts the points outside the axes.
     #[must_use]
     pub fn outside(&self) -> usize {
         self.series.iter().flat_map(|series| &series.points).filter(|point| !self.shows(point)).count()
     }
 
-    /// The drawing.
+    /// Draws the plot.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         let legend = Legend::of(&self.series, &self.note, self.sheet);
@@ -242,7 +235,7 @@ impl Plot {
     }
 }
 
-/// The rectangle within a drawing that two axes span.
+/// The rectangle that two axes span within a drawing.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     sheet: Sheet,
@@ -252,13 +245,12 @@ struct Frame {
     bottom: f64,
 }
 
-/// Room above the frame and below it.
+/// The margins above and below the frame.
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 
 impl Frame {
-    /// The largest one beside and above which the values at the ticks and the names have room;
-    /// other things have so much room above, and on the right.
+    /// Returns the largest frame with room for labels, `above` for a legend, `beside` on the right.
     fn around(sheet: Sheet, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
@@ -266,7 +258,7 @@ impl Frame {
             ticks.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max)
         };
         let left = 20.0 + 6.0 + widest(frame.up(y)) + 7.0;
-        // A value below the right end of an axis stands out half its width.
+        // A label below the right end of an axis extends beyond it by half its width.
         let out = widest(Frame { left, ..frame }.along(x)) / 2.0 + 4.0;
         Frame { left, right: across - beside.max(out.max(14.0)), ..frame }
     }
@@ -275,17 +267,14 @@ impl Frame {
         (x.place(point.0, self.left, self.right), y.place(point.1, self.bottom, self.top))
     }
 
-    /// The ticks below it.
     fn along(&self, x: &NumberLine) -> Vec<(Place, String)> {
         placed(x, |value| (x.place(value, self.left, self.right), self.bottom))
     }
 
-    /// The ticks beside it.
     fn up(&self, y: &NumberLine) -> Vec<(Place, String)> {
         placed(y, |value| (self.left, y.place(value, self.bottom, self.top)))
     }
 
-    /// Lines across at round values, behind what is drawn.
     fn across(&self, x: &NumberLine, y: &NumberLine) -> Markup {
         grid(
             self.sheet.theme,
@@ -296,12 +285,11 @@ impl Frame {
         )
     }
 
-    /// From below the legend to above the name of the lower axis, where the others have room.
+    /// Returns the vertical extent for names beside the frame.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }
 
-    /// Both axes with their names and round values.
     fn axes(&self, x: &NumberLine, y: &NumberLine) -> Markup {
         let Frame { sheet, left, right, top, bottom } = *self;
         let axes = html! {
@@ -321,8 +309,7 @@ impl Frame {
     }
 }
 
-/// The name of an axis, with its middle at a place, or as near to it as it has room between two
-/// ends: along the lower side, or upwards or downwards along another.
+/// Draws the name of an axis, centred at a place as far as its extent permits.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
@@ -332,9 +319,9 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
     Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
 }
 
-/// The ticks of an axis where they are drawn, as many as have room for their words.
+/// Returns the places and labels of an axis's ticks, as many as fit without overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
-    /// The height of a line, and what is left free between words.
+    /// The height of a line, and the gap between labels.
     const LINE: f64 = 14.0;
     const FREE: f64 = 7.0;
 
@@ -348,7 +335,6 @@ fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> 
     axis.ticks(fits).into_iter().map(|tick| (at(tick.value), tick.text)).collect()
 }
 
-/// Lines behind what is drawn.
 fn grid(theme: Theme, lines: &Markup) -> Markup {
     html! { g stroke-width=(theme.line(0.8)) { (Paint::GRID.group(theme, lines)) } }
 }

@@ -1,9 +1,7 @@
-//! Long formulas in LaTeX, broken at their terms to fit a page.
-//!
-//! In: formulas as this crate writes them (terms between ` + ` and ` - `, factors between spaces).
-//! A sum breaks before a sign, a product between its factors; a fraction and a parenthesis break
-//! inside, into an `aligned` of their own. Widths are counted in characters of a page, about as an
-//! eye would; nothing here is typeset.
+//! Line breaks in long LaTeX formulas. Takes formulas as this crate writes them: terms between ` +
+//! ` and ` - `, factors between spaces. Sums break before signs, products between factors,
+//! fractions and parentheses inside, in an `aligned` of their own. Widths are estimated in
+//! characters; nothing is typeset.
 
 mod pieces;
 #[cfg(test)]
@@ -13,10 +11,10 @@ mod width;
 use pieces::{factors, insides, split, terms};
 pub use width::width_of;
 
-/// The characters of a line of text on a usual page.
+/// The length of a line on a usual page, in characters.
 pub const PAGE_WIDTH: usize = 80;
 
-/// The formula in lines of about `width` characters; one that fits is left as it is.
+/// Breaks a formula into lines of about `width` characters; a short formula stays unchanged.
 #[must_use]
 pub fn lines(formula: &str, width: usize) -> Vec<String> {
     if width_of(formula) <= width {
@@ -28,12 +26,10 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
         let size = width_of(term);
         if size > width {
             lines.extend(factors_in_lines(term, width));
-            // What follows a broken term begins a line.
             taken = width;
             continue;
         }
         match lines.last_mut() {
-            // A sign between terms has a space on either side.
             Some(line) if taken + size + 2 <= width => {
                 append(line, term);
                 taken += size + 2;
@@ -47,7 +43,7 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The formula as one box of about `width` characters: with several lines where it needs them.
+/// Returns the formula as one box of about `width` characters, with several lines if necessary.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {
@@ -56,15 +52,14 @@ pub fn boxed(formula: &str, width: usize) -> String {
     }
 }
 
-/// `left = right` as rows of an `aligned`; further lines are indented.
+/// Writes `left = right` as rows of an `aligned`; continuation lines are indented.
 #[must_use]
 pub fn equation(left: &str, right: &str, width: usize) -> String {
     let room = width.saturating_sub(width_of(left) + 3).max(NARROWEST);
     format!("{left} &= {}", lines(right, room).join(" \\\\\n&\\quad "))
 }
 
-/// A formula with or without a relation (`left = right`), in as many lines as it needs, as one
-/// display.
+/// Writes a formula, with or without a relation such as `left = right`, as one display.
 #[must_use]
 pub fn display(formula: &str, width: usize) -> String {
     if width_of(formula) <= width {
@@ -84,11 +79,9 @@ pub fn display(formula: &str, width: usize) -> String {
     format!("\\begin{{aligned}}\n{rows}\n\\end{{aligned}}")
 }
 
-/// The signs between the sides of a statement.
 const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
 
-/// A matrix in the environment `name`, with `width` characters for all columns; wide entries have
-/// several lines.
+/// Writes a matrix in the environment `name`, breaking entries to fit `width` characters.
 #[must_use]
 pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -105,14 +98,13 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
 }
 
-/// Less than this is no room for a formula.
+/// The narrowest useful width for a formula.
 const NARROWEST: usize = 16;
 
-/// What each column may take of a width: those that are narrow what they need, the others equal
-/// shares of what is left.
+/// Distributes a width: narrow columns get what they need, the others equal shares of the rest.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
-    // As the share shrinks, fewer columns are within it: the sequence falls and ends.
+    // The share decreases, because fewer columns are narrow in each pass; the loop ends.
     loop {
         let wide = widths.iter().filter(|&&one| one > share).count();
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();
@@ -129,7 +121,7 @@ fn append(line: &mut String, piece: &str) {
     line.push_str(piece);
 }
 
-/// A term that is too wide, in lines: its factors made narrower and broken between.
+/// Breaks a wide term into lines: shrinks its factors, and breaks between them.
 fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut taken = 0;
@@ -149,7 +141,7 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// A factor with the inside of its fraction or parenthesis in several lines, if it is too wide.
+/// Breaks the inside of a wide factor's fraction or parenthesis.
 fn narrowed(factor: &str, width: usize) -> String {
     if width_of(factor) <= width {
         return factor.to_owned();

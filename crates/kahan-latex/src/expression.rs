@@ -1,4 +1,4 @@
-//! Products as they were written, in LaTeX.
+//! LaTeX of products as the user wrote them.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Level, Notation, at_least, written};
@@ -6,13 +6,13 @@ use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
-/// A product: its numbers as one, what divides below a line, no factor of 1.
+/// Writes a product: numbers combined, divisors below a fraction bar, factors 1 omitted.
 pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
         let mut expr = &factor.expr;
-        // A sign at the front is the sign of all: −a·b is (−a)·b.
+        // A sign at the front applies to the product: −a·b is (−a)·b.
         if let ExprKind::Negation(inner) = &expr.kind
             && std::ptr::eq(factor, &factors[0])
         {
@@ -44,7 +44,7 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
     }
 }
 
-/// A whole number, unless it is 1, and factors behind it.
+/// Writes a number, unless it is 1, followed by factors.
 fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Level) {
     match factors {
         [] => (Latex.number(number), Level::Atom),

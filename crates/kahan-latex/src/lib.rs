@@ -1,11 +1,7 @@
-//! What `kahan-algebra` derives, in LaTeX.
-//!
-//! In: names, numbers, polynomials and expressions. Out: one formula each, as it stands in a
-//! display, or long ones in lines that fit a page. It must not know where a formula is shown: not
-//! the command, nor the pages.
-//!
-//! Modules in reading order: `notation`, `name`, `expression`; [`breaking`] takes what the others
-//! have written.
+//! LaTeX for objects of `kahan-algebra`. Takes names, numbers, polynomials and expressions. Returns
+//! one display formula for each, or lines that fit a page. The crate doesn't know where formulas
+//! are shown. Modules in reading order: `notation`, `name`, `expression`; [`breaking`] breaks the
+//! formulas of the others.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

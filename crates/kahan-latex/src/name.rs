@@ -1,8 +1,7 @@
-//! Names in LaTeX.
+//! Names in LaTeX, and as plain text with Greek letters and indices.
 
-/// A name by its parts: what stands before its digits or its first `_`, and the indices behind.
-/// Greek names become Greek, other names of several letters are set as words, a `_` at the end is a
-/// prime.
+/// Writes a name in LaTeX. The stem ends at its digits or first `_`; the rest becomes indices.
+/// Greek names become letters, other names of several letters words, and a final `_` a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));
@@ -20,8 +19,7 @@ pub(super) fn latex_name(name: &str) -> String {
     if indices.is_empty() { stem } else { format!("{stem}_{{{}}}", indices.join(",")) }
 }
 
-/// A name as plain text, for drawings: Greek names become letters, and digits behind a letter or a
-/// Greek name become indices: `μ₁`.
+/// Writes a name as plain text for drawings, with Greek letters and digits as indices: `μ₁`.
 #[must_use]
 pub fn symbol(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -38,7 +36,7 @@ pub fn symbol(name: &str) -> String {
     letter + &index.collect::<String>()
 }
 
-/// A part behind `_`: a number, a letter, a Greek name with or without a number, or a word.
+/// Writes an index: a number, a letter, a word, or a Greek name with an optional number.
 fn index(part: &str) -> String {
     let stem = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[stem.len()..];
@@ -50,7 +48,7 @@ fn index(part: &str) -> String {
     }
 }
 
-/// A Greek letter, another letter, or a word in a type face.
+/// Writes a Greek letter, a single letter, or a word in the typeface `face`.
 fn letters(face: &str, text: &str) -> String {
     match greek(text) {
         Some(letter) => format!("\\{letter}"),
@@ -63,10 +61,10 @@ fn word(face: &str, text: &str) -> String {
     format!("\\{face}{{{}}}", text.replace('_', "\\_"))
 }
 
-/// The command of a Greek letter by its name or by itself.
+/// Returns the command of a Greek letter, given by name or as a character.
 fn greek(text: &str) -> Option<&'static str> {
     match text {
-        // ε is half the time step, and is written so everywhere.
+        // ε is half the time step, always written `\varepsilon`.
         "eps" | "ε" => return Some("varepsilon"),
         "ϵ" => return Some("epsilon"),
         _ => {}
@@ -74,7 +72,7 @@ fn greek(text: &str) -> Option<&'static str> {
     GREEK.iter().find(|(name, sign)| *name == text || *sign == text).map(|(name, _)| *name)
 }
 
-/// The letters that LaTeX has commands for; the others look like Latin ones.
+/// Greek letters with LaTeX commands; the others look like Latin letters.
 const GREEK: [(&str, &str); 40] = [
     ("alpha", "α"),
     ("beta", "β"),

@@ -1,4 +1,4 @@
-//! The notation: `\frac{1}{2}x^{2}`.
+//! The LaTeX notation: `\frac{1}{2}x^{2}`.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
@@ -9,13 +9,12 @@ use kahan_algebra::syntax::Factor;
 use crate::expression;
 use crate::name::latex_name;
 
-/// LaTeX, for math mode.
+/// LaTeX in math mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Latex;
 
 impl Notation for Latex {
-    /// Greek names become Greek, digits and what stands behind `_` become indices: `\mu_{1}`,
-    /// `x_{\mathrm{max}}`.
+    /// Writes a name with Greek letters and indices: `\mu_{1}`, `x_{\mathrm{max}}`.
     fn name(&self, name: &str) -> String {
         latex_name(name)
     }
@@ -53,7 +52,7 @@ impl Notation for Latex {
         }
     }
 
-    /// A point stands before a number that is not the first.
+    /// Writes a product, with a dot before any number but the first factor.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
@@ -74,9 +73,9 @@ impl Notation for Latex {
         format!("\\frac{{{above}}}{{{below}}}")
     }
 
-    /// One line between whole numbers: (½ x y)/a is xy/(2a), and −x/a has its sign in front.
+    /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Both keep their signs: a denominator that begins with 1 does so here, too.
+        // Both parts keep their signs, so a denominator that begins with 1 keeps doing so.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);

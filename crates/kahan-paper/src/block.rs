@@ -1,8 +1,6 @@
-//! Claims of `kahan!` blocks, proved again from their text.
-//!
-//! The macro proves a claim modulo primes. Here a claim must pass that proof and a second one that
-//! shares no step with it: both sides expanded over ℚ. Where the expansion would be too large, the
-//! first proof stands alone.
+//! Second proofs of claims in `kahan!` blocks. The macro proves claims modulo primes. This module
+//! repeats that proof and adds an independent one, which expands both sides over ℚ. Where the
+//! expansion would be too large, only the first proof is made.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
@@ -17,8 +15,7 @@ use super::formula::mutations;
 use super::identity::Evidence;
 use super::registry::outcome;
 
-/// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second
-/// at worst.
+/// Decides one claim of a system with its evidence, in milliseconds, at most a second.
 #[must_use]
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
@@ -52,18 +49,16 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
     }
 }
 
-/// The first change of one coefficient or sign of a system's claim with which it does not hold, as
-/// the changed claim, and how many changes were tried. What stands behind `when` is not changed.
-///
-/// Where all numbers and signs can be changed (as in `integral M = z`), the coefficient of a state
-/// is raised that was 0. Costs a proof a change, as [`establish_block_claim`].
+/// Changes one coefficient or sign of a claim at a time until the claim fails. Returns the number
+/// of changes and the failing claim. Conditions after `when` stay unchanged. Claims without a
+/// suitable number or sign, such as `integral M = z`, get a state added. Each change costs a proof,
+/// as in [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
     let claim = claim_text(system, &system.claims[index]);
     let block = macro_block(&before);
-    // Header, constants, equations and earlier claims: what stands between the macro's brace and
-    // the claim.
+    // The context precedes the claim: header, constants, equations and earlier claims.
     let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
         return (0, None);
     };
@@ -78,7 +73,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
         let mutated = format!("{mutated}{condition}");
         let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
-        // What is no claim any more has not failed as one: an exponent beyond its limit.
+        // Texts that no longer parse, such as too large exponents, don't count as failures.
         let Ok(changed) = read_unproved(&tokens).system() else { return false };
         tried += 1;
         let claim = changed.claims.last();
@@ -87,7 +82,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     (tried, failed.map(|body| body + condition))
 }
 
-/// The block without its claims.
+/// Returns the block without its claims.
 fn field_of(block: &str) -> &str {
     let lexed = lex(block);
     let begins_claim = |index: usize| {

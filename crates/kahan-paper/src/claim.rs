@@ -1,4 +1,4 @@
-//! A formula of the paper: where it stands, what it says, and how it can be checked.
+//! Claims: formulas of the paper with their place, statement and method of proof.
 
 use kahan_algebra::rational::Rational;
 
@@ -8,90 +8,88 @@ use super::formula::with_definitions;
 use super::id::Id;
 use super::section::Section;
 
-/// One formula of the paper (an equation, a cell of a table, a statement with a number in it).
+/// A formula of the paper: an equation, a cell of a table, or a sentence with a number.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Its stable name: `table3.e4.P23`.
+    /// The stable identifier, such as `table3.e4.P23`.
     pub id: Id,
-    /// The part of the paper in which it stands.
+    /// The section of the paper.
     pub section: Section,
-    /// The command name of the system it is about, or `general`.
+    /// The command name of the system, or `general`.
     pub system: &'static str,
-    /// Where in the paper, in words: `Table 3, i = 4, P23`.
+    /// The place in the paper, in words: `Table 3, i = 4, P23`.
     pub place: String,
-    /// The erratum that it corrects or explains.
+    /// The erratum that the claim corrects or explains.
     pub erratum: Option<Erratum>,
-    /// What it says: a statement of the language of [`formula`](super::formula), or a claim of
-    /// `kahan!`.
+    /// The statement, in the language of [`formula`](super::formula) or as a claim of `kahan!`.
     pub statement: String,
     pub(super) basis: Basis,
 }
 
-/// What a claim rests on.
+/// The method by which a claim is established.
 #[derive(Clone, Debug)]
 pub(super) enum Basis {
-    /// A claim of the system's own `kahan!` block: invariance, proved by the macro's prover.
+    /// A claim of the system's own `kahan!` block.
     Block {
-        /// Which claim of the block it is.
+        /// The claim's index in the block.
         index: usize,
     },
     /// Relations between formulas.
     Formula {
-        /// Definitions that the statement uses: what other claims establish.
+        /// Definitions used by the statement, which other claims establish.
         given: String,
-        /// Intervals for a numerical test.
+        /// Intervals of names for numerical tests: (name, low, high).
         domain: Vec<(String, Rational, Rational)>,
-        /// The orbit on which it is measured.
+        /// The orbit for measured quantities.
         orbit: Option<&'static Figure>,
-        /// What the paper prints instead, where that is wrong.
+        /// The misprint that the claim corrects.
         misprint: Option<Misprint>,
     },
 }
 
-/// A formula as printed, and an exact point that refutes it.
+/// A misprinted formula, and an exact point that refutes it.
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
     /// The printed relation, in the language of formulas.
     pub(super) printed: String,
-    /// Definitions of all names (the point), and the values of both sides there; empty where a
-    /// measured value refutes.
+    /// The point and both sides' values as definitions; empty if a measurement refutes the formula.
     pub(super) counterexample: String,
 }
 
-/// How a claim came out.
+/// The outcome of checking a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both sides agree expanded over ℚ (and modulo primes).
+    /// Both sides have equal expansions over ℚ (and modulo primes).
     Proved,
-    /// Both sides agree at random points modulo primes, error below 2⁻¹⁰⁰.
+    /// Both sides agree at random points modulo primes; the error probability is below 2⁻¹⁰⁰.
     ProvedModP,
-    /// Both sides agree at so many exact points.
+    /// Both sides agree at this number of exact points.
     Exact(u32),
     /// Both sides agree to 10⁻ᵏ.
     Numerical(u32),
-    /// The printed form is refuted, the corrected form established.
+    /// The printed form is refuted, and the corrected form established.
     Misprint,
-    /// It does not hold.
+    /// The claim fails.
     Failed,
 }
 
-/// The outcome of one claim, with what was found.
+/// An outcome with its evidence.
 #[derive(Clone, Debug)]
 pub struct Established {
-    /// How it came out.
+    /// The outcome.
     pub outcome: Outcome,
-    /// What that rests on, or what is wrong.
+    /// The evidence, or the reason of the failure.
     pub detail: String,
 }
 
 impl Outcome {
-    /// The keys in `kahan verify --json`, from the strongest outcome to the worst.
+    /// The keys in `kahan verify --json`, from the strongest outcome to the weakest.
     const KEYS: [&str; Outcome::KINDS] =
         ["proved", "proved-mod-p", "exact", "numerical", "misprint", "failed"];
-    /// How many kinds of outcomes there are.
+    /// The number of kinds.
     pub const KINDS: usize = 6;
 
-    /// Its place among the kinds of outcomes, from the strongest to the worst.
+    /// Returns the index of the kind, from the strongest to the weakest.
     #[must_use]
     pub fn place(self) -> usize {
         match self {
@@ -104,7 +102,7 @@ impl Outcome {
         }
     }
 
-    /// How many there are of each kind.
+    /// Counts outcomes by kind.
     #[must_use]
     pub fn counts(outcomes: impl IntoIterator<Item = Self>) -> [usize; Outcome::KINDS] {
         let mut counts = [0; Outcome::KINDS];
@@ -112,13 +110,13 @@ impl Outcome {
         counts
     }
 
-    /// The key in `kahan verify --json`.
+    /// Returns the key in `kahan verify --json`.
     #[must_use]
     pub fn key(self) -> &'static str {
         Self::KEYS[self.place()]
     }
 
-    /// The outcome in words.
+    /// Returns the outcome in words.
     #[must_use]
     pub fn words(self) -> String {
         match self {
@@ -133,13 +131,12 @@ impl Outcome {
 }
 
 impl Claim {
-    /// Whether it is measured on an exact orbit.
+    /// Says whether the claim is about measurements on an exact orbit.
     #[must_use]
     pub fn is_measured(&self) -> bool {
         matches!(self.basis, Basis::Formula { orbit: Some(_), .. })
     }
 
-    /// A claim about formulas.
     pub(super) fn new<const N: usize>(
         section: Section,
         id: [&str; N],
@@ -152,7 +149,6 @@ impl Claim {
         Claim { id: Id::of(id), section, system, place, erratum: None, statement, basis }
     }
 
-    /// Sets definitions that the statement uses.
     pub(super) fn given(mut self, definitions: &str) -> Self {
         if let Basis::Formula { given, .. } = &mut self.basis {
             definitions.clone_into(given);
@@ -160,14 +156,13 @@ impl Claim {
         self
     }
 
-    /// Puts those of the definitions that the statement uses before it: they are shown, checked and
-    /// mutated with it.
+    /// Prefixes the statement with the definitions that it uses, for display, checks and mutations.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self
     }
 
-    /// Draws a name from (low, high) in numerical tests.
+    /// Sets the interval of a name for numerical tests.
     pub(super) fn within(mut self, name: &str, low: Rational, high: Rational) -> Self {
         if let Basis::Formula { domain, .. } = &mut self.basis {
             domain.push((name.to_owned(), low, high));
@@ -175,7 +170,6 @@ impl Claim {
         self
     }
 
-    /// Measures on the orbit of a figure.
     pub(super) fn on(mut self, figure: &'static Figure) -> Self {
         if let Basis::Formula { orbit, .. } = &mut self.basis {
             *orbit = Some(figure);
@@ -183,12 +177,11 @@ impl Claim {
         self
     }
 
-    /// Says which erratum the claim explains.
     pub(super) fn explaining(self, erratum: Erratum) -> Self {
         Claim { erratum: Some(erratum), ..self }
     }
 
-    /// Adds the erratum that the claim corrects, and what is printed.
+    /// Sets the erratum and the misprinted formula.
     pub(super) fn misprinted(mut self, erratum: Erratum, printed: &str) -> Self {
         if let Basis::Formula { misprint, .. } = &mut self.basis {
             *misprint = Some(Misprint { printed: printed.to_owned(), counterexample: String::new() });
@@ -196,7 +189,7 @@ impl Claim {
         self.explaining(erratum)
     }
 
-    /// Adds what refutes the misprint.
+    /// Sets the point that refutes the misprint.
     pub(super) fn refuted(mut self, point: &str) -> Self {
         if let Basis::Formula { misprint: Some(misprint), .. } = &mut self.basis {
             point.clone_into(&mut misprint.counterexample);
@@ -204,7 +197,7 @@ impl Claim {
         self
     }
 
-    /// What is printed instead, where the claim corrects a misprint.
+    /// Returns the misprinted formula, if any.
     #[must_use]
     pub fn printed(&self) -> Option<&str> {
         match &self.basis {
@@ -213,7 +206,7 @@ impl Claim {
         }
     }
 
-    /// Its place in the paper, with its erratum.
+    /// Returns the place in the paper with the erratum, if any.
     #[must_use]
     pub fn source(&self) -> String {
         let place = &self.place;

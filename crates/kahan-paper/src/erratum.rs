@@ -1,18 +1,17 @@
-//! The numbers of the paper's errata.
+//! Errata of the paper.
 
 use std::fmt;
 
-/// The number of an erratum: `A5` or `B1`.
+/// The number of an erratum, such as `A5` or `B1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Erratum {
-    /// A formula is misprinted.
+    /// A misprinted formula.
     A(u8),
-    /// A sentence does not hold.
+    /// A false sentence.
     B(u8),
 }
 
 impl Erratum {
-    /// Reads a number as it is shown.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let (kind, number) = text.split_at_checked(1)?;
         let number = number.parse().ok()?;

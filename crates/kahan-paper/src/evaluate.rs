@@ -1,5 +1,5 @@
-//! The value of a formula at a point, in any arithmetic: rational functions, primes, rationals,
-//! degree bounds, decimals.
+//! Evaluation of formulas at a point, in any arithmetic: rational functions, prime fields,
+//! rationals, degree bounds or 256-bit floats.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -10,32 +10,31 @@ use kahan_algebra::rational::Rational;
 use super::formula::Formula;
 use super::model::Model;
 
-/// An arithmetic in which some functions have values.
+/// An arithmetic with some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
-    /// The function with this name; the default knows none.
+    /// Evaluates a function by name; the default knows none.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown(name.to_owned()))
     }
 
-    /// base^exponent for an exponent that is no integer literal.
+    /// Evaluates base^exponent if the exponent is not an integer literal.
     fn power(&self, _: &Self::Value, _: &Self::Value) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown("^".to_owned()))
     }
 }
 
-/// Why a formula has no value.
+/// A reason why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Trouble {
-    /// It divides by zero there, or leaves the domain of a function.
+    /// A division by zero, or an argument outside a function's domain.
     Undefined,
-    /// A name or call that the arithmetic does not know.
+    /// An unknown name or call.
     Unknown(String),
 }
 
-/// The systems by name.
 pub(super) type Models = BTreeMap<&'static str, Model>;
 
-/// Values of names, and the next and the previous point of the map once they were asked for.
+/// The values of names, and the cached next and previous points of the map.
 pub(super) struct Frame<V> {
     values: BTreeMap<String, V>,
     next: OnceCell<Result<Vec<V>, Trouble>>,
@@ -54,8 +53,7 @@ impl<V: Clone> Frame<V> {
     }
 }
 
-/// What a formula is evaluated with: an arithmetic, the systems, and the one that the statement is
-/// about.
+/// The context of an evaluation: an arithmetic, all systems, and the statement's system.
 pub(super) struct Evaluator<'a, A> {
     pub(super) arithmetic: &'a A,
     pub(super) models: &'a Models,
@@ -63,7 +61,7 @@ pub(super) struct Evaluator<'a, A> {
 }
 
 impl<A: Calculus> Evaluator<'_, A> {
-    /// The value of `formula`.
+    /// Evaluates `formula`.
     pub(super) fn value(&self, formula: &Formula, frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
         let arithmetic = self.arithmetic;
         match formula {
@@ -127,7 +125,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 
     fn call(&self, name: &str, arguments: &[Formula], frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
-        // A first argument that names a system turns the call to that system.
+        // A first argument that names a system selects that system for the call.
         if let Some((Formula::Name(system), rest)) = arguments.split_first()
             && is_of_the_map(name)
             && let Some(model) = self.models.get(system.as_str())
@@ -190,12 +188,12 @@ impl<A: Calculus> Evaluator<'_, A> {
         (index < self.model.dimension()).then_some(index)
     }
 
-    /// The entries of an object of the system.
+    /// Evaluates the entries of a system's object, such as A.
     fn entries(&self, object: &str, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
     }
 
-    /// The values of the system's variables.
+    /// Returns the values of the system's variables.
     fn here(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         let value = |name: String| frame.values.get(&name).cloned().ok_or(Trouble::Unknown(name));
         self.model.names().into_iter().map(value).collect()
@@ -218,7 +216,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 }
 
-/// The calls that belong to a system.
+/// Says whether a call refers to a system's field or map.
 fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

@@ -1,4 +1,4 @@
-//! The orbits of the paper's figures, and what is measured on them.
+//! Exact orbits of the paper's figures, and measurements of their heights.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -16,25 +16,25 @@ use kahan_systems::registry::find;
 /// An exact orbit of the paper.
 #[derive(Debug)]
 pub struct Figure {
-    /// Its name here: `dE3`.
+    /// The name of the figure's orbit, such as `dE3`.
     pub name: &'static str,
-    /// The system.
+    /// The command name of the system.
     pub system: &'static str,
-    /// The parameters' values, in order.
+    /// The parameters as fractions, in the system's order.
     pub parameters: &'static [(i64, i64)],
-    /// ε, half the time step.
+    /// ε, half the time step, as a fraction.
     pub eps: (i64, i64),
-    /// x₀
+    /// The initial state x₀ as fractions.
     pub start: &'static [(i64, i64)],
-    /// How many iterates.
+    /// The number of iterates.
     pub steps: u64,
-    /// What the paper says of it.
+    /// The statement of the paper about the orbit.
     pub caption: &'static str,
 }
 
-/// The usual initial point of the paper's figures.
+/// The initial state of most figures.
 const START: &[(i64, i64)] = &[(3, 7), (11, 13), (23, 47)];
-/// That of dE4.
+/// The initial state of dE4.
 const START_4: &[(i64, i64)] = &[(7, 3), (11, 13), (23, 47)];
 const HALF: (i64, i64) = (1, 2);
 
@@ -95,22 +95,19 @@ static ALL: [&Figure; 12] = [&DE1, &DE2, &DE3, &DE4, &DE5, &DE6, &DE7, &DE7_1_5,
 /// Heights along an orbit.
 #[derive(Clone, Debug)]
 pub struct Measurement {
-    /// The variables.
+    /// The names of the variables.
     pub variables: Vec<String>,
-    /// The heights, index 0 at the initial point.
+    /// The heights; index 0 is the initial state.
     pub survey: Survey,
 }
 
 impl Figure {
-    /// Every orbit.
+    /// Returns all orbits.
     pub fn all() -> impl Iterator<Item = &'static Figure> {
         ALL.into_iter()
     }
 
-    /// Follows the orbit exactly. Costs up to a few seconds.
-    ///
-    /// # Panics
-    /// If the orbit is not one of a system of the catalog.
+    /// Computes the orbit exactly, in up to some seconds. Panics for a system outside the catalog.
     #[must_use]
     pub fn measure(&self) -> Measurement {
         let entry = find(self.system).expect("a figure is about a system of the catalog");
@@ -127,25 +124,24 @@ impl Figure {
 }
 
 impl Measurement {
-    /// h₀, h₁, … of a variable.
+    /// Returns the logarithmic heights h₀, h₁, … of a variable.
     #[must_use]
     pub fn log_heights(&self, variable: &str) -> Option<Vec<f64>> {
         let index = self.variables.iter().position(|known| known == variable)?;
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// The formula with every measured quantity replaced by its value:
+    /// Replaces measured quantities of a formula by their values:
     ///
     /// | call | meaning |
     /// |---|---|
     /// | `h(v, n)`, `digits(v, n)` | the logarithmic height of v after n steps, and its decimal digits |
     /// | `slope(v, a, b)` | the least squares slope of h against n, n = a, …, b |
-    /// | `logslope(v, a, b)` | the same of h against log n |
+    /// | `logslope(v, a, b)` | the least squares slope of h against log n |
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
     ///
-    /// # Errors
-    /// Where something was not measured.
+    /// Fails if a quantity cannot be measured.
     pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
         formula.replaced(&|name, arguments| match class(name) {
             Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
@@ -153,7 +149,7 @@ impl Measurement {
         })
     }
 
-    /// A measured quantity; `None` for another call.
+    /// Evaluates a measured quantity; `None` for other calls.
     fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
         if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
@@ -195,14 +191,14 @@ impl Measurement {
         Rational::from_f64(value).map(Some).ok_or_else(|| format!("`{name}` has no value"))
     }
 
-    /// The growth class of one variable's heights.
+    /// Returns the growth class of a variable's heights.
     #[must_use]
     pub fn growth(&self, variable: &str) -> Option<Growth> {
         Some(Growth::of(&self.log_heights(variable)?[1..]))
     }
 }
 
-/// Growth classes as numbers, for comparison.
+/// Returns the number that stands for a growth class in comparisons.
 fn class(name: &str) -> Option<i64> {
     ["undecided", "bounded", "logarithmic", "linear", "quadratic", "exponential"]
         .iter()
@@ -210,11 +206,11 @@ fn class(name: &str) -> Option<i64> {
         .and_then(|index| i64::try_from(index).ok())
 }
 
-/// A component of the level curve of H(ε) and K(ε) of dE4 through a point with xy > 0 and |εz| < 1,
-/// in so many parts; its first point comes once more at the end.
-///
-/// It follows from the integrals alone: with s = x + y, d = x − y, h = 2ε²H, g = 2ε²K it is
-/// (1−h)s² − (1+h)d² = 4H, (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an ellipse in d and z.
+/// Returns `parts` + 1 points of a closed level curve of H(ε) and K(ε) of dE4, which contains
+/// `point`. Requires xy > 0 and |εz| < 1. With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K the
+/// integrals give
+///   (1−h)s² − (1+h)d² = 4H,  (1−g)(s² + d²) + 2z² = 4K.
+/// Eliminating s leaves an ellipse in d and z.
 #[must_use]
 pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVector<f64, 3>> {
     let integrals = E4.integrals(point, eps);
@@ -232,7 +228,7 @@ pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVect
     (0..=parts).map(|i| at(TAU * i as f64 / parts as f64)).collect()
 }
 
-/// The least squares slope through points.
+/// Returns the slope of the least squares line through points.
 #[must_use]
 pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<(f64, f64)> = points.collect();
@@ -244,5 +240,5 @@ pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     above / below
 }
 
-/// Measurements by the name of their orbit, each made once.
+/// The measurements by orbit, each computed once.
 pub(super) type Measurements = BTreeMap<&'static str, std::sync::OnceLock<Measurement>>;

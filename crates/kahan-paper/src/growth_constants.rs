@@ -1,5 +1,4 @@
-//! The limits C₁ of h(yₙ)/n for dE7 and dE8, which follow from the closed solutions by the prime
-//! number theorem.
+//! The limits C₁ of h(yₙ)/n for dE7 and dE8, by the prime number theorem.
 
 use kahan_algebra::rational::Rational;
 
@@ -7,7 +6,7 @@ use kahan_systems::special::{Precise, Real, digamma};
 
 use super::formula::Formula;
 
-/// The formula with `C1_e7(xi, tau)` and `C1_e8(tau)` replaced by their values.
+/// Replaces `C1_e7(xi, tau)` and `C1_e8(tau)` by their values.
 pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     formula.replaced(&|name, arguments| {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
@@ -19,13 +18,11 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// dE7: with a = τ + 1 − ξ/2 and b = τ + ξ/2 of one denominator M, the mean over the units r modulo
-/// M of max(0, ψ(b_r) − ψ(a_r)), where M a_r is M a / r modulo M, and b_r likewise. `None` if the
-/// denominators differ.
-///
-/// The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly where its
-/// numerators meet p before its denominators do; log p summed over such p gives the differences of
-/// digamma functions.
+/// Computes C₁ of dE7. For a = τ + 1 − ξ/2 and b = τ + ξ/2 with a common denominator M, C₁ is the
+/// mean of max(0, ψ(b_r) − ψ(a_r)) over the units r modulo M, where M a_r is M a/r modulo M, and
+/// likewise b_r. The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly if
+/// its numerators meet p before its denominators. Sums of log p over such p give the digamma
+/// functions. `None` if the denominators differ.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
@@ -52,7 +49,7 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// dE8: (M/φ(M)) Σ 1/m over 0 < m < M prime to M, M the denominator of τ + 1/2; 1 for M = 1.
+/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M for the denominator M of τ + 1/2, or 1.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

@@ -1,18 +1,18 @@
-//! What a claim is called.
+//! Identifiers of claims.
 
 use std::fmt;
 
-/// The stable name of a claim: `table3.e4.P23`, that is the entry P23 of the system E4 in Table 3.
+/// A stable identifier: `table3.e4.P23` is the entry P23 of the system E4 in Table 3.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Id(String);
 
 impl Id {
-    /// The name with these parts.
+    /// Makes an identifier of its parts.
     pub fn of<const N: usize>(parts: [&str; N]) -> Self {
         Id(parts.join("."))
     }
 
-    /// Whether these are its first parts.
+    /// Says whether the identifier begins with these parts.
     #[must_use]
     pub fn begins_with(&self, parts: &[&str]) -> bool {
         let rest = self.0.strip_prefix(&parts.join("."));

@@ -1,12 +1,8 @@
-//! The paper as running mathematics: every formula a claim, every claim established.
-//!
-//! In: the claims, as text, and the catalog. Out: for each claim what came of it: proved by
-//! expansion over ℚ or modulo primes, seen at exact points, compared in 256-bit arithmetic, or a
-//! misprint; and [`Verdicts`] as plain text. It must not know arguments, terminals or clocks.
-//!
-//! A [`Claim`] says where a formula stands and what it says; [`Paper`] lists the claims and
-//! establishes them. The commands `kahan-verify` and `kahan verify`, the tests and the atlas read
-//! this one list. Data flows one way: `sections` (the claims) and `figures` (the orbits) →
+//! The paper's formulas as claims. Takes claims as text, and the catalog. For each claim the crate
+//! finds a proof by expansion over ℚ or modulo primes, agreement at exact points or in 256-bit
+//! arithmetic, or a misprint; [`Verdicts`] are plain text. It knows no arguments, terminals or
+//! clocks. [`Paper`] lists and establishes all [`Claim`]s, for the commands `kahan-verify` and
+//! `kahan verify`, the tests and the atlas. Data flow: `sections` (claims) and `figures` (orbits) →
 //! [`formula`] (text to expressions) → `evaluate` (values in any arithmetic) → `identity`
 //! (evidence) → [`Paper`] → `verdict` → `report` (text).
 

@@ -1,4 +1,4 @@
-//! Misprints: the printed form refuted at an exact point.
+//! Misprints, refuted in their printed form at an exact point.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,10 +11,8 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// The item that is misprinted, and the one that is right in its place.
-    ///
-    /// They are the two, of those that are only printed and those that only hold, which have most
-    /// words in common.
+    /// Returns the misprinted item and its correction: among items that only one text contains, the
+    /// pair with the most common words.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -26,12 +24,12 @@ impl Claim {
     }
 }
 
-/// The items of a statement, their words one space apart.
+/// Splits a statement into items with normalized spaces.
 fn items(statement: &str) -> Vec<String> {
     statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }
 
-/// How many words two items have in common at their beginnings and ends.
+/// Counts the words that two items share at the beginning and at the end.
 fn in_common(a: &str, b: &str) -> usize {
     let pairs = a.split(' ').zip(b.split(' '));
     let reversed = a.rsplit(' ').zip(b.rsplit(' '));
@@ -39,8 +37,7 @@ fn in_common(a: &str, b: &str) -> usize {
 }
 
 impl Paper {
-    /// Shows that the printed form is wrong at its counterexample, with the values that are stated
-    /// there.
+    /// Refutes the printed form at its counterexample, and checks the values stated there.
     pub(super) fn misprint(
         &self,
         claim: &Claim,
@@ -65,7 +62,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // log 3, say: put in as it stands.
+                    // Definitions such as log 3 are substituted as formulas.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),
@@ -98,7 +95,7 @@ impl Paper {
         Ok(if point.is_empty() { shown.join(", ") } else { format!("at {}", shown.join(", ")) })
     }
 
-    /// The two sides of a relation at a point, and whether it holds there.
+    /// Evaluates both sides of a relation at a point, and says whether the relation holds.
     fn at_point(
         &self,
         claim: &Claim,
@@ -112,8 +109,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // That two functions differ is refuted by their being equal everywhere, not at one
-            // point.
+            // Equality everywhere, and not at one point, refutes that two functions differ.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

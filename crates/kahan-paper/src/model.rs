@@ -1,5 +1,4 @@
-//! A system of the catalog made ready for the evaluation of formulas: its field and matrices as
-//! plans.
+//! Catalog systems prepared for evaluation, with field and matrices as plans.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::lexer::lex;
@@ -12,54 +11,48 @@ use kahan_algebra::{Derived, derive, read_unproved};
 
 use kahan_systems::entry::Entry;
 
-/// A system with its plans.
 #[derive(Debug)]
 pub(super) struct Model {
     derived: Derived,
 }
 
-/// The values of all variables of a system: states, parameters, ε.
+/// The values of a system's variables: states, parameters, ε.
 pub(super) type Values<'a, V> = &'a [V];
 
 impl Model {
-    /// The model of an entry of the catalog.
+    /// Makes the model of a catalog entry.
     pub(super) fn of_catalog(entry: &'static Entry) -> Self {
         Model::new(entry.command, entry.text())
     }
 
-    /// The model of a block that is known to be right.
-    ///
-    /// # Panics
-    /// If the text holds a mistake.
+    /// Makes the model of a valid block. Panics if the text holds a mistake.
     pub(super) fn new(name: &'static str, text: &str) -> Self {
         let system = read_unproved(&lex(text).tokens).system();
         let system = system.unwrap_or_else(|mistakes| panic!("the block of {name}: {mistakes:?}"));
         Model { derived: derive(&system) }
     }
 
-    /// The block.
     pub(super) fn system(&self) -> &System {
         &self.derived.system
     }
 
-    /// The number of states.
     pub(super) fn dimension(&self) -> usize {
         self.system().field.dimension()
     }
 
-    /// Whether the map is small enough to be a closed formula.
+    /// Says whether the map has a closed formula of moderate size.
     pub(super) fn is_expanded(&self) -> bool {
         self.derived.map.is_some()
     }
 
-    /// The names of all variables, in the order of [`Values`].
+    /// Returns the names of all variables, in the order of [`Values`].
     pub(super) fn names(&self) -> Vec<String> {
         let symbols = &self.system().field.symbols;
         let all = symbols.states.iter().chain(&symbols.parameters).cloned();
         all.chain(["eps".to_owned()]).collect()
     }
 
-    /// `f1 := …; f2 := …;`: the components of the field as definitions.
+    /// Returns the components of the field as definitions: `f1 := …; f2 := …;`.
     pub(super) fn field_definitions(&self) -> String {
         let symbols = &self.system().field.symbols;
         let text = |polynomial: &Polynomial| Text.polynomial(symbols, polynomial);
@@ -76,8 +69,8 @@ impl Model {
             .collect()
     }
 
-    /// The entries of an object, row by row: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b` b(x,ε), `J`
-    /// ∂x̃/∂x.
+    /// Evaluates the entries of an object by rows: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b` b(x,ε),
+    /// `J` ∂x̃/∂x.
     pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
@@ -94,12 +87,12 @@ impl Model {
         run(arithmetic, plan, here)
     }
 
-    /// A matrix of the system's dimension.
+    /// Splits entries into the rows of a square matrix.
     pub(super) fn rows<V: Clone>(&self, entries: &[V]) -> Vec<Vec<V>> {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
-    /// x̃, by the reduced map where there is one, else by elimination.
+    /// Computes x̃ by the reduced map, or by elimination where the map isn't expanded.
     pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -116,7 +109,7 @@ impl Model {
         numerators.iter().map(|numerator| arithmetic.divide(numerator, &denominator)).collect()
     }
 
-    /// ∂x̃/∂x, by dual numbers: no formula for it is presupposed.
+    /// Computes ∂x̃/∂x by dual numbers, independently of any formula for it.
     fn jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

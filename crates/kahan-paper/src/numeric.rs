@@ -1,4 +1,4 @@
-//! Formulas in 256-bit arithmetic, for what no rational identity can say.
+//! Formulas in 256-bit arithmetic, for identities beyond rational functions.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

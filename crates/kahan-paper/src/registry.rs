@@ -1,4 +1,4 @@
-//! The registry: every claim, and how each is established.
+//! The list of all claims, and how each is established.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -22,7 +22,7 @@ use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
 
-/// The systems and claims of the paper, and those of the catalog's further systems.
+/// The claims of the paper and of the catalog's further systems, with models of the systems.
 #[derive(Debug)]
 pub struct Paper {
     models: Models,
@@ -37,10 +37,8 @@ impl Default for Paper {
 }
 
 impl Paper {
-    /// Reads the catalog and lists the claims. Costs a few milliseconds; nothing is checked yet.
-    ///
-    /// # Panics
-    /// If a block of the catalog is wrong, which the compiler excludes.
+    /// Reads the catalog and lists the claims in a few milliseconds, without checking any. Panics
+    /// if a catalog block is invalid, which the compiler excludes.
     #[must_use]
     pub fn new() -> Self {
         let mut models: Models = all().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
@@ -51,13 +49,13 @@ impl Paper {
         Paper { models, claims, measurements }
     }
 
-    /// Every claim, in the order of the paper; then those of the catalog's further systems.
+    /// Returns all claims in the order of the paper, then those of the catalog's further systems.
     #[must_use]
     pub fn claims(&self) -> &[Claim] {
         &self.claims
     }
 
-    /// A claim's statement in LaTeX, one formula an item; definitions first where it has any.
+    /// Returns a claim's statement in LaTeX, one formula for each item, definitions first.
     #[must_use]
     pub fn latex(&self, claim: &Claim) -> Vec<String> {
         match &claim.basis {
@@ -80,16 +78,14 @@ impl Paper {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// `work` on every claim, on so many threads, by default as many as the machine runs at once;
-    /// the results in the order of the claims.
+    /// Applies `work` to every claim on `threads` threads (default: all cores), keeping the order.
     pub fn for_all<R: Send>(
         &self,
         claims: &[&Claim],
         threads: Option<usize>,
         work: impl Fn(&Claim) -> R + Sync,
     ) -> Vec<R> {
-        // What is measured on a long orbit comes first, so that no thread is left alone with it at
-        // the end.
+        // Claims about long orbits come first, so that no thread finishes late with one of them.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));
@@ -97,7 +93,7 @@ impl Paper {
         results.into_iter().map(|(_, result)| result).collect()
     }
 
-    /// Establishes a claim with another statement in the place of its own: a mutation of it.
+    /// Establishes a claim with another statement, such as a mutation.
     #[must_use]
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
         let (outcome, detail) = match &claim.basis {
@@ -117,8 +113,7 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// The definitions that are in force in a claim: those of every statement, those given, its
-    /// own.
+    /// Returns the definitions for a claim: the field's, the general, the given, and its own.
     pub(super) fn definitions(
         &self,
         claim: &Claim,
@@ -141,7 +136,7 @@ impl Paper {
         Ok((definitions, relations))
     }
 
-    /// Establishes every relation of a statement; the evidence is the weakest.
+    /// Establishes all relations of a statement, and returns the weakest evidence.
     fn relations(&self, claim: &Claim, statement: &str) -> Result<Evidence, String> {
         let Basis::Formula { domain, .. } = &claim.basis else {
             return Err("a claim of a block".to_owned());
@@ -162,7 +157,7 @@ impl Paper {
         weakest.ok_or_else(|| "it says nothing".to_owned())
     }
 
-    /// A relation in a claim, tested at generic points.
+    /// Makes the identity for a relation, tested at generic points.
     pub(super) fn identity<'a>(
         &'a self,
         claim: &Claim,
@@ -178,7 +173,7 @@ impl Paper {
         self.models.get(claim.system).ok_or_else(|| format!("there is no system {}", claim.system))
     }
 
-    /// Both sides with definitions and measured quantities put in.
+    /// Substitutes definitions and measured quantities in both sides.
     pub(super) fn sides(
         &self,
         claim: &Claim,
@@ -199,10 +194,7 @@ impl Paper {
         Ok(sides)
     }
 
-    /// The heights along an orbit of the paper, computed once.
-    ///
-    /// # Errors
-    /// If the orbit is none of [`Figure::all`].
+    /// Returns the heights along an orbit, computed once. Fails if [`Figure::all`] lacks the orbit.
     pub fn measurement(&self, figure: &'static Figure) -> Result<&Measurement, String> {
         let cell = self.measurements.get(figure.name).ok_or("no such figure")?;
         Ok(cell.get_or_init(|| figure.measure()))
@@ -223,7 +215,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
     }
 }
 
-/// What was measured on an orbit is known at the points of that orbit.
+/// Converts evidence of a measurement, which holds at the orbit's points only.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {
@@ -233,7 +225,7 @@ fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
 }
 
 impl Evidence {
-    /// The weaker of two.
+    /// Returns the weaker evidence.
     fn weaker(self, other: Evidence) -> Evidence {
         match (&self, &other) {
             (Evidence::Numerical(a), Evidence::Numerical(b)) => Evidence::Numerical(*a.min(b)),

@@ -1,6 +1,6 @@
-//! The parts of the paper, in its order.
+//! Sections of the paper.
 
-/// A part of the paper whose claims are listed together.
+/// A section of the paper, by which claims are grouped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Section {
     /// Section 1: Kahan's method, and the Lotka-Volterra map.
@@ -25,12 +25,12 @@ pub enum Section {
     Diophantine,
     /// The appendix: elliptic curves and theta functions.
     Appendix,
-    /// The systems of the catalog that are not in the paper.
+    /// Catalog systems beyond the paper.
     Beyond,
 }
 
 impl Section {
-    /// All of them, in the order of the paper.
+    /// All sections, in the order of the paper.
     pub const ALL: [Section; 12] = [
         Section::Method,
         Section::Brackets,
@@ -46,13 +46,13 @@ impl Section {
         Section::Beyond,
     ];
 
-    /// Where it stands in the paper, in a word or two.
+    /// Returns the section's place in the paper, in one or two words.
     #[must_use]
     pub fn place(self) -> &'static str {
         self.words().0
     }
 
-    /// What it is about, in a few words.
+    /// Returns the subject in a few words.
     #[must_use]
     pub fn subject(self) -> &'static str {
         self.words().1

@@ -1,4 +1,4 @@
-//! Claims with their outcomes: those of the paper, or of a block.
+//! Claims with their outcomes, for the paper or a block.
 
 use super::claim::{Claim, Outcome};
 use super::registry::Paper;
@@ -6,21 +6,21 @@ use super::registry::Paper;
 /// A claim with its outcome.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// Its name, that of its system first: `table3.e4.P23`.
+    /// The identifier, which begins with the system: `table3.e4.P23`.
     pub id: String,
-    /// The system that it is about.
+    /// The command name of the system.
     pub system: String,
-    /// Its place in the paper, in words; empty where nobody says.
+    /// The place in the paper, in words; empty if unknown.
     pub source: String,
-    /// Its statement, in one line.
+    /// The statement, in one line.
     pub statement: String,
-    /// How it came out.
+    /// The outcome.
     pub outcome: Outcome,
-    /// The evidence, or what is wrong; of a misprint also what is printed.
+    /// The evidence or the reason of a failure; for misprints also the printed form.
     pub detail: String,
-    /// The seconds that it took; `None` without a clock.
+    /// The time in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The claim of the paper, where it is one.
+    /// The claim of the paper; `None` for claims of other blocks.
     pub claim: Option<Claim>,
 }
 
@@ -29,32 +29,32 @@ pub struct Verdict {
 pub struct Open {
     /// The subject of the question.
     pub statement: &'static str,
-    /// Why it is not decided.
+    /// The reason why the question is open.
     pub detail: &'static str,
 }
 
-/// Claims with their outcomes.
+/// Claims with their outcomes, and totals.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// The claims, those of the paper in its order.
+    /// The claims; those of the paper in its order.
     pub claims: Vec<Verdict>,
-    /// How many of them do not hold.
+    /// The number of failed claims.
     pub failed: usize,
-    /// What the paper leaves open, where all of it was asked for.
+    /// The open questions, if the whole paper was asked for.
     pub open: &'static [Open],
-    /// The seconds that all of it took; `None` without a clock.
+    /// The total time in seconds; `None` without a clock.
     pub seconds: Option<f64>,
 }
 
 impl Verdicts {
-    /// Counts the claims that failed.
+    /// Makes verdicts, and counts failed claims.
     #[must_use]
     pub fn of(claims: Vec<Verdict>, open: &'static [Open], seconds: Option<f64>) -> Self {
         let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed).count();
         Verdicts { claims, failed, open, seconds }
     }
 
-    /// Names the claims that failed, in one line; `None` if all hold.
+    /// Lists the failed claims in one line; `None` if all claims hold.
     #[must_use]
     pub fn complaint(&self) -> Option<String> {
         let failed = self.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -65,8 +65,8 @@ impl Verdicts {
 }
 
 impl Paper {
-    /// Establishes a claim of the paper. Costs milliseconds, and some hundred times as much where
-    /// the claim is measured on an orbit.
+    /// Establishes a claim of the paper. Takes milliseconds, about a hundred times longer for
+    /// claims measured on an orbit.
     #[must_use]
     pub fn verdict(&self, claim: &Claim) -> Verdict {
         let established = self.establish(claim);
@@ -87,7 +87,7 @@ impl Paper {
     }
 }
 
-/// Joins the words of a statement, one space apart.
+/// Joins the words of a statement with single spaces.
 #[must_use]
 pub fn in_one_line(statement: &str) -> String {
     statement.split_whitespace().collect::<Vec<_>>().join(" ")

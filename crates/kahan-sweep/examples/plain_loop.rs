@@ -1,5 +1,5 @@
-//! The calls of `kahan_runtime` that a sweep of E6 makes, in a loop of one's own: what a sweep's
-//! time is measured against. It prints the seconds that it took.
+//! Computes a sweep of E6 by direct calls of `kahan_runtime`, as the baseline for the time of
+//! sweeps. Prints the seconds taken.
 
 use std::sync::Mutex;
 use std::time::Instant;
@@ -10,7 +10,7 @@ use kahan_runtime::{Field, IntegralDrift, MapAt, WhileFinite};
 const STEPS: u64 = 1000;
 const CHUNK: usize = 256;
 
-/// The greatest drifts of the first integral on orbits from these x.
+/// Returns the sum of the greatest drifts of the first integral over orbits from these x.
 fn drifts(at: &MapAt<f64>, mut x: Vec<f64>) -> f64 {
     let (mut y, mut z) = (vec![0.3; x.len()], vec![0.7; x.len()]);
     let observers = |_| WhileFinite::new(IntegralDrift::of(at));

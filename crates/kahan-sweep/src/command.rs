@@ -101,15 +101,15 @@ Examples:
   kahan-sweep --read results/results.parquet --columns x,sali > rows.csv
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
-/// What is said, on the standard output or as an error, and the exit status.
+/// The standard output or the error message, with the exit status.
 type Ended = Result<(String, u8), (String, u8)>;
 
-/// What is wrong with how the command was called.
+/// Returns a message about wrong usage, whose exit status is 2.
 fn usage(why: impl Into<String>) -> (String, u8) {
     (why.into(), 2)
 }
 
-/// Runs the command with these arguments, the program's name first.
+/// Runs the command. The first argument is the program's name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
@@ -136,7 +136,7 @@ impl Cli {
         if let Some(path) = &self.read {
             return self.table(path);
         }
-        // Without --read, clap asks for it.
+        // Clap requires a plan unless `--read` is given.
         let path = self.plan.as_deref().unwrap_or(Path::new("plan.toml"));
         let name = path.display().to_string();
         let text = fs::read_to_string(path);
@@ -168,7 +168,7 @@ impl Cli {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
-            // Who reads has read enough.
+            // A broken pipe means that the reader has read enough.
             Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
                 Err((format!("the rows cannot be written: {error}"), 1))
             }
@@ -199,7 +199,7 @@ impl Cli {
         (text, u8::from(!is_whole))
     }
 
-    /// Which shard this is, and how many processes of the sweep there are on this machine.
+    /// Returns the shard, and the number of the sweep's processes on this machine.
     fn shard(&self) -> Result<(Shard, usize), String> {
         let said = self.shard.as_deref();
         if let Some(text) = said.filter(|text| *text != "auto") {
@@ -208,7 +208,7 @@ impl Cli {
         }
         match detect(&|name| std::env::var(name))? {
             Some(Launched { shard, sentence, beside }) => {
-                // In one write: launchers mix what their tasks say at the same time.
+                // One write, because launchers interleave the output of their tasks.
                 eprint!("{}", sentence + "\n");
                 Ok((shard, beside))
             }
@@ -270,14 +270,14 @@ fn merged(plan: &Plan, out: &Path) -> Ended {
     Ok((format!("{} written: {} points, {size:.1} MB\n", results.display(), plan.points()), 0))
 }
 
-/// `3/10`.
+/// Parses `3/10`, the third of ten shards.
 fn shard(text: &str) -> Option<Shard> {
     let (index, of) = text.split_once('/')?;
     let (index, of): (u64, u64) = (index.trim().parse().ok()?, of.trim().parse().ok()?);
     (1 <= index && index <= of).then(|| Shard { index: index - 1, of })
 }
 
-/// A bar on a terminal, nothing elsewhere.
+/// Returns a progress bar, hidden unless the standard error is a terminal.
 fn bar(length: u64, what: &str) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -1,4 +1,4 @@
-//! How many points, how long, how large: measured on a few points of the plan.
+//! Estimates of a sweep's points, time and size, from measuring some of its points.
 
 use std::time::{Duration, Instant};
 
@@ -7,22 +7,21 @@ use serde_json::{Value, json};
 
 use crate::plan::Plan;
 
-/// What a sweep will take.
 #[derive(Clone, Debug)]
 pub(crate) struct Estimate<'a> {
     plan: &'a Plan,
-    /// Of the merged file; the parts take as much again.
+    /// The size of the merged file; the parts need the same space again.
     bytes: f64,
-    /// Of one core.
+    /// The time on one core.
     core_seconds: f64,
     cores: usize,
-    /// How many points were measured.
+    /// The number of points measured.
     measured: u64,
 }
 
-/// How long points are measured.
+/// The time spent on measuring.
 const MEASURED: Duration = Duration::from_millis(500);
-/// The most neighbours that are measured together.
+/// The largest number of neighbouring points that are measured together.
 const TOGETHER: u64 = 256;
 
 impl<'a> Estimate<'a> {
@@ -30,8 +29,8 @@ impl<'a> Estimate<'a> {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
-        // Points all over the plan, as they may differ: the multiples of an odd number. Neighbours
-        // may go side by side, so as many are taken together as the time has room for.
+        // The measured points are spread by an odd stride, as their costs may differ. Neighbours
+        // may run in lanes, so each measurement takes as many of them as time permits.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {

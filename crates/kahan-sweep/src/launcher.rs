@@ -1,25 +1,25 @@
-//! Which shard this process is, as the launcher's environment says it.
+//! Recognises the launcher of this process by its environment, and returns the shard to compute.
 
 use std::env::VarError;
 
 use crate::run::Shard;
 
-/// What was recognised.
+/// A recognised launcher.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Launched {
     pub(crate) shard: Shard,
-    /// In words, for the user.
+    /// The message for the user.
     pub(crate) sentence: String,
-    /// Processes of the sweep on this machine, where the launcher says it.
+    /// The number of the sweep's processes on this machine, if known, else 1.
     pub(crate) beside: usize,
 }
 
-/// How many shards there are, where a launcher does not say it.
+/// The number of shards, if the launcher does not say it.
 const SHARDS: &str = "KAHAN_SHARDS";
-/// Which shard this is, from 0 on, by launchers that this does not know.
+/// The index of this shard from 0, for launchers unknown to this program.
 const INDEX: &str = "KAHAN_SHARD_INDEX";
 
-/// Launchers of arrays of tasks: name, task, first, last, distance.
+/// Launchers of task arrays: name, then the variables of task, first, last and stride.
 const ARRAYS: [(&str, [&str; 4]); 5] = [
     (
         "Slurm",
@@ -31,14 +31,14 @@ const ARRAYS: [(&str, [&str; 4]); 5] = [
     ("Kubernetes", ["JOB_COMPLETION_INDEX", "", "", ""]),
 ];
 
-/// Launchers whose processes begin together and are numbered from 0: name, which, how many.
+/// Launchers of ranks from 0: name, variable of the rank, variable of their number.
 const RANKS: [(&str, &str, &str); 3] = [
     ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
     ("MPI", "PMI_RANK", "PMI_SIZE"),
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
 ];
 
-/// Which of how many, and who says so.
+/// One level of launching: task `index` of `of`.
 #[derive(Clone, Debug)]
 struct Place {
     launcher: &'static str,
@@ -47,13 +47,9 @@ struct Place {
     of: u64,
 }
 
-/// Looks at an environment; `None` where no launcher is recognised.
-///
-/// The tasks of an array may start processes in their turn, as by MPI: each is then one of all the
-/// processes of all the tasks.
-///
-/// # Errors
-/// A sentence, where a launcher says too little.
+/// Reads the environment; `None` without a known launcher. Tasks of an array may start ranks, for
+/// instance by MPI: each rank of each task is then a shard. Fails with a sentence if a launcher
+/// says too little.
 pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<Option<Launched>, String> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
     let places: Vec<Place> = match number(INDEX) {
@@ -67,7 +63,7 @@ pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<O
     if places.is_empty() {
         return Ok(None);
     }
-    // One place within the other, the last one fastest.
+    // Nested levels form a mixed-radix number; the innermost varies fastest.
     let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
         index: index * place.of + place.index,
         of: of * place.of,
@@ -81,14 +77,14 @@ pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<O
     Ok(Some(Launched { shard, sentence, beside: beside.max(1) as usize }))
 }
 
-/// The task of an array.
+/// Returns this process's place in a task array.
 fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
 ) -> Option<Result<Place, String>> {
-    // Grid Engine says `undefined` outside of arrays, and LSF 0.
+    // Outside of arrays, Grid Engine says `undefined` and LSF says 0.
     let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
-    // Kubernetes counts from 0, and the others say where they begin.
+    // Kubernetes counts from 0; PBS and LSF count from 1.
     let usual = if *launcher == "Kubernetes" { 0 } else { 1 };
     let (first, step) = (number(first).unwrap_or(usual), number(step).unwrap_or(1).max(1));
     let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
@@ -96,14 +92,14 @@ fn task(
     Some(Place::new(launcher, task, index, number(SHARDS).or(count)))
 }
 
-/// The process among those that began together.
+/// Returns this process's place among ranks.
 fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<Place, String>> {
     for (launcher, rank, size) in RANKS {
         if let Some(index) = number(rank) {
             return Some(Place::new(launcher, rank, Some(index), number(size)));
         }
     }
-    // Last, as MPI may start its processes by one of Slurm's on each machine.
+    // Slurm comes last, because MPI may start its ranks through one Slurm task on each machine.
     let size = number("SLURM_NTASKS").filter(|size| is_step_of_slurm && *size > 1)?;
     Some(Place::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
 }
@@ -153,20 +149,20 @@ mod tests {
         assert_eq!(found(&[("PBS_ARRAY_INDEX", "2"), ("KAHAN_SHARDS", "6")]), Some(Ok((1, 6))));
         let srun = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "1"), ("SLURM_NTASKS", "3")];
         assert_eq!(found(&srun), Some(Ok((1, 3))));
-        // A batch script has these, too, and is one process.
+        // A batch script has these variables, too, but is a single process.
         assert_eq!(found(&srun[1..]), None);
         assert_eq!(found(&[("KAHAN_SHARD_INDEX", "5"), ("KAHAN_SHARDS", "6"), slurm[0]]), Some(Ok((5, 6))));
         let grid_engine = [("SGE_TASK_ID", "undefined"), ("SGE_TASK_FIRST", "undefined")];
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// Each task of an array starts ranks: together they are all shards, each once.
+    /// Ranks started by tasks of an array cover all shards once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();
         for task in ["2", "4", "6"] {
             for rank in ["0", "1"] {
-                // Ranks inherit what the process has that started them on this machine.
+                // Ranks inherit the variables of the process that started them.
                 let started = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "0"), ("SLURM_NTASKS", "2")];
                 let array = [
                     ("SLURM_ARRAY_TASK_ID", task),

@@ -1,11 +1,7 @@
-//! Sweeps: Kahan's map from many starts, at many parameters and ε, on any number of machines.
-//!
-//! In: a plan in TOML. Out: one file of Parquet, whose bytes the plan alone decides. It must not
-//! know how machines are found, shared or restarted: schedulers do that, and start this program
-//! with the number of a shard.
-//!
-//! Data flows one way: a [`Plan`] is a question over axes, whose rows a study gives, a run makes
-//! parts of rows, and parts are merged. A part is the rows of a fixed range of indices.
+//! Sweeps: Kahan's maps for many initial states, parameters and ε, on any number of machines. Takes
+//! a plan in TOML; writes one Parquet file, whose bytes depend on the plan only. A [`Plan`] is a
+//! question over axes. Runs compute its rows in parts, fixed ranges of indices, which are merged.
+//! Schedulers find, share and restart machines; they start this program with a shard's number.
 
 mod command;
 mod estimate;

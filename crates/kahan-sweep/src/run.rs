@@ -1,4 +1,4 @@
-//! The work of a shard: its parts, one after another, each on all threads.
+//! Computing a shard: its parts one after another, each on all threads.
 
 use std::io;
 use std::ops::{ControlFlow, Range};
@@ -13,16 +13,15 @@ use kahan_study::{Progress, Table, Watch};
 use crate::files::{Journal, Part, Unusable};
 use crate::plan::Plan;
 
-/// Which parts a process works on: every `of`-th, from `index` on.
+/// The parts of one process: `index`, `index + of`, `index + 2 of`, ….
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Shard {
-    /// From 0 on.
+    /// Counted from 0.
     pub(crate) index: u64,
     pub(crate) of: u64,
 }
 
 impl Shard {
-    /// All parts.
     pub(crate) const WHOLE: Self = Shard { index: 0, of: 1 };
 
     pub(crate) fn parts(self, plan: &Plan) -> impl Iterator<Item = u64> + use<> {
@@ -30,38 +29,35 @@ impl Shard {
     }
 }
 
-/// How a shard ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum End {
     Done,
-    /// It was told to stop; what is done is noted.
+    /// The process was told to stop; finished rows are in the journal.
     Interrupted,
 }
 
-/// How often what is done is noted, and how long a thread keeps rows to itself.
+/// The interval between journal entries, and the longest turn of a thread.
 const NOTED: Duration = Duration::from_secs(8);
 
-/// Why a lock is not poisoned.
+/// The reason why locks are never poisoned.
 const PANIC: &str = "a thread that panics ends the process";
 
-/// A shard at work.
+/// A shard being computed.
 pub(crate) struct Run<'a> {
     pub(crate) plan: &'a Plan,
     pub(crate) folder: &'a Path,
     pub(crate) threads: Option<usize>,
-    /// Set where the process is told to stop.
+    /// Set when the process is told to stop.
     pub(crate) stop: &'a AtomicBool,
-    /// Hears how many rows more are done.
+    /// Receives the number of newly finished rows.
     pub(crate) progress: &'a (dyn Fn(u64) + Sync),
-    /// Hears what a user should know.
+    /// Receives messages for the user.
     pub(crate) say: &'a (dyn Fn(&str) + Sync),
 }
 
 impl Run<'_> {
-    /// Computes the parts of a shard that are not there.
-    ///
-    /// # Errors
-    /// In words: parts of another plan, or a disk that takes no more.
+    /// Computes the missing parts of a shard; fails for foreign parts and a disk that refuses
+    /// writes.
     pub(crate) fn shard(&self, shard: Shard) -> Result<End, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
@@ -70,7 +66,7 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // Another process may have written it while this one's notes were there.
+                    // Another process may have finished a part of which this one had a journal.
                     part.tidy();
                     continue;
                 }
@@ -94,7 +90,7 @@ impl Run<'_> {
         let indices = self.plan.part(part.index);
         let done = known(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
-        // Several for each thread, so that none is left with much where others are done.
+        // Several chunks for each thread balance the load at the end of a part.
         let threads = self.threads.unwrap_or(1) as u64;
         let rows = indices.end - indices.start;
         let [least, most] = self.plan.at_once();
@@ -118,7 +114,7 @@ impl Run<'_> {
         Ok(End::Done)
     }
 
-    /// Computes some rows, and hands them on now and then.
+    /// Computes a range of rows in turns, and hands over the rows of each turn.
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
@@ -140,17 +136,17 @@ impl Run<'_> {
     }
 }
 
-/// What a thread does before it hands rows on.
+/// One turn of a thread: the work until it hands over its rows.
 struct Turn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
-    /// How many rows were made when the work was looked at last.
+    /// The number of finished rows at the last look.
     done: AtomicU64,
 }
 
 impl Watch for Turn<'_> {
-    /// Ends the work where it is stopped, at once. A turn that has taken its time ends when rows are
-    /// made: those of the next block would be lost.
+    /// Stops at once on request. After the time of a turn, stops when a block of rows is finished,
+    /// because an unfinished block would be lost.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > NOTED;
@@ -162,20 +158,20 @@ impl Watch for Turn<'_> {
     }
 }
 
-/// What the threads of a part share.
+/// The shared state of a part's threads.
 struct Work {
-    /// First rows and rows, in no order.
+    /// First rows with tables, unordered.
     done: Vec<(u64, Table)>,
-    /// How many of them, at the end, are not on the disk.
+    /// The number of tables, at the end of `done`, that are missing from the journal.
     unnoted: usize,
     journal: Journal,
     noted: Instant,
-    /// Whether that failed the last time.
+    /// Whether the last journal entry failed.
     has_failed: bool,
 }
 
 impl Work {
-    /// Takes rows, and notes them when it is time; an error is handed on when it is new.
+    /// Adds rows and updates the journal when due; returns only the first of successive errors.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;
@@ -188,7 +184,7 @@ impl Work {
         error.filter(|_| !was_told)
     }
 
-    /// Puts what is done on the disk.
+    /// Appends finished rows to the journal.
     fn note(&mut self) -> io::Result<()> {
         self.noted = Instant::now();
         let from = self.done.len() - self.unnoted;
@@ -198,7 +194,7 @@ impl Work {
     }
 }
 
-/// What was noted, each row once.
+/// Returns the recorded tables in order, without overlaps.
 fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)> {
     noted.sort_by_key(|(first, _)| *first);
     let mut next = indices.start;
@@ -213,7 +209,7 @@ fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)
     noted
 }
 
-/// What is left, in pieces for threads.
+/// Divides the gaps between finished rows into chunks.
 fn chunks(done: &[(u64, Table)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
     let mut chunks = Vec::new();
     let mut next = indices.start;

@@ -1,14 +1,14 @@
-//! Job descriptions for the schedulers that are there: templates with names of what is filled in.
+//! Job descriptions for Slurm and Kubernetes, from templates.
 
 use std::path::Path;
 
-/// An array job for Slurm, a task a shard.
+/// Returns a Slurm array job with one task for each shard.
 pub(crate) fn slurm(plan: &Path, out: &Path, shards: u64) -> String {
     let places = [("shards", shards.to_string()), ("plan", quoted(plan)), ("out", quoted(out))];
     filled(include_str!("scripts/slurm.sh"), &places)
 }
 
-/// An indexed Job for Kubernetes, a completion a shard.
+/// Returns an indexed Kubernetes Job with one completion for each shard.
 pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
     let places = [
         ("shards", shards.to_string()),
@@ -20,24 +20,24 @@ pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
     filled(include_str!("scripts/kubernetes.yaml"), &places)
 }
 
-/// A template with a text in the place of each `@name@`. What is filled in is not looked at again.
+/// Replaces each `@name@` of a template by its text, in one pass.
 fn filled(template: &str, places: &[(&str, String)]) -> String {
     let parts = template.split('@').enumerate().map(|(part, text)| {
-        // Every second part is a name.
+        // Every second piece is a name.
         let filled = places.iter().find(|(name, _)| part % 2 == 1 && *name == text);
         filled.map_or(text, |(_, value)| value)
     });
     parts.collect()
 }
 
-/// A path as a shell reads it.
+/// Quotes a path for a shell.
 fn quoted(path: &Path) -> String {
     let text = path.to_string_lossy();
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-+./:=,".contains(c);
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A line within a comment would end it.
+        // A newline would end the comment in which the path stands.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

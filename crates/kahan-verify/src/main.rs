@@ -1,8 +1,6 @@
-//! `kahan-verify`: proves every formula of the paper and prints what came of it.
-//!
-//! In: nothing, or `--all`. Out: the verdicts of `kahan-paper` as text; exit status 1 if a claim
-//! fails, 2 for any other argument, which the command `kahan` may know. The program must need
-//! little besides `kahan-paper`, as it is the first that a new user builds.
+//! Proves every formula of the paper and prints the verdicts of `kahan-paper`. Takes no argument,
+//! or `--all`. The exit status is 1 if a claim fails, 2 for other arguments, which `kahan` may
+//! know. The program depends on little besides `kahan-paper`, as new users build it first.
 
 use std::env::args_os;
 use std::io::{IsTerminal, Write, stderr, stdout};
@@ -28,7 +26,7 @@ Examples:
   cargo run --release -- --all
 ";
 
-/// The columns of a terminal whose width is unknown.
+/// The width assumed for a terminal of unknown width.
 const USUAL_WIDTH: usize = 100;
 
 fn main() -> ExitCode {
@@ -47,7 +45,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Proves the paper on all processors and prints the verdicts.
+/// Proves the paper on all cores and prints the verdicts.
 fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
     let begun = Instant::now();
     let paper = Paper::new();
@@ -79,19 +77,19 @@ fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
     }
 }
 
-/// Prints a text; a reader that has seen enough, such as `head`, ends nothing.
+/// Prints a text; a closed pipe, as with `head`, is ignored.
 fn print(text: &str) {
     let _ = stdout().write_all(text.as_bytes());
 }
 
-/// Shows the call of the command `kahan` for arguments that this program does not take.
+/// Returns a message with the call of `kahan` for arguments that this program refuses.
 fn elsewhere(arguments: &[String]) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%^".contains(c);
     let quoted = arguments.iter().map(|word| {
         let is_plain = !word.is_empty() && word.chars().all(is_plain);
         if is_plain { word.clone() } else { format!("'{}'", word.replace('\'', r"'\''")) }
     });
-    // Options alone are those of `kahan verify`.
+    // Options without a command belong to `kahan verify`.
     let verify = arguments[0].starts_with('-').then(|| "verify".to_owned());
     let words: Vec<String> = verify.into_iter().chain(quoted).collect();
     let words = words.join(" ");

@@ -1,4 +1,4 @@
-//! The program's arguments. What it proves is the matter of `crates/kahan-paper/tests`.
+//! Tests of the program's arguments; `crates/kahan-paper/tests` covers the proofs.
 
 use std::process::{Command, Output};
 

@@ -1,12 +1,9 @@
-//! E1: section 3 of the paper; Table 1, i = 1; the Lie-Poisson pair A(3,3), sl(2,R).
-//!
-//! At eps = 0: `H = y/x`, `K = x z + y^2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims:
-//! the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0;
-//! the compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided
-//! by c. Not rational, so not claimed: the solution of the flow, `x = 1/T`, `y = beta/T`, `z =
-//! gamma T - beta^2/T` with `T = t + alpha` (Table 5); that of the map, of the same kind (Theorem
-//! 3). All components of N and det A share the factor `1 + eps x`: where it vanishes the map has a
-//! removable pole.
+//! E1 (Section 3; Table 1, i = 1), with the Lie-Poisson pair A(3,3), sl(2,R). At eps = 0:
+//! `H = y/x`, `K = x z + y^2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of
+//! Table 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson
+//! pair of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions are functions
+//! of time (Table 5, Theorem 3), so they are no claims. The map's numerators and det A share the
+//! factor `1 + eps x`, whose zeros are removable poles.
 
 mod solution;
 

@@ -1,12 +1,9 @@
-//! E3: section 3 of the paper; Table 1, i = 3; the Lie-Poisson pair A(3,3), so(3).
-//!
-//! At eps = 0: `H = y/x`, `K = (x^2 + y^2 + z^2)/2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q
-//! dH`. Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H,
-//! K at eps = 0; the compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of
-//! Table 4 divided by c. Not rational, so not claimed: the solution of the flow by hyperbolic
-//! functions (Table 5); that of the map, of the same kind (Theorem 3). All components of N and det
-//! A share the factor `1 + eps z`: where it vanishes the map has a removable pole. Table 4 prints z
-//! for z^2 in {y,z} and {z,x} of Q (erratum A1); as printed it is Poisson, but not invariant.
+//! E3 (Section 3; Table 1, i = 3), with the Lie-Poisson pair A(3,3), so(3). At eps = 0: `H = y/x`,
+//! `K = (x^2 + y^2 + z^2)/2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of
+//! Table 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson
+//! pair of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. Table 4 prints z for z^2 in
+//! {y,z} and {z,x} of Q (erratum A1); the printed tensor is Poisson, but not invariant. The map's
+//! numerators and det A share the factor `1 + eps z`, whose zeros are removable poles.
 
 mod flow;
 mod solution;

@@ -1,11 +1,9 @@
-//! E4: section 3 of the paper; Table 1, i = 4; the Lie-Poisson pair e(1,1), so(3).
-//!
-//! At eps = 0: `H = x y`, `K = (x^2 + y^2 + z^2)/2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`.
-//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at
-//! eps = 0; the compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table
-//! 4 divided by c. Not rational, so not claimed: the solution of the flow by Jacobi's elliptic
-//! functions (Table 5); that of the map, of the same kind (Theorem 3).
-//! In the coordinates x - y, x + y, z it is the Euler top with a = (-1, -1, 1).
+//! E4 (Section 3; Table 1, i = 4), with the Lie-Poisson pair e(1,1), so(3). At eps = 0: `H = x y`,
+//! `K = (x^2 + y^2 + z^2)/2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
+//! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
+//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions are elliptic
+//! functions (Table 5, Theorem 3), so they are no claims. In the coordinates x - y, x + y, z the
+//! system is the Euler top with a = (-1, -1, 1).
 
 mod flow;
 mod normal_form;

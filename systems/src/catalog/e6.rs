@@ -1,10 +1,9 @@
-//! E6: section 3 of the paper; Table 1, i = 6; the Lie-Poisson pair sl(2,R), so(3).
-//!
-//! At eps = 0: `H = x z + y^2`, `K = (x^2 + y^2 + z^2)/2`, `c = -1`; the flow is `-P dK = -(1/c) Q
-//! dH`. Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H,
-//! K at eps = 0; the compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of
-//! Table 4 divided by c. In the coordinates x - z, x + z, y it is the Euler top with a = (1, -3,
-//! 1). The paper gives no solution.
+//! E6 (Section 3; Table 1, i = 6), with the Lie-Poisson pair sl(2,R), so(3). At eps = 0:
+//! `H = x z + y^2`, `K = (x^2 + y^2 + z^2)/2`, `c = -1`; the flow is `-P dK = -(1/c) Q dH`. Claims:
+//! H and K of Table 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. In the
+//! coordinates x - z, x + z, y the system is the Euler top with a = (1, -3, 1). The paper gives no
+//! solution.
 
 mod solution;
 

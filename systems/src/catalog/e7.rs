@@ -1,12 +1,10 @@
-//! E7: section 6 (dE7) of the paper; a Lie-Poisson structure with parameter xi, and sl(2,R).
-//! At xi = 1 it is E1, at xi = -1 it is E2.
-//!
-//! Rational for every xi: the density. The integral is `(y/x) Gamma(xi/2 + u)/Gamma(1 - xi/2 + u)`
-//! with `u = 1/(2 eps x)`; for integer xi it is rational, and so is its bracket (-P of E1, E2 at xi
-//! = 1, -1). Claims: the density; the whole structure of E1 and E2 at xi = 1, -1; the integral at
-//! xi = 2, 3, -2, -3 and the bracket at xi = 2, 3, up to factors of eps and xi alone. Not rational,
-//! so not claimed: integral and bracket (with digamma functions) at other xi; the second integral,
-//! a series; the solutions.
+//! E7 (Section 6, dE7), with a Lie-Poisson structure with parameter xi, and sl(2,R). At xi = 1 the
+//! system is E1, at xi = -1 it is E2. The map has the integral
+//! `(y/x) Gamma(xi/2 + u)/Gamma(1 - xi/2 + u)` with `u = 1/(2 eps x)`. The integral and its bracket
+//! are rational for integer xi; at xi = 1, -1 the bracket is -P of E1, E2. Claims: the density for
+//! every xi; all structures of E1 and E2 at xi = 1, -1; the integral at xi = 2, 3, -2, -3 and the
+//! bracket at xi = 2, 3, up to factors of eps and xi. The transcendental integrals, bracket and
+//! solutions are in the submodules.
 
 mod flow;
 mod integrals;

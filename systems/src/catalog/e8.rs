@@ -1,9 +1,7 @@
-//! E8: section 6 (dE8) of the paper; a Lie-Poisson pair with `H = x e^(-y/x)`, `K = x z + y^2`,
-//! `c = -e^(-y/x)/x` (erratum A2).
-//!
-//! Rational: the density, which the paper does not state. Not rational, so not claimed: the
-//! integral `y/x + digamma(1/2 + u)`, `u = 1/(2 eps x)`, and its bracket; the second integral, a
-//! series; the solutions.
+//! E8 (Section 6, dE8), with the Lie-Poisson pair of `H = x e^(-y/x)`, `K = x z + y^2`,
+//! `c = -e^(-y/x)/x` (erratum A2). Claims: the density, which the paper omits. The integral
+//! `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, a second integral (a series) and the solutions
+//! are transcendental; the submodules compute them.
 
 mod flow;
 mod integrals;

@@ -1,11 +1,9 @@
-//! E9: section 6.3 of the paper; a Lie-Poisson structure with parameter xi, and so(3).
-//! At xi = 1 it is E3, at xi = -1 it is E4.
-//!
-//! Rational for every xi: the density, which the paper does not state. For xi other than 1 and -1
-//! the logarithmic heights of the orbits grow threefold in each step (section 7): no integral is to
-//! be expected. Claims: the density; the whole structure of E3 and E4 at xi = 1, -1. Not rational,
-//! so not claimed: the integral `y x^(-xi)` of the flow, whose other one is `(x^2 + y^2 + z^2)/2`.
-//! The map is reduced with xi generic: the factor `1 + eps z` that E3 loses stays in E9 at xi = 1.
+//! E9 (Section 6.3), with a Lie-Poisson structure with parameter xi, and so(3). At xi = 1 the
+//! system is E3, at xi = -1 it is E4. For other xi the logarithmic heights of orbits triple in each
+//! step (Section 7), so no integral is to be expected. Claims: the density for every xi, which the
+//! paper omits, and all structures of E3 and E4 at xi = 1, -1. The flow has the integrals
+//! `y x^(-xi)` and `(x^2 + y^2 + z^2)/2`. The map is reduced for generic xi, so E9 at xi = 1 keeps
+//! the factor `1 + eps z` that E3's map cancels.
 
 mod flow;
 mod quadrature;

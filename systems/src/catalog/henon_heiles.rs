@@ -1,9 +1,7 @@
 //! Hénon and Heiles' system with the Hamiltonian (p^2 + q^2 + a x^2 + b y^2)/2 + x^2 y - c y^3/3;
-//! not in the paper.
-//!
-//! The degrees of the map's iterates grow exponentially for generic a, b, c: it is not integrable,
-//! yet keeps the modified Hamiltonian H, here times 6, and the volume with density 1/det A. No
-//! other integral of degree up to 6 shows.
+//! not in the paper. For generic a, b, c the degrees of the map's iterates grow exponentially, so
+//! the map is not integrable. It preserves the modified Hamiltonian H (here times 6) and the volume
+//! with density 1/det A. A search up to degree 6 found no other integral.
 
 use kahan_core::prelude::*;
 

@@ -1,16 +1,14 @@
-//! The Lagrange top in the frame of the body, m its angular momentum and p the direction of
-//! gravity; not in the paper.
-//!
-//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and
-//! `D1 = 1 + eps^2 d` the map keeps m3, as its equation says, and the three functions
+//! The Lagrange top in the body frame, with angular momentum m and direction of gravity p; not in
+//! the paper. With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`,
+//! `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d`, the map preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - m3 d)/D1`,
-//! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`,
+//! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`.
 //!
-//! which at eps = 0 are made of the energy, m·p, p·p and m3, and the density `1/(D1 F)`, where F is
-//! the denominator of C. `kahan discover` finds four integrals, expanded and combined with each
-//! other: J as it stands, H with multiples of m3, and C in the place of 1/(1/C + eps^4).
+//! At eps = 0 these are functions of the energy, m·p, p·p and m3. The density is `1/(D1 F)`, with
+//! the denominator F of C. `kahan discover` prints H with multiples of m3, and 1/(1/C + eps^4)
+//! instead of C.
 
 use kahan_core::prelude::*;
 
@@ -63,5 +61,5 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// What discover prints, less a function of the other integrals.
+/// The source of formulas that `kahan discover` prints in combination with other integrals.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

@@ -1,7 +1,6 @@
-//! The Lorenz system, a negative control: `kahan discover` finds nothing; not in the paper.
-//!
-//! No integral of degree up to 9 and no density 1/P with P of degree up to 8 shows for generic s,
-//! r, b, and the degrees of the iterates triple. So there is nothing to claim.
+//! The Lorenz system, a negative control; not in the paper. For generic s, r, b, `kahan discover`
+//! finds no integral up to degree 9 and no density 1/P with P up to degree 8. The degrees of
+//! iterates triple. The block claims nothing.
 
 use kahan_core::prelude::*;
 

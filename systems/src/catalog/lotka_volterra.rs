@@ -1,12 +1,10 @@
-//! The Lotka-Volterra system: section 1 of the paper; prey x, predators y.
-//!
-//! The flow has `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is not rational, so not
-//! claimed. The map keeps the bracket and the area `dx dy/(x y)` for every eps. For eps = 1 and eps
-//! = -1, where one map is the inverse of the other, it has a rational integral H, and for no other
-//! eps: there the logarithmic heights of the orbits double in each step (section 7). At eps = 1 the
-//! map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of `(x - y)(x + y -
-//! 2)/(x y)`, which changes its sign in each step: a level set of H is a pair of conics that the
-//! map exchanges (erratum B8).
+//! The Lotka-Volterra system (Section 1), with prey x and predators y. The flow has the bracket
+//! `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is transcendental and not claimed.
+//! The map preserves the bracket and the area `dx dy/(x y)` for every eps. It has a rational
+//! integral H only for eps = 1 and eps = -1, whose maps are inverse to each other; for other eps
+//! the logarithmic heights of orbits double in each step (Section 7). At eps = 1 the map is the
+//! recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of `(x - y)(x + y - 2)/(x y)`,
+//! whose sign changes in each step: the map exchanges two conics (erratum B8).
 
 use kahan_core::prelude::*;
 

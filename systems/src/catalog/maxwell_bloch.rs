@@ -1,11 +1,8 @@
-//! The Maxwell-Bloch equations of light in a medium of two levels, for real amplitudes, without
-//! losses; not in the paper.
-//!
-//! x is the field, y the polarisation, z the inversion. The flow keeps `x^2/2 + z` and `y^2 + z^2`,
-//! and is Hamiltonian in two ways (David and Holm, 1992). The map keeps both
-//! functions deformed, and two compatible brackets. The degrees of the map's iterates grow
-//! quadratically, as 2n^2 + 1. `P` has the Casimir H and `Q` the Casimir K: they are `{x,y} =
-//! rho^-1 I_z` and so on with I = H/2 and I = K/2.
+//! The Maxwell-Bloch equations of light in a two-level medium, for real amplitudes and without
+//! losses; not in the paper. x is the field, y the polarisation, z the inversion. The flow has the
+//! integrals `x^2/2 + z` and `y^2 + z^2`, and is Hamiltonian in two ways (David and Holm, 1992).
+//! The map preserves deformations of both and two compatible brackets `{x,y} = rho^-1 I_z`, …: `P`
+//! with I = H/2, `Q` with I = K/2. The degree of the n-th iterate is 2n^2 + 1.
 
 use kahan_core::prelude::*;
 

@@ -1,10 +1,7 @@
-//! Nahm's equations of magnetic monopoles, reduced by the symmetry of the octahedron; not in the
-//! paper.
-//!
-//! Such reductions are due to Hitchin, Manton and Murray. The flow keeps `y (2x + 3y) (x - y)^2`,
-//! of degree 4, whose level curves are elliptic. The map keeps it over a denominator, and the area
-//! `dx dy/(y (2x + 3y) (x - y))` of the flow as it stands. The degrees of the map's iterates grow
-//! quadratically.
+//! Nahm's equations of magnetic monopoles, reduced by octahedral symmetry (Hitchin, Manton and
+//! Murray); not in the paper. The flow has the integral `y (2x + 3y) (x - y)^2` with elliptic level
+//! curves. The map preserves it over a denominator, and the flow's area
+//! `dx dy/(y (2x + 3y) (x - y))`. Degrees of iterates grow quadratically.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
-//! The periodic Volterra lattice with three sites; not in the paper.
-//!
-//! With D = det A = `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`, even in eps, the map keeps `x + y + z`,
-//! which is linear, and the volume `dx dy dz/(x y z)`, and so `x y z/D`. At large steps D is what
-//! cancels: a test of accuracy for every step that is computed in floats.
+//! The periodic Volterra lattice with three sites; not in the paper. The map preserves `x + y + z`,
+//! the volume `dx dy dz/(x y z)` and `x y z/D`, where D = det A =
+//! `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))` is even in eps. D cancels at large steps, which tests the
+//! accuracy of steps in floats.
 
 use kahan_core::prelude::*;
 

@@ -1,7 +1,6 @@
-//! The periodic Volterra lattice with four sites; not in the paper.
-//!
-//! The flow keeps x + y + z + w, x z and y w. The map keeps the sum as it is and the two products
-//! with denominators that depend on eps, so that composition to higher order leaves the sum alone.
+//! The periodic Volterra lattice with four sites; not in the paper. The flow has the integrals x +
+//! y + z + w, x z and y w. The map preserves the sum, and the products with denominators that
+//! depend on eps. Of the integrals, compositions of higher order therefore preserve only the sum.
 //! The volume is that of the logarithms.
 
 use kahan_core::prelude::*;

@@ -1,9 +1,7 @@
-//! The Weierstrass equation x'' = 6 x^2 - a, whose solution is the elliptic function with g2 = 2 a;
-//! not in the paper.
-//!
-//! With H at eps = 0 the flow is Hamiltonian, `f = K grad H` with `K = [[0, 1], [-1, 0]]`; H is the
-//! modified Hamiltonian of the map, and 1/det A its density. Nothing of them survives composition
-//! to higher order.
+//! The Weierstrass equation x'' = 6 x^2 - a, solved by the elliptic function with g2 = 2 a; not in
+//! the paper. The flow is Hamiltonian, `f = K grad H` with H at eps = 0 and
+//! `K = [[0, 1], [-1, 0]]`. The map has the modified Hamiltonian H and the density 1/det A.
+//! Compositions of higher order preserve neither.
 
 use kahan_core::prelude::*;
 

@@ -1,9 +1,7 @@
-//! The top of Zhukovsky and Volterra, a gyrostat; not in the paper.
-//!
-//! For generic coefficients the map keeps nothing that shows up to degree 9, and the degrees of its
-//! iterates triple. With one of the b zero an integral appears, with two of them zero a second one
-//! and a density; with all three zero it is the Euler top. The claims are therefore made on
-//! specialisations.
+//! The Zhukovsky-Volterra top, a gyrostat; not in the paper. For generic coefficients
+//! `kahan discover` finds nothing up to degree 9, and the degrees of iterates triple. If one b is
+//! zero the map has an integral, with two zeros two integrals and a density; with three zeros it is
+//! the Euler top. The claims therefore concern special values.
 
 use kahan_core::prelude::*;
 

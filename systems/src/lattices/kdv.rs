@@ -1,7 +1,6 @@
-//! The equation of Korteweg and de Vries, u_t = −6 u u_x − u_xxx, on a ring of width h a site.
-//!
-//! Central differences of H = Σ (½u_x² − u³) keep its Hamiltonian form, u_t = D ∇H with the
-//! difference D = (S − S⁻¹)/2h, S the shift: so the map keeps a modified energy.
+//! The Korteweg-de Vries equation u_t = −6 u u_x − u_xxx on a ring of sites at distance h. Central
+//! differences of H = Σ (½u_x² − u³) give the Hamiltonian form u_t = D ∇H with D = (S − S⁻¹)/2h and
+//! the shift S, so the map preserves a modified energy.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
-//! Families: systems of any number of sites, for which a chain is made when the program runs.
-//!
-//! In: a family of equations a file, as a `kahan!` block with the sums that it keeps. Out: the
-//! types that the macro makes of them, and in [`ALL`] the blocks as text. Their integrals beyond
-//! sums are found at a given number of sites by `kahan discover --sites N`.
+//! Families: systems with any number of sites. Each file holds a `kahan!` block with the sums that
+//! it preserves; the number of sites is chosen at run time. Exports the macro's types, and in
+//! [`ALL`] the blocks as text. `kahan discover --sites N` finds further integrals at a given number
+//! of sites.
 
 mod kdv;
 mod species;
@@ -19,11 +18,11 @@ pub use volterra_ring::VolterraRing;
 /// A family of the catalog.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Its name on the command line: `kdv`.
+    /// The command-line name, such as `kdv`.
     pub command: &'static str,
-    /// What it is, in one line.
+    /// A description in one line.
     pub title: &'static str,
-    /// The source file that holds its block and no other.
+    /// The contents of the source file, which holds a single block.
     pub text: &'static str,
 }
 
@@ -40,7 +39,7 @@ const fn entry(command: &'static str, title: &'static str, text: &'static str) -
     Entry { command, title, text }
 }
 
-/// The family of this command name.
+/// Returns the family with this command name.
 pub fn find(command: &str) -> Option<&'static Entry> {
     ALL.iter().find(|entry| entry.command == command)
 }

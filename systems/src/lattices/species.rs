@@ -1,4 +1,4 @@
-//! Species along a shore: Lotka and Volterra's competition with neighbours.
+//! Species along a shore, which compete with their neighbours (Lotka and Volterra).
 
 use kahan_core::prelude::*;
 

@@ -1,5 +1,4 @@
-//! Volterra's chain with two ends, beyond which nothing lives (M. Kac and P. van Moerbeke, Adv.
-//! Math. 16 (1975) 160–169).
+//! Volterra's chain with two free ends (M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160–169).
 
 use kahan_core::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Volterra's chain closed to a ring: each species eats the one and is eaten by the other of its
-//! neighbours (V. Volterra, 1931; M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160–169).
+//! Volterra's chain closed to a ring: each species eats one neighbour and is eaten by the other (V.
+//! Volterra, 1931; M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160–169).
 
 use kahan_core::prelude::*;
 

@@ -1,12 +1,12 @@
-//! The Bernoulli numbers that the asymptotic series of Γ and ψ are made of.
+//! Bernoulli numbers for the asymptotic series of Γ and ψ.
 
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::{One, Zero};
 
-/// How many numbers are kept: enough for 256 bits from an argument of 40 on.
+/// The number of stored numbers, enough for 256 bits at arguments of 40 or more.
 const COUNT: usize = 64;
 
-/// B₂, B₄, …, B₁₂₈ as exact numbers, from Σ_{j≤m} C(m+1, j) B_j = 0.
+/// Returns B₂, B₄, …, B₁₂₈, from Σ_{j≤m} C(m+1, j) B_j = 0.
 pub(super) fn even_numbers() -> Vec<BigRational> {
     let order = 2 * COUNT;
     let mut all: Vec<BigRational> = Vec::with_capacity(order + 1);

@@ -1,4 +1,4 @@
-//! `f64` as a real number: the machine's elementary functions, and libraries for Γ and ψ.
+//! `f64` as a real type, with the machine's elementary functions and libraries for Γ and ψ.
 
 use std::sync::OnceLock;
 

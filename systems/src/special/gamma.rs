@@ -1,14 +1,10 @@
-//! Γ and ψ, by their asymptotic series from a large argument back.
-//!
-//! The machine's floats have libraries for both (see [`Real::gamma`]); the series here serve the
-//! other precision.
+//! Γ and ψ by their asymptotic series at a large argument, and recurrences back from it. The series
+//! serve [`Precise`](super::Precise); floats use libraries (see [`Real::gamma`]).
 
 use super::Real;
 
-/// Γ(x), the factorial (x − 1)! of a real number; not a number at the poles 0, −1, −2, …
-///
-/// For `f64` by `libm`: at most 8 ulp on (−30, 171). For [`Precise`](super::Precise): relative
-/// error below 1e−72 for |x| ≤ 1000.
+/// Returns Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`libm`) the error is at most 8 ulp on
+/// (−30, 171). For [`Precise`](super::Precise) the relative error is below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real, gamma};
@@ -21,10 +17,9 @@ pub fn gamma<T: Real>(x: &T) -> T {
     x.gamma()
 }
 
-/// ψ(x) = Γ′(x)/Γ(x); not a number at the poles 0, −1, −2, …
-///
-/// For `f64` by `special`: error at most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30. For
-/// [`Precise`](super::Precise): error below 1e−73·max(1, |ψ|) for |x| ≤ 1000.
+/// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`special`) the error is at
+/// most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30. For [`Precise`](super::Precise) it is below
+/// 1e−73·max(1, |ψ|) for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real, digamma};
@@ -38,39 +33,39 @@ pub fn digamma<T: Real>(x: &T) -> T {
     x.digamma()
 }
 
-/// Whether x is 0, −1, −2, …, where Γ and ψ have their poles.
+/// Says whether x is a pole 0, −1, −2, … of Γ and ψ.
 pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// From here on Stirling's series reaches the full precision: its smallest term is about e^(−2πx).
+/// Returns the least argument for full precision (smallest term of Stirling's series: e^(−2πx)).
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }
 
-/// The steps that lead from x > 0 to an argument of at least `from`.
+/// Returns the number of unit steps from x > 0 to an argument of at least `from`.
 pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
     ((T::from_int(from) - *x).to_f64().ceil() as i64).max(0)
 }
 
-/// sin(πx), x reduced exactly before it meets π.
+/// Returns sin(πx), with exact argument reduction before the multiplication by π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
     let turns = T::from_int(2) * (*x * T::half() + T::half() * T::half()).floor();
-    // Now between −1/2 and 3/2.
+    // In [−1/2, 3/2).
     let rest = *x - turns;
     (T::pi() * rest).sin()
 }
 
-/// cos(πx), x reduced exactly before it meets π, so that the zeros are exact.
+/// Returns cos(πx), with exact argument reduction, so that zeros are exact.
 pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     let two = T::from_int(2);
     let rest = *x - two * (*x * T::half() + T::half()).floor();
-    // Now between −1 and 1; 1/2 − |rest| is exact where the cosine is small.
+    // In [−1, 1); 1/2 − |rest| is exact where the cosine is small.
     (T::pi() * (T::half() - rest.abs())).sin()
 }
 
-/// Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)), from x + n back by Γ(x+1) = xΓ(x),
-/// and for x < 1/2 by Γ(x)Γ(1−x) = π/sin πx.
+/// Returns Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)). Uses the series at x + n
+/// with Γ(x+1) = xΓ(x), and for x < 1/2 Γ(x)Γ(1−x) = π/sin πx.
 pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -89,8 +84,8 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     (T::from_int(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
-/// ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)), from x + n back by ψ(x+1) = ψ(x) + 1/x, and for x <
-/// 1/2 by ψ(x) = ψ(1−x) − π cot πx.
+/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). Uses the series at x + n with ψ(x+1) = ψ(x) +
+/// 1/x, and for x < 1/2 ψ(x) = ψ(1−x) − π cot πx.
 pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -109,12 +104,12 @@ pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     large.ln() - T::half() / large - series - descent
 }
 
-/// Σ_{m≥1} term(m, B₂ₘ) x^(−2m) up to the precision of T.
+/// Returns Σ_{m≥1} term(m, B₂ₘ) x^(−2m) to the precision of T.
 fn stirling_sum<T: Real>(x: &T, term: impl Fn(i64, T) -> T) -> T {
     sum_in_inverse_squares(x, (1..).zip(T::bernoulli()).map(|(m, bernoulli)| term(m, *bernoulli)))
 }
 
-/// Σ_{m≥1} cₘ x^(−2m) up to the precision of T.
+/// Returns Σ_{m≥1} cₘ x^(−2m) to the precision of T.
 pub(super) fn sum_in_inverse_squares<T: Real>(x: &T, coefficients: impl Iterator<Item = T>) -> T {
     let inverse_square = T::one() / x.square();
     let mut power = T::one();
@@ -131,7 +126,6 @@ pub(super) fn sum_in_inverse_squares<T: Real>(x: &T, coefficients: impl Iterator
     sum
 }
 
-/// What has no value, in either type.
 pub(super) fn not_a_number<T: Real>() -> T {
     T::zero() / T::zero()
 }

@@ -1,18 +1,14 @@
-//! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation.
-//!
-//! Everything rests on the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), whose logarithm
-//! has an asymptotic series in even powers of 1/w: ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 +
-//! σ)/(m(2m+1) w^(2m)), with Bernoulli polynomials (odd in σ). No two logarithms of Γ are ever
-//! subtracted.
+//! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. All use the
+//! centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), whose logarithm has an asymptotic series
+//! in even powers of 1/w with Bernoulli polynomials (odd in σ):
+//!   ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
 
 use super::Real;
 use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squares};
 
-/// Γ(x + a)/Γ(x + b), for any real x, a, b, to full relative precision for every size of x.
-///
-/// Zero where only the denominator has a pole, not a number where only the numerator has one; where
-/// both have, the limit. The sums (a + b − 1)/2 and (a − b)/2 are rounded; [`centered_gamma_ratio`]
-/// takes them directly.
+/// Returns Γ(x + a)/Γ(x + b) for real x, a, b, with full relative precision for all sizes of x.
+/// Zero if only the denominator has a pole, NaN if only the numerator has one, the limit if both
+/// have. (a + b − 1)/2 and (a − b)/2 are rounded; [`centered_gamma_ratio`] takes them directly.
 ///
 /// ```
 /// use kahan_systems::special::gamma_ratio;
@@ -25,13 +21,12 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
     centered_gamma_ratio(&(*x + middle), &((*a - *b) * T::half()))
 }
 
-/// R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), for any real w and σ.
+/// Returns R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
 ///
-/// For integer 2σ (up to 64 in size) it is evaluated as the polynomial, or its reciprocal, that it
-/// is then. Else by the series from a large w back, a product of at most about 12 + 2|σ| factors in
-/// `f64` and 40 + 2|σ| in [`Precise`](super::Precise); for w < −|σ| − 1/2 by reflection. In `f64`,
-/// for |σ| ≤ 3, at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20 and 64 ulp for −20 ≤ w < 0 off the
-/// poles.
+/// For integer 2σ up to ±64, evaluates the polynomial R or its reciprocal. Otherwise uses the
+/// series at a large w and at most about 12 + 2|σ| factors in `f64`, 40 + 2|σ| in
+/// [`Precise`](super::Precise), and reflection for w < −|σ| − 1/2. In `f64`, for |σ| ≤ 3, the error
+/// is at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20, and 64 ulp for −20 ≤ w < 0 off the poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {
         return rational_ratio(w, n);
@@ -52,9 +47,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     large.power_real(&(T::from_int(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
-/// ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the logarithmic derivative of [`centered_gamma_ratio`] in w,
-/// for any real w and σ off the poles; full relative precision also where both terms are nearly
-/// equal.
+/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the derivative of ln [`centered_gamma_ratio`] in w, for
+/// real w and σ off the poles. The relative precision is full even where both terms nearly agree.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;
@@ -65,8 +59,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // The derivative of the logarithm of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin
-        // 2πσ/(cos cos).
+        // The reflection's logarithmic derivative, π tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos
+        // cos).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;
@@ -83,51 +77,47 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two * (*sigma / large + series + *sigma * descent)
 }
 
-/// Whether w is so far on the left that reflection serves. For −|σ| − 1/2 ≤ w < 0 it could multiply
-/// a pole by a zero; there the few factors from w up are taken instead.
+/// Says whether w is negative enough for reflection. For −|σ| − 1/2 ≤ w < 0 a reflection could
+/// multiply a pole by a zero, so the recurrence is used there.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }
 
-/// w less the nearest integer, exactly: between −1/2 and 1/2.
+/// Returns w minus the nearest integer, exactly, in [−1/2, 1/2).
 fn fold<T: Real>(w: &T) -> T {
     *w - (*w + T::half()).floor()
 }
 
-/// R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), f = w less the nearest integer; from Γ(z)Γ(1−z) =
-/// π/sin πz.
+/// Returns R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), where f is w minus the nearest integer;
+/// from Γ(z)Γ(1−z) = π/sin πz.
 fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     let fold = fold(w);
     cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
 }
 
-/// The integer that x is, if it is one of at most 64 in size.
+/// Returns x as an integer, if it is one and at most 64 in size.
 fn small_integer<T: Real>(x: &T) -> Option<i64> {
     let n = x.to_f64();
     (n.abs() <= 64.0 && x.floor() == *x).then_some(n as i64)
 }
 
-/// R(w, n/2): the product of w + (1−n)/2 + j over 0 ≤ j < n for n ≥ 0, the reciprocal of R(w, −n/2)
-/// for n < 0.
+/// Returns R(w, n/2): for n ≥ 0 the product of w + (1−n)/2 + j over 0 ≤ j < n, for n < 0 the
+/// reciprocal of R(w, −n/2).
 fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
     let product =
         (0..n.abs()).fold(T::one(), |product, j| product * (*w + T::from_ratio(1 - n.abs() + 2 * j, 2)));
     if n < 0 { T::one() / product } else { product }
 }
 
-/// Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) up to the precision of T.
-///
-/// B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k, nonzero for even
-/// k only.
+/// Returns Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) to the precision of T, from B_n(1/2 + σ) =
+/// Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k, nonzero for even k only.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
     let terms = 1..=T::bernoulli().len() as i64;
     sum_in_inverse_squares(w, terms.map(|m| term(m, binomial_sum(2 * m + 1, sigma, &middle))))
 }
 
-/// Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n; the slice holds v₀, v₂, v₄, …
-///
-/// Horner's scheme in σ², from k = 0 on.
+/// Returns Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n, from v₀, v₂, v₄, …, by Horner's scheme.
 pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let square = sigma.square();
     let mut binomial = T::one();
@@ -139,7 +129,7 @@ pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     sum * *sigma
 }
 
-/// B₀(1/2), B₂(1/2), B₄(1/2), …
+/// Returns B₀(1/2), B₂(1/2), B₄(1/2), ….
 pub(super) fn middle_values<T: Real>() -> Vec<T> {
     let mut power = T::from_int(2);
     let quarter = T::from_ratio(1, 4);

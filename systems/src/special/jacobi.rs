@@ -1,27 +1,24 @@
-//! Jacobi's elliptic functions sn, cn, dn of a real argument.
+//! Jacobi's elliptic functions sn, cn and dn of a real argument.
 
 use super::gamma::not_a_number;
 use super::{Modulus, Real};
 
-/// The values of Jacobi's three elliptic functions at one argument.
+/// The values of sn, cn and dn at one argument.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jacobi<T> {
     /// sn(u, k), the sine of the amplitude.
     pub sn: T,
     /// cn(u, k), the cosine of the amplitude.
     pub cn: T,
-    /// dn(u, k) = √(1 − k² sn²), positive.
+    /// dn(u, k) = √(1 − k² sn²) ≥ 0.
     pub dn: T,
 }
 
-/// sn, cn, dn of any real u, modulus k with 0 ≤ k ≤ 1.
-///
-/// u is reduced by whole half periods 2K, then Landen's descending transformation lowers the
-/// modulus until sine and cosine serve; every sum in it is of positive numbers. In `f64` the errors
-/// are at most 8 units of 2⁻⁵² for |u| ≤ 2K and k ≤ 0.999, and 64 up to the last k below 1; a
-/// larger u adds the rounding of u itself.
-/// (Measured beside it, the port of Cephes in `spec_math` 0.1 errs by 51 units, and by 10¹⁵ next to
-/// k = 1, where it has the wrong values.)
+/// Returns sn u, cn u and dn u for real u and a modulus 0 ≤ k ≤ 1. Subtracts half periods 2K, then
+/// applies Landen's descending transformation until sine and cosine suffice; all its sums have
+/// positive terms. In `f64` the errors are at most 8 units of 2⁻⁵² for |u| ≤ 2K and k ≤ 0.999, and
+/// 64 units for larger k < 1. For larger u the rounding of u adds to them. (The port of Cephes in
+/// `spec_math` 0.1 errs by 51 units, and gives wrong values near k = 1.)
 ///
 /// ```
 /// use kahan_systems::special::{Modulus, jacobi};
@@ -45,10 +42,11 @@ pub fn jacobi<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     if odd { Jacobi { sn: -sn, cn: -cn, dn } } else { Jacobi { sn, cn, dn } }
 }
 
-/// One step of Landen's transformation with k₁ = (1 − k′)/(1 + k′) and k₁′ = 2√k′/(1 + k′):
+/// Applies one step of Landen's transformation with k₁ = (1 − k′)/(1 + k′) and k₁′ = 2√k′/(1 + k′):
 ///
-/// sn = (1 + k₁)s/(1 + k₁s²), cn = cd/(1 + k₁s²), dn = (1 − k₁ + k₁c²)/(1 + k₁s²), with s, c, d at
-/// u/(1 + k₁), k₁.
+///   sn = (1 + k₁)s/(1 + k₁s²), cn = cd/(1 + k₁s²), dn = (1 − k₁ + k₁c²)/(1 + k₁s²),
+///
+/// with s, c, d at u/(1 + k₁) and k₁.
 fn descend<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     // sn u = sin u + O(k²) and dn = 1 − O(k²).
     if modulus.k.square() < T::epsilon() * T::from_ratio(1, 16) {

@@ -1,11 +1,8 @@
-//! Real numbers with transcendental functions, in the machine's precision and in 256 bits.
-//!
-//! In: [`Real`], what an explicit solution asks of a number; [`Precise`], such a number of 77
-//! decimal digits. Out: Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and
-//! theta functions, each once, for both. For `f64` a well-kept library computes what it computes
-//! well; the bounds in units of the last place stated there were measured against [`Precise`] and
-//! are tested. Nothing here panics on a value: what has no real value is "not a number" in either
-//! type.
+//! Transcendental functions in two precisions: `f64`, and 256 bits as [`Precise`]. [`Real`] is the
+//! trait that closed solutions require of numbers. The module adds Γ, ψ, ratios of Γ, elliptic
+//! integrals, Jacobi's elliptic functions and theta functions, each generic over both. For `f64` it
+//! uses established libraries where they are accurate; documented error bounds were measured
+//! against [`Precise`], and are tested. No function panics: without a real value it returns NaN.
 
 mod bernoulli;
 mod elliptic;

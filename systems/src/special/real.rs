@@ -1,139 +1,134 @@
-//! The trait of real numbers that explicit solutions are computed with.
+//! The real numbers of closed solutions.
 
 use kahan_core::Pivot;
 use kahan_core::num_rational::BigRational;
 
-/// A real number of finite precision with the elementary functions and the few special ones that
-/// have a library.
-///
-/// Implemented for `f64` and for [`Precise`](super::Precise). What has no real value (0/0, ln(−1),
-/// a pole of Γ) is not a number: it compares with nothing, and
-/// [`is_finite_number`](Pivot::is_finite_number) tells. Methods take references; the operators of
-/// [`Scalar`](kahan_core::Scalar) take values. An `f64` becomes the number that it is, without
-/// rounding.
+/// A real number of finite precision with elementary functions, Γ and ψ. Implemented for `f64` and
+/// [`Precise`](super::Precise). Results without a real value (0/0, ln(−1), a pole of Γ) are NaN:
+/// comparisons are false, and [`is_finite_number`](Pivot::is_finite_number) is false. Methods take
+/// references, the operators of [`Scalar`](kahan_core::Scalar) values. Conversions from `f64` are
+/// exact.
 pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
-    /// Decimal digits that a value carries at least: 15 for `f64`, 76 for
-    /// [`Precise`](super::Precise).
+    /// The number of decimal digits: 15 for `f64`, 76 for [`Precise`](super::Precise).
     const DIGITS: usize;
 
-    /// The distance from 1 to the next larger number; a correct rounding errs by at most half of
-    /// it, relatively.
+    /// Returns the distance from 1 to the next larger number, twice the unit roundoff.
     fn epsilon() -> Self;
 
-    /// An integer, rounded to nearest where it has too many digits.
+    /// Converts an integer, rounding to nearest if necessary.
     fn from_int(n: i64) -> Self;
 
-    /// The number nearest to a rational.
+    /// Rounds a rational to the nearest number.
     fn from_rational(q: &BigRational) -> Self;
 
-    /// The number nearest to p/q; not a number for q = 0.
+    /// Returns p/q, NaN for q = 0.
     fn from_ratio(p: i64, q: i64) -> Self {
         Self::from_int(p) / Self::from_int(q)
     }
 
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     fn to_f64(&self) -> f64 {
         self.approximate()
     }
 
-    /// π, the half turn.
+    /// Returns π.
     fn pi() -> Self;
 
-    /// The absolute value.
+    /// Returns |x|.
     fn abs(&self) -> Self;
 
-    /// The square root, of what is not negative.
+    /// Returns √x; NaN for x < 0.
     fn sqrt(&self) -> Self;
 
-    /// eˣ.
+    /// Returns eˣ.
     fn exp(&self) -> Self;
 
-    /// eˣ − 1, without cancellation near x = 0.
+    /// Returns eˣ − 1, without cancellation near x = 0.
     fn exp_m1(&self) -> Self;
 
-    /// The natural logarithm, of what is positive.
+    /// Returns ln x for x > 0.
     fn ln(&self) -> Self;
 
-    /// ln(1 + x), without cancellation near x = 0, for x > −1.
+    /// Returns ln(1 + x) for x > −1, without cancellation near x = 0.
     fn ln_1p(&self) -> Self;
 
-    /// (sin x, cos x), x in radians.
+    /// Returns (sin x, cos x) for x in radians.
     fn sin_cos(&self) -> (Self, Self);
 
-    /// The angle of the point (x, y) with `self` as y: in (−π, π], and 0 at the origin.
+    /// Returns the angle of the point (x, `self`) in (−π, π]; 0 at the origin.
     fn atan2(&self, x: &Self) -> Self;
 
-    /// (sinh x, cosh x).
+    /// Returns (sinh x, cosh x).
     fn sinh_cosh(&self) -> (Self, Self);
 
-    /// tanh x.
+    /// Returns tanh x.
     fn tanh(&self) -> Self;
 
-    /// The inverse of tanh, of what lies between −1 and 1.
+    /// Returns artanh x for −1 < x < 1.
     fn atanh(&self) -> Self;
 
-    /// The largest integer that is not above x.
+    /// Returns the largest integer ≤ x.
     fn floor(&self) -> Self;
 
-    /// Γ(x), see [`gamma`](super::gamma); not a number at the poles 0, −1, −2, …
+    /// Returns Γ(x), see [`gamma`](super::gamma); NaN at the poles 0, −1, −2, ….
     fn gamma(&self) -> Self;
 
-    /// ψ(x) = Γ′(x)/Γ(x), see [`digamma`](super::digamma); not a number at the poles 0, −1, −2, …
+    /// Returns ψ(x) = Γ′(x)/Γ(x), see [`digamma`](super::digamma); NaN at the poles 0, −1, −2, ….
     fn digamma(&self) -> Self;
 
-    /// The Bernoulli numbers B₂, B₄, …, B₁₂₈, computed once.
+    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed once.
     fn bernoulli() -> &'static [Self];
 
-    /// 1/2, exactly.
+    /// Returns 1/2.
     fn half() -> Self {
         Self::one() / Self::from_int(2)
     }
 
-    /// sin x.
+    /// Returns sin x.
     fn sin(&self) -> Self {
         self.sin_cos().0
     }
 
-    /// cos x.
+    /// Returns cos x.
     fn cos(&self) -> Self {
         self.sin_cos().1
     }
 
-    /// sinh x.
+    /// Returns sinh x.
     fn sinh(&self) -> Self {
         self.sinh_cosh().0
     }
 
-    /// cosh x.
+    /// Returns cosh x.
     fn cosh(&self) -> Self {
         self.sinh_cosh().1
     }
 
-    /// The angle in (−π/2, π/2) whose tangent is x.
+    /// Returns arctan x in (−π/2, π/2).
     fn atan(&self) -> Self {
         self.atan2(&Self::one())
     }
 
-    /// The inverse of sinh, for every x, without cancellation near 0.
+    /// Returns arsinh x, without cancellation near 0.
     fn asinh(&self) -> Self {
-        // For x ≥ 0: eʸ − 1 = x + x²/(1 + √(1 + x²)); odd, so the size decides.
+        // For x ≥ 0, eʸ − 1 = x + x²/(1 + √(1 + x²)); arsinh is odd.
         let x = self.abs();
         let root = (Self::one() + x.square()).sqrt();
         let value = (x + x.square() / (Self::one() + root)).ln_1p();
         if self.is_negative() { -value } else { value }
     }
 
-    /// The sign as a number: 1 for x ≥ 0, −1 for x < 0.
+    /// Returns 1 for x ≥ 0, −1 for x < 0.
     fn sign(&self) -> Self {
         if self.is_negative() { -Self::one() } else { Self::one() }
     }
 
-    /// x².
+    /// Returns x².
     fn square(&self) -> Self {
         *self * *self
     }
 
-    /// xⁿ for any integer n; x⁰ = 1.
+    /// Returns xⁿ for any integer n; x⁰ = 1.
     fn power(&self, n: i64) -> Self {
         let mut result = Self::one();
         let mut square = *self;
@@ -148,15 +143,15 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
         if n < 0 { Self::one() / result } else { result }
     }
 
-    /// x^y = e^(y ln x) for x > 0.
+    /// Returns x^y = e^(y ln x) for x > 0.
     fn power_real(&self, y: &Self) -> Self;
 
-    /// Whether x > 0.
+    /// Says whether x > 0.
     fn is_positive(&self) -> bool {
         *self > Self::zero()
     }
 
-    /// Whether x < 0.
+    /// Says whether x < 0.
     fn is_negative(&self) -> bool {
         *self < Self::zero()
     }

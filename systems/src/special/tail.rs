@@ -1,35 +1,31 @@
-//! The tails of the two series whose terms hold Γ and ψ, summed by their asymptotic expansions.
-//!
-//! Both have terms t(w) at w = N + 1/2, N + 3/2, … with an expansion Σ_i w^(−s−2i)(a_i + b_i ln w +
-//! c_i ln² w) in which only even powers follow the first. The midpoint rule of Euler and Maclaurin,
-//! applied to every power, gives
-//!
-//! Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))],
-//!
-//! and its derivatives in s the logarithms; they are carried as jets 1, η, η² in s + η.
+//! The tails of the series of K̂₇ and K̂₈, by asymptotic expansions. The terms at w = N + j + 1/2,
+//! j ≥ 0, expand as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The midpoint form of the
+//! Euler–Maclaurin formula sums each power:
+//!   Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
+//! Derivatives in s give the logarithms; they are computed by jets in s + η.
 
 use super::Real;
 use super::gamma::asymptotic_from;
 use super::gamma_ratio::{binomial_sum, middle_values};
 
-/// Numbers z₀ + z₁η + z₂η² with η³ = 0.
+/// A jet z₀ + z₁η + z₂η² with η³ = 0.
 type Jet<T> = [T; 3];
 
-/// From this N on the tails have the full precision, for parameters of at most this size.
+/// Returns the least N for full precision, for parameters of at most this size.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
 
-/// The number of powers that reach the precision from [`asymptotic_start`] on.
+/// Returns the number of powers needed from [`asymptotic_start`] on.
 fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
-/// Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h/R(N + j, σ), R the centred ratio
-/// of Γ and ξ = 2σ + 1, without the factor h²; for ξ > 0 and N at least [`asymptotic_start`].
-///
-/// With w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1) w^(2m)),
-/// where p_n(σ) is the Bernoulli polynomial without its term of degree n − 1.
+/// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) without its factor h², where Y_j =
+/// h/R(N + j, σ) with the centred ratio R of Γ and ξ = 2σ + 1. Requires ξ > 0 and N ≥
+/// [`asymptotic_start`]. For w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
+/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)), where p_n(σ) is the Bernoulli polynomial without its term of
+/// degree n − 1.
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
@@ -41,11 +37,9 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     *xi * T::half() * tail(n, &(T::from_int(2) * *xi + T::one()), &terms)
 }
 
-/// Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N + j +
-/// 1/2), for N at least [`asymptotic_start`].
-///
-/// With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h + Σ B₂ₘ/(2m w^(2m)) − ln w the term is
-/// (D + D² − 1/(4w²))/(2w(w² − 1)).
+/// Returns Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N +
+/// j + 1/2). Requires N ≥ [`asymptotic_start`]. For w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h +
+/// Σ B₂ₘ/(2m w^(2m)) − ln w the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
         .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))
@@ -66,7 +60,7 @@ pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     T::half() * tail(n, &T::from_int(3), &terms)
 }
 
-/// Σ_{j≥0} Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w) at w = N + 1/2 + j.
+/// Returns Σ_{j≥0} Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w) at w = N + 1/2 + j.
 fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
     let middle = middle_values::<T>();
     let inverse_square = T::one() / n.square();
@@ -79,14 +73,14 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
         let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(power, series);
-        // −d/ds brings down a logarithm.
+        // −d/ds multiplies by a logarithm.
         sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }
     sum * n.power_real(&(T::one() - *s))
 }
 
-/// 1/(s+η−1) + Σ_{k≥1} B₂ₖ(1/2) (s+η)…(s+η+2k−2)/(2k)! · v^k as a jet in η, v = N^(−2).
+/// Returns 1/(s+η−1) + Σ_{k≥1} B₂ₖ(1/2) (s+η)…(s+η+2k−2)/(2k)! · v^k as a jet in η, v = N^(−2).
 fn power_sum<T: Real>(s: &T, v: &T, middle: &[T]) -> Jet<T> {
     let inverse = T::one() / (*s - T::one());
     let mut sum = [inverse, -inverse.square(), inverse.power(3)];
@@ -106,12 +100,12 @@ fn multiply<T: Real>([a0, a1, a2]: Jet<T>, [b0, b1, b2]: Jet<T>) -> Jet<T> {
     [a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0]
 }
 
-/// The product of two power series, as long as the first.
+/// Multiplies power series, to the length of the first.
 fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }
 
-/// The exponential of a power series without constant term: n eₙ = Σ m cₘ eₙ₋ₘ.
+/// Returns the exponential of a power series without constant term, by n eₙ = Σ m cₘ eₙ₋ₘ.
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {
@@ -121,7 +115,7 @@ fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     result
 }
 
-/// A power series in v divided by 1 − v.
+/// Divides a power series in v by 1 − v.
 fn divide_by_one_minus_square<T: Real>(series: Vec<T>) -> Vec<T> {
     let mut total = T::zero();
     let sum = |value| {

@@ -1,9 +1,9 @@
-//! The theta functions ϑ₁, ϑ₂, ϑ₃, ϑ₄ of a real argument, by their series in the nome.
+//! The theta functions ϑ₁, ϑ₂, ϑ₃, ϑ₄ of a real argument, by series in the nome.
 
 use super::Real;
 use super::gamma::not_a_number;
 
-/// ϑ₁ to ϑ₄ at one argument z and nome q.
+/// The values of ϑ₁ to ϑ₄ at one argument z and nome q.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theta<T> {
     /// ϑ₁ = 2Σ_{n≥0} (−1)ⁿ q^((n+1/2)²) sin (2n+1)z.
@@ -16,11 +16,10 @@ pub struct Theta<T> {
     pub four: T,
 }
 
-/// The four theta functions at z (period 2π in z), nome 0 ≤ q < 1; not a number for other q.
-///
-/// The number of terms is √(D ln 10/ln(1/q)) for D digits: 4 at q = 0.1 in `f64`, 40 at q = 0.9 in
-/// [`Precise`](super::Precise). The error is at most 10 units of 2⁻⁵² max(1, |ϑ|) in
-/// `f64` for q ≤ 0.9, |z| ≤ 10.
+/// Returns the four theta functions at z (period 2π in z) for the nome 0 ≤ q < 1; NaN for other q.
+/// For D digits there are √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in `f64`, 40 for q = 0.9 in
+/// [`Precise`](super::Precise). In `f64`, for q ≤ 0.9 and |z| ≤ 10, the error is at most 10 units
+/// of 2⁻⁵² max(1, |ϑ|).
 ///
 /// ```
 /// use kahan_systems::special::theta;
@@ -40,8 +39,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Chebyshev's recurrence for sin jz and cos jz would lose digits near z = 0, so the angle is
-    // turned instead.
+    // Rotates the angle; Chebyshev's recurrence for sin jz loses digits near z = 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).
@@ -60,7 +58,7 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // Relative to the first term of ϑ₁ and ϑ₂, so that they are as precise for a small nome.
+        // Relative to the first term of ϑ₁ and ϑ₂, so that they stay precise for small nomes.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

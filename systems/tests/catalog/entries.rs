@@ -1,5 +1,4 @@
-//! The registry, swept: every block reads without a mistake (which proves its claims) and every
-//! claim has its source.
+//! Tests of all entries: every block is valid with proved claims, and every claim has a source.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read;
@@ -26,7 +25,7 @@ fn every_claim_of_every_block_is_proved() {
     for entry in all() {
         let reading = reading(entry);
         assert_eq!(reading.name(), entry.type_name);
-        // The Lorenz system is the control: there is nothing to claim.
+        // Lorenz is the negative control, without claims.
         assert_eq!(reading.claims.is_empty(), entry.command == "lorenz", "{}", entry.command);
     }
 }

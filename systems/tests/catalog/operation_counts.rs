@@ -1,8 +1,7 @@
-//! What the steps of the catalog and of other well-known fields cost, counted: the numbers that
-//! noise cannot touch.
-//!
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` writes the table anew. A
-//! change of the planner shows there as a diff, and may not exceed what careful code by hand takes.
+//! Operation counts of steps, for the catalog and other well-known fields.
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` rewrites the table, so
+//! that changes of the planner appear in the diff. Counts may not exceed those of careful code by
+//! hand.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -15,7 +14,7 @@ use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_systems::registry::{SYSTEMS, find};
 
-/// Systems of the catalog that are not in the paper, and fields beside the catalog's.
+/// Catalog systems beyond the paper, and fields outside the catalog.
 const FURTHER: [&str; 2] = ["lorenz", "clebsch"];
 const OTHERS: [(&str, &str); 4] = [
     (
@@ -47,7 +46,7 @@ fn catalog(name: &str) -> System {
     system(find(name).expect("a system of the catalog").text())
 }
 
-/// How many constants are prepared, and what one step from a state to the next costs.
+/// Returns the number of prepared constants, and the cost of one step.
 fn step_cost(field: &Field) -> Option<(usize, Cost)> {
     let step = StepPlan::of(field)?;
     Some((step.constants.outputs.len(), step.next(&field.symbols).cost()))
@@ -95,10 +94,10 @@ fn the_table_of_operation_counts_is_the_committed_one() {
     );
 }
 
-/// What careful code by hand takes, written for the shortest critical path with one reciprocal (E5:
-/// two): everything from a state to the next, products of ε and parameters prepared, common
-/// subexpressions once. e = ε, d = 2ε, X = e·x and so on, i = 1/D; each increment is a numerator
-/// times i. The comments state what is counted: additions, multiplications, divisions.
+/// The operations of careful code by hand, written for the shortest critical path with one
+/// reciprocal (E5: two). Products of ε and parameters are prepared; common subexpressions occur
+/// once. e = ε, d = 2ε, X = e·x and so on, i = 1/D; increments are numerators times i. The comments
+/// give the code, and the numbers of additions, multiplications and divisions.
 const BY_HAND: [(&str, usize); 8] = [
     // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13, 9, 1
     ("lv", 23),
@@ -146,7 +145,7 @@ fn no_step_takes_more_operations_than_careful_code_by_hand() {
 mod folding {
     use super::*;
 
-    /// The step of a system of the catalog with ξ = 1 put in before the map is reduced.
+    /// Returns the step plan of a catalog system, reduced after ξ = 1 is substituted.
     fn at_xi_1(name: &str) -> Option<StepPlan> {
         let special =
             catalog(name).specialise(&[(0, Rational::one())]).expect("the field has a value at ξ = 1");

@@ -1,5 +1,4 @@
-//! E9 by quadrature: against its closed cases, against the differential equation, and on its
-//! sphere.
+//! E9 by quadrature, compared with its closed cases and the differential equation.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -17,7 +16,7 @@ fn start() -> Point<Precise> {
 fn integrals_of_known_value() {
     let one = Precise::from_int(1);
     assert_close(&integrate(&Precise::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
-    // A singularity at the left end, and an interval that is traversed backwards.
+    // A singularity at the left end, and a reversed interval.
     let root = integrate(&Precise::zero(), &one, |x: &Precise| one / x.sqrt()).value;
     assert_close(&root, &Precise::from_int(2), 37, "inverse root");
     let back = integrate(&one, &Precise::zero(), Real::exp).value;
@@ -25,14 +24,13 @@ fn integrals_of_known_value() {
     assert!((integrate(&0.0, &1.0, |x: &f64| x.cos()).value - 1.0_f64.sin()).abs() < 4.0 * f64::EPSILON);
 }
 
-/// The time to reach z, known from a closed solution: at t the solution is at x, and the quadrature
-/// gives t back.
+/// At the x that a closed solution reaches at time t, the quadrature returns t.
 #[test]
 fn the_quadrature_is_the_time_of_the_closed_cases() {
     for xi in ["2", "1/2", "1", "-1"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let trajectory = e9::FlowSolution::through(&xi, &start()).unwrap();
-        // x falls while z > 0, which it stays for these times.
+        // x decreases while z > 0, as at all these times.
         let times = ["0", "1/20", "1/6"].map(number);
         let points = times.each_ref().map(|t| trajectory.at(t));
         let clock = points.each_ref().map(|point| quadrature.time_from_largest(&point[0]));
@@ -68,7 +66,7 @@ fn the_period_of_e4_is_four_quarter_periods() {
 
 #[test]
 fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
-    // dt/dx = −1/(xz) by a symmetric difference of order 2, at two steps: the error falls with h².
+    // dt/dx = −1/(xz) by a central difference of order 2 with two steps; the error is O(h²).
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let x = start()[0];
@@ -81,7 +79,7 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
         let h = ten_to_minus(16);
         let coarse = slope(&(Precise::from_int(2) * h));
         let fine = slope(&h);
-        // Richardson: order 4, so 10^(−64) against 10^(−60) of rounding.
+        // Richardson extrapolation has order 4: an error of 10^(−64), below 10^(−60) of rounding.
         let extrapolated = fine + (fine - coarse) / Precise::from_int(3);
         assert_close(&(extrapolated * field[0]), &Precise::from_int(1), 50, "dt/dx");
     }
@@ -103,8 +101,7 @@ fn fixed_points_are_fixed_and_on_the_sphere() {
 
 #[test]
 fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
-    // About (√(−ξ) a, a, 0) the field is linear in first order, with the frequency ω² =
-    // 2(1−ξ)(−ξ)a².
+    // Near (√(−ξ) a, a, 0) the linearised field has the frequency ω² = 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
     let mut near = *fixed;

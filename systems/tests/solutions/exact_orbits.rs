@@ -1,4 +1,4 @@
-//! Exact orbits to measure solutions by: rational points, stepped by the generated maps.
+//! Exact orbits for comparison: rational points stepped by the generated maps.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
@@ -8,19 +8,18 @@ use crate::solutions::measure::{assert_close_above, ten_to_minus};
 pub(crate) type Rational = BigRational;
 pub(crate) type Point<T> = SVector<T, 3>;
 
-/// A rational from `p/q`.
 pub(crate) fn rational(text: &str) -> Rational {
     text.parse().unwrap_or_else(|_| panic!("{text} is not a rational"))
 }
 
-/// A case of the oracle's tables: its parameters, ε and point.
+/// A case of the oracle's tables: parameters, ε and initial point.
 pub(crate) struct Case {
     pub(crate) parameters: Vec<Rational>,
     pub(crate) eps: Rational,
     pub(crate) start: Point<Rational>,
 }
 
-/// The cases of a system in tests/data.
+/// Reads the cases of a system from `tests/data`.
 pub(crate) fn cases(system: &str) -> Vec<Case> {
     let path = format!("{}/../tests/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
@@ -35,8 +34,7 @@ pub(crate) fn cases(system: &str) -> Vec<Case> {
     data["cases"].as_array().expect("cases").iter().map(read).collect()
 }
 
-/// The points n = −back, …, forward of the orbit, with their n; shorter on a side where an exact
-/// orbit meets a pole.
+/// Returns the points n = −back, …, forward with their n, up to the first pole on either side.
 pub(crate) fn orbit<M, T>(
     map: M,
     start: &Point<T>,
@@ -58,18 +56,17 @@ where
     points
 }
 
-/// A point in 256 bits.
 pub(crate) fn precise(point: &Point<Rational>) -> Point<Precise> {
     point.map(|value| Precise::from_rational(&value))
 }
 
-/// The largest component.
+/// Returns the largest component in size.
 pub(crate) fn norm(point: &Point<Precise>) -> Precise {
     point.iter().fold(Precise::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
-/// Panics unless the solution agrees with the exact orbit to so many digits of each point's norm;
-/// returns how many points were compared.
+/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm, and
+/// returns the number of points compared.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
     at: impl Fn(i64) -> Point<Precise>,
@@ -80,7 +77,7 @@ pub(crate) fn assert_on_orbit(
         let (value, expected) = (at(*n), precise(point));
         let size = norm(&expected);
         for i in 0..3 {
-            // A floor of a tenth of a unit of the last digit lets the fixed point 0 pass.
+            // The floor lets the fixed point 0 pass.
             let floor = if size > ten_to_minus(200) { size } else { ten_to_minus(200) };
             assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
         }
@@ -88,7 +85,7 @@ pub(crate) fn assert_on_orbit(
     exact.len()
 }
 
-/// The case with its numbers rounded to `f64`.
+/// A case rounded to `f64`.
 pub(crate) struct Rounded {
     pub(crate) parameters: Vec<f64>,
     pub(crate) eps: f64,
@@ -104,13 +101,11 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// The largest distance of a solution in `f64` from the orbit of the map in 256 bits through the
-/// same point, 8 steps back and 12 forward, in units of 2⁻⁵² of each point's norm times its
-/// condition.
-///
-/// A solution is a function of an argument (T, v or N) that is itself rounded, and large points are
-/// next to a pole of that function: the condition is (1 + |argument|) max(1, |ε| rate norm), where
-/// the rate is 1 unless the system has coefficients.
+/// Returns the largest error of an `f64` solution in units of 2⁻⁵² of the point's norm times its
+/// condition. Compares 8 steps back and 12 forward with the map in 256 bits at an equal initial
+/// point. The condition is (1 + |argument|) max(1, |ε| rate norm): solutions have a rounded
+/// argument (T, v or N), and large points lie near its poles. The rate is 1 for systems without
+/// coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,
@@ -123,7 +118,7 @@ where
 {
     let (mut worst, mut compared) = (0.0_f64, 0);
     for (n, expected) in orbit(map, &case.start.map(Precise::from), &Precise::from(case.eps), [8, 12]) {
-        // Beyond a pole met in floats there is nothing to compare.
+        // Skips points beyond a pole.
         if expected.iter().any(|value| !value.is_defined()) {
             continue;
         }
@@ -132,7 +127,7 @@ where
         let condition = (1.0 + argument(n).abs()) * (case.eps.abs() * rate * size.to_f64()).max(1.0);
         let error = norm(&(at(n).map(Precise::from) - expected));
         let units = (error / (size * Precise::from(f64::EPSILON * condition))).to_f64();
-        // What is not a number counts as infinitely wrong.
+        // NaN counts as an infinite error.
         worst = if units <= worst {
             worst
         } else if units.is_nan() {

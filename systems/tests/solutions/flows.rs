@@ -1,7 +1,6 @@
-//! The solutions of Table 5 and their kin satisfy the differential equations, to 40 digits.
-//!
-//! The derivative is a symmetric difference of order 12 over ±6h with h = 10^(−6): its error is
-//! about h¹² against 10^(−71) of rounding.
+//! Tests that the solutions of Table 5 and related ones satisfy the differential equations to 40
+//! digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6); its error
+//! is about h¹², that of rounding 10^(−71).
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -28,7 +27,7 @@ fn derivative(at: &impl Fn(&Precise) -> Point<Precise>, t: &Precise) -> Point<Pr
     sum
 }
 
-/// The point itself at t = 0, and the field as derivative at several times.
+/// Asserts the initial point, and that the derivative equals the field at several times.
 fn assert_solves(
     field: &impl QuadraticField<Precise, 3>,
     start: &Point<Precise>,
@@ -45,7 +44,7 @@ fn assert_solves(
     }
 }
 
-/// Points in all octants and of several sizes, poles away from the times above.
+/// Points in all octants and of several sizes, with poles away from the times above.
 fn points() -> Vec<Point<Precise>> {
     let coordinates = [["3/7", "11/13", "23/47"], ["7/3", "11/13", "8/5"], ["5/3", "1/9", "17/6"]];
     (0..8)

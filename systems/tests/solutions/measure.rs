@@ -1,19 +1,17 @@
-//! How far two numbers are apart.
+//! Numbers from text, and distances between numbers.
 
 use kahan_core::num_traits::Zero;
 use kahan_systems::special::{Precise, Real};
 
-/// A number from its decimal digits or its fraction.
 pub(crate) fn number(text: &str) -> Precise {
     text.parse().unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// 10^(−digits).
 pub(crate) fn ten_to_minus(digits: i64) -> Precise {
     Precise::from_int(10).power(-digits)
 }
 
-/// Panics unless |value − expected| ≤ 10^(−digits) max(|expected|, floor).
+/// Asserts |value − expected| ≤ 10^(−digits) max(|expected|, floor).
 #[track_caller]
 pub(crate) fn assert_close_above(
     value: &Precise,
@@ -27,14 +25,13 @@ pub(crate) fn assert_close_above(
     assert!(error <= ten_to_minus(digits) * size, "{what}: {value} where {expected} is expected");
 }
 
-/// Panics unless the relative error is at most 10^(−digits).
+/// Asserts a relative error of at most 10^(−digits).
 #[track_caller]
 pub(crate) fn assert_close(value: &Precise, expected: &Precise, digits: i64, what: &str) {
     assert_close_above(value, expected, digits, &Precise::zero(), what);
 }
 
-/// The error of an `f64` in units of 2⁻⁵² of the expected size (or of `floor`, where that is
-/// larger).
+/// Returns the error of an `f64` in units of 2⁻⁵² max(|expected|, floor).
 pub(crate) fn ulps_above(value: f64, expected: &Precise, floor: f64) -> f64 {
     let size = expected.abs().to_f64().max(floor);
     ((Precise::from(value) - *expected) / Precise::from(size * f64::EPSILON)).to_f64().abs()

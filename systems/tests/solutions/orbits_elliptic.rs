@@ -1,4 +1,4 @@
-//! The elliptic solutions of dE4, dE6 and the Euler top on both branches, against exact orbits.
+//! The elliptic solutions of dE4, dE6 and the Euler top, compared with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -10,8 +10,7 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Every combination of signs, of ε too; both branches; points on the planes xy = 0 and next to
-/// |εz| = 1.
+/// Returns cases with all signs on both branches, also on xy = 0 and near |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =

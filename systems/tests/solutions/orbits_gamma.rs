@@ -1,4 +1,4 @@
-//! The solutions of dE7 and dE8 by Γ and ψ, against exact orbits.
+//! The solutions of dE7 and dE8 by Γ and ψ, compared with exact orbits.
 
 use kahan_systems::special::Precise;
 use kahan_systems::{E7, E8, e7, e8};

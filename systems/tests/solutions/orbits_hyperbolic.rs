@@ -1,4 +1,4 @@
-//! The hyperbolic solutions of dE3 and dE5 on both branches, against exact orbits.
+//! The hyperbolic solutions of dE3 and dE5 on both branches, compared with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -11,8 +11,7 @@ use crate::solutions::exact_orbits::{
 use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
-    // Both branches, every sign, both signs of ε, and points next to the border between the
-    // branches.
+    // Both branches, all signs, both signs of ε, and points near the border of the branches.
     let points = [
         ("1/2", ["3/2", "1/3", "5/2"]),
         ("1/2", ["3/2", "-1/3", "-5/2"]),
@@ -39,8 +38,7 @@ fn argument(delta: f64, kappa: f64, n: i64) -> f64 {
 
 type Exact = Vec<(i64, Point<Rational>)>;
 
-/// Runs a solution over all cases in 256 bits (50 digits) and in `f64` (returning the largest error
-/// in ulp).
+/// Checks a solution in 256 bits (50 digits); returns the largest error in `f64`, in ulp.
 fn run(
     system: &str,
     exact: impl Fn(&Case) -> Exact,

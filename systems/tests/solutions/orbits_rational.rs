@@ -1,4 +1,4 @@
-//! The rational solutions equal the exact orbits and satisfy their equations exactly.
+//! The rational solutions, compared exactly with orbits and equations.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Integrals, KahanMap};
@@ -7,7 +7,7 @@ use kahan_systems::{E1, E2, E7, E8, e7, e8};
 
 use crate::solutions::exact_orbits::{Case, Point, Rational, cases, orbit, rational};
 
-/// Compares on the whole orbit, 12 steps to both sides; returns how many points were compared.
+/// Asserts equality on the whole orbit, and returns the number of points.
 fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rational>) -> usize {
     for (n, point) in exact {
         assert_eq!(&at(*n), point, "n = {n}");
@@ -15,13 +15,13 @@ fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rati
     exact.len()
 }
 
-/// Whether εx is neither 0 nor ±1, the domain of the solutions.
+/// Says whether εx is none of 0, 1, −1, as the solutions require.
 fn regular(case: &Case) -> bool {
     let scaled = &case.eps * &case.start[0];
     !scaled.is_zero() && &scaled * &scaled != rational("1")
 }
 
-/// Compares the solutions of a system with its orbits; how many points there were.
+/// Compares a system's solutions with its orbits, and returns the number of points.
 fn rational_solutions<S>(name: &str, system: S) -> usize
 where
     S: KahanMap<Rational, 3> + Integrals<Rational, 3, 2> + ReciprocalMap<Rational> + Copy,

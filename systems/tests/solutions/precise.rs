@@ -1,4 +1,4 @@
-//! The number type of 256 bits: rounding, text, what is undefined, and its elementary functions.
+//! The 256-bit number type: rounding, text, undefined values and elementary functions.
 
 use kahan_core::Pivot;
 use kahan_core::num_traits::Zero;
@@ -8,14 +8,13 @@ use kahan_systems::special::{Precise, Real};
 use crate::solutions::exact_orbits::rational;
 use crate::solutions::measure::{assert_close, number};
 
-/// 2ⁿ as a rational.
 fn power_of_two(n: usize) -> BigRational {
     BigRational::from_integer(kahan_core::num_traits::pow(2.into(), n))
 }
 
 #[test]
 fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
-    // 2²⁵⁶ + 1 lies between 2²⁵⁶ and 2²⁵⁶ + 2; + 3 between + 2 and + 4: ties, to the even one.
+    // 2²⁵⁶ + 1 and 2²⁵⁶ + 3 are ties, which round to even.
     let of = |offset: &str| Precise::from_rational(&(power_of_two(256) + rational(offset)));
     assert_eq!(of("1"), of("0"));
     assert_eq!(of("3"), of("4"));
@@ -52,7 +51,7 @@ fn text_is_read_and_written() {
     assert_eq!(written("0", 9), "0");
     assert_eq!(written("5", 1), "5");
     assert_eq!(format!("{:.4} {:?}", number("1/3"), Precise::UNDEFINED), "0.3333 undefined");
-    // Written with all its digits, a number is read back as itself.
+    // A number written with all its digits reads back exactly.
     for text in ["1/3", "-17e40", "123/457"] {
         assert_eq!(number(&number(text).to_digits(80)), number(text));
     }
@@ -100,7 +99,7 @@ type Function = fn(&Precise) -> Precise;
 
 #[test]
 fn elementary_functions_have_all_digits() {
-    // Made with mpmath 1.3 at 90 digits, printed by nstr(…, 78).
+    // From mpmath 1.3 at 90 digits, by nstr(…, 78).
     let table: [(Function, &str, &str); 19] = [
         (
             Real::exp,

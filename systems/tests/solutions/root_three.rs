@@ -1,4 +1,4 @@
-//! E6 and E4 are one system in other coordinates, proved at exact points over ℚ(√3).
+//! E6 and E4 as one system in two coordinate systems, proved at exact points over ℚ(√3).
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -98,8 +98,7 @@ impl Scalar for RootThree {
     }
 }
 
-/// (x, y, z) of E6 ↦ (X, Y, Z) of E4 with (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z): a change
-/// of axes and the scaling (√3, √3, 1).
+/// Maps (x, y, z) of E6 to (X, Y, Z) of E4 with (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z).
 fn to_e4(point: &Point<RootThree>) -> Point<RootThree> {
     let [x, y, z] = point.clone().into();
     let half_root = RootThree { a: Rational::zero(), b: rational("1/2") };

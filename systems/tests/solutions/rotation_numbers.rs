@@ -1,7 +1,5 @@
-//! Rotation numbers that are observed against those of the closed elliptic solutions.
-//!
-//! On an orbit of dE4, and so of the Euler top, v advances by 2δ a step. Of its functions sn, cn
-//! and dn the first two have the period 4K and change their signs, the last has 2K and keeps it.
+//! Observed rotation numbers, compared with closed elliptic solutions. On an orbit of dE4, and so
+//! of the Euler top, v increases by 2δ in each step. sn and cn have the period 4K, dn has 2K.
 
 use kahan_core::observe::{Extrema, Extremes, Rotation};
 use kahan_core::prelude::*;
@@ -12,7 +10,7 @@ use kahan_systems::{E4, EulerTop, e4, euler};
 const STEPS: u64 = 100_000;
 const EPS: f64 = 0.0625;
 
-/// Turns a step of each variable's own period, and an estimate of the errors.
+/// Returns each variable's extremes, its turns per step, and their estimated error.
 fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<f64>, f64, f64); 3] {
     let orbit = || map.orbit(start, EPS).compensated();
     let velocity = |x: &[f64]| map.field(&vector![x[0], x[1], x[2]]);
@@ -25,7 +23,7 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
     std::array::from_fn(|i| (extremes[i][0], turns[i].value, turns[i].error))
 }
 
-/// δ/2K, if there are at least a hundred turns and the modulus is at most 0.99.
+/// Returns δ/2K, given at least a hundred turns and a modulus of at most 0.99.
 fn half_turn(solution: &e4::Solution<Precise>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
     let turns = (solution.delta / (quarter + quarter)).to_f64().abs();
@@ -37,13 +35,13 @@ fn precise(x: SVector<f64, 3>) -> SVector<Precise, 3> {
     x.map(Precise::from)
 }
 
-/// Modulo 1 and sign.
+/// Returns the distance modulo 1 and sign.
 fn distance(a: f64, b: f64) -> f64 {
     let apart = |d: f64| (d - d.round()).abs();
     apart(a - b).min(apart(a + b))
 }
 
-/// Starts all over the sphere, in the order of a lattice.
+/// Returns initial points all over the sphere, in the order of a lattice.
 fn starts(count: usize) -> impl Iterator<Item = SVector<f64, 3>> {
     (0..count).map(move |i| {
         let (height, angle) = (1.8 * (i as f64 + 0.5) / count as f64 - 0.9, 2.4 * i as f64);
@@ -77,7 +75,7 @@ fn variables_of_e4_turn_as_their_elliptic_functions() {
     for start in starts(10) {
         let solution = e4::Solution::through(&precise(start), &Precise::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
-        // x and y are half the sum and half the difference of two of the functions, z is one.
+        // x and y are half the sum and half the difference of two elliptic functions, z is one.
         for (_, found, error) in observed(&E4, start) {
             assert!(distance(found, turns) < 1e-12, "{start} {found} {turns} {error}");
             compared += 1;

@@ -1,4 +1,4 @@
-//! Identities that hold for all arguments: each ties values that are computed in different ways.
+//! Identities for all arguments, between values computed in different ways.
 
 use kahan_core::num_traits::One;
 use kahan_systems::special::{
@@ -59,7 +59,7 @@ fn the_ratio_is_the_quotient_of_gammas() {
 
 #[test]
 fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours() {
-    // Where 2σ is an integer the polynomial is used, beside it the series: both must meet.
+    // For integer 2σ the polynomial is used, next to it the series; both must agree.
     let small = number("1e-40");
     for w in ARGUMENTS.map(number) {
         for two_sigma in [-3, -2, -1, 1, 2, 3, 4] {
@@ -75,7 +75,7 @@ fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours()
 
 #[test]
 fn the_centred_ratio_has_no_false_poles() {
-    // w + 1/2 + σ = 1 on the left of 0: Γ(1)/Γ(−1/2) = −1/(2√π); and a zero, Γ(5/2)/Γ(0).
+    // w + 1/2 + σ = 1 for negative w: Γ(1)/Γ(−1/2) = −1/(2√π); and a zero, Γ(5/2)/Γ(0).
     let ratio = centered_gamma_ratio(&number("-1/4"), &number("3/4"));
     assert_close(&ratio, &(int(-1) / (int(2) * Precise::pi().sqrt())), 74, "no pole");
     assert_eq!(centered_gamma_ratio(&number("3/4"), &number("5/4")), int(0));
@@ -96,7 +96,7 @@ fn the_centred_difference_is_the_difference_of_digammas() {
     }
 }
 
-/// E(k) by the arithmetic-geometric mean: K(1 − Σ 2^(n−1) c_n²).
+/// Returns E(k) = K(1 − Σ 2^(n−1) c_n²) by the arithmetic-geometric mean.
 fn second_kind(k: &Precise) -> Precise {
     let (mut a, mut b) = (int(1), ((int(1) - *k) * (int(1) + *k)).sqrt());
     let mut c = *k;

@@ -1,5 +1,4 @@
-//! The accuracy of the special functions in `f64`: the bounds that their documentation states,
-//! measured against 256 bits at seeded random arguments.
+//! The documented error bounds in `f64`, measured against 256 bits at seeded random arguments.
 
 use kahan_systems::special::{
     Jacobi, Modulus, Precise, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -10,7 +9,7 @@ use crate::solutions::measure::ulps_above;
 
 const SAMPLES: usize = 400;
 
-/// Numbers spread evenly over [from, to], from a generator with a fixed seed (xorshift).
+/// Uniform numbers from a generator with a fixed seed (xorshift).
 struct Random(u64);
 
 impl Random {
@@ -26,7 +25,7 @@ impl Random {
     }
 }
 
-/// Panics if an error exceeds `bound` units of 2⁻⁵² of the larger of the value and `floor`.
+/// Asserts errors of at most `bound` units of 2⁻⁵² of the value, or of `floor` if larger.
 fn assert_bounded<A: Copy + core::fmt::Debug>(
     what: &str,
     bound: f64,
@@ -76,7 +75,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
             |(w, s)| centered_gamma_ratio(&p(w), &p(s)),
         );
     }
-    // The difference has zeros and poles for w within |σ| of 0; to their right it is as accurate.
+    // The difference has zeros and poles for |w| ≤ |σ|, so only larger w are drawn.
     assert_bounded(
         "the difference of digammas",
         16.0,
@@ -87,7 +86,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
     );
 }
 
-/// A modulus in [0, 1), evenly or crowded towards 1.
+/// Draws a modulus from [0, 1), uniformly or crowded towards 1.
 fn modulus(random: &mut Random, near_one: bool) -> f64 {
     if near_one { 1.0 - 10.0_f64.powf(random.between(-15.0, -1.0)) } else { random.between(0.0, 0.999) }
 }

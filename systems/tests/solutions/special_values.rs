@@ -1,7 +1,6 @@
-//! Values at 60 digits from another program.
-//!
-//! Made with mpmath 1.3 at 70 to 100 digits: `gamma`, `digamma`, `loggamma`, `ellipfun`, `ellipk`,
-//! `ellipf`, `jtheta`, `qfrom`, each printed by `nstr(…, 60)`.
+//! Special functions compared with 60 digits of mpmath 1.3. The values were computed at 70 to 100
+//! digits by `gamma`, `digamma`, `loggamma`, `ellipfun`, `ellipk`, `ellipf`, `jtheta`, `qfrom`, and
+//! printed by `nstr(…, 60)`.
 
 use kahan_systems::special::{
     Modulus, Precise, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -146,8 +145,7 @@ fn theta_functions() {
 fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     let value = theta(&number(z), &number(q));
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
-        // Next to a zero of theta the digits are relative to the series' terms, which are of size
-        // 1.
+        // Near a zero of theta the digits are relative to the series' terms, of size 1.
         let error = (*value - number(expected)).abs();
         assert!(error < Precise::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }

@@ -1,10 +1,8 @@
-//! What the macro says of every kind of mistake, as rustc prints it.
-//!
-//! One file a topic, one block a mistake, the expected output beside it; the line above a block
-//! tells what is wrong. Where there is more than a block, a mistake has a file of its own in the
-//! folder of its topic. One mistake makes one error, at the tokens to change and in the user's
-//! terms, also where code uses the broken type (`fallback`). `TRYBUILD=overwrite` renews the
-//! outputs, which are then to be read.
+//! The macro's error messages, as printed by rustc. Each file covers a topic, with one mistake per
+//! block and a comment above it; the expected output is beside the file. Mistakes that need more
+//! than a block have files in the topic's folder. Every mistake gives one error, at the tokens to
+//! change and in the user's terms, even where code uses the broken type (`fallback`).
+//! `TRYBUILD=overwrite` renews the outputs; review them.
 
 #[test]
 fn every_mistake_is_explained_once_at_its_place() {

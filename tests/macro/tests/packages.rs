@@ -1,21 +1,20 @@
-//! The packages as users get them: unpacked outside the repository, with a program that has nothing
-//! else.
+//! The packages as users get them: unpacked outside of the repository, with a user's program.
 //!
-//! 1. Every published crate is packed, and unpacked into a temporary folder.
-//! 2. Each has its licences and its README as files.
-//! 3. A crate that asks for `kahan-core` of the registry gets these folders, and runs the example
-//!    of the packed README.
-//! 4. No file of the repository took part.
+//! 1. Pack every published crate and unpack it into a temporary folder.
+//! 2. Check its licences and its README.
+//! 3. A crate that depends on `kahan-core` of the registry gets these folders instead, and runs the
+//!    example of the packed README.
+//! 4. No file of the repository is read.
 //!
-//! `cargo test -p kahan-macro-tests --test packages -- --ignored` compiles everything once more, so
-//! the usual run of the tests leaves it out. Whether every packed crate compiles, `cargo package
-//! --workspace` tells.
+//! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this; usual test runs skip
+//! it, because it compiles everything again. `cargo package --workspace` checks that every crate
+//! compiles.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, process};
 
-/// The members that are not published.
+/// The unpublished members.
 const UNPUBLISHED: [&str; 6] = [
     "kahan-core-tests",
     "kahan-macro-tests",
@@ -25,7 +24,7 @@ const UNPUBLISHED: [&str; 6] = [
     "kahan-tests",
 ];
 
-/// The packages that `kahan-core` needs.
+/// The packages that `kahan-core` depends on.
 const OF_THE_CORE: [&str; 7] = [
     "kahan-algebra",
     "kahan-core",
@@ -53,7 +52,7 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     entries.map(|entry| entry.expect("a readable folder").path()).collect()
 }
 
-/// Packs every published crate of the workspace, and unpacks it in `folder`.
+/// Packs every published crate of the workspace and unpacks it into `folder`.
 fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     let target = folder.join("packing");
     run(Command::new(env!("CARGO"))
@@ -71,7 +70,7 @@ fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     entries(&crates)
 }
 
-/// The first block of Rust in a README.
+/// Returns the first Rust block of a README.
 fn example(readme: &str) -> &str {
     let (_, block) = readme.split_once("```rust\n").expect("an example");
     block.split_once("```").expect("its end").0
@@ -100,7 +99,7 @@ fn a_program_needs_nothing_but_the_packages() {
         if name == "kahan-core" {
             program = Some(read(&path.join("README.md")));
         }
-        // Cargo warns of a patch that nothing uses.
+        // Cargo warns about unused patches.
         if OF_THE_CORE.contains(&name) {
             manifest += &format!("{name} = {{ path = {path:?} }}\n");
         }
@@ -119,7 +118,7 @@ fn a_program_needs_nothing_but_the_packages() {
         .env("CARGO_TARGET_DIR", user.join("target"))
         .env_remove("RUSTFLAGS"));
 
-    // Cargo lists every file that was read for the program.
+    // Cargo lists every file read for the program.
     let files = read(&user.join("target/debug/user.d"));
     let ours = workspace.to_str().expect("a path in UTF-8");
     assert!(files.contains("kahan-core"), "{files}");

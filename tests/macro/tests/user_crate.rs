@@ -1,28 +1,25 @@
-//! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds
-//! them: `cargo test -p kahan-macro-tests -- --ignored`, which packs the crates as well.
-//!
-//! They share the target folder of the compile-error cases, so that dependencies are compiled once.
-//! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every
-//! dependency once more.
+//! User crates with kahan-core as their only dependency, built by cargo:
+//! `cargo test -p kahan-macro-tests -- --ignored`, which packs the crates, too. They share the
+//! target folder of the compile-error cases, so dependencies are compiled once. Clippy runs on them
+//! in `.ci/run`, because it checks every dependency again.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Once;
 use std::{env, fs};
 
-/// What trybuild passes to rustc; with other flags cargo would compile every dependency a second
-/// time.
+/// The flags that trybuild passes to rustc; other flags would compile every dependency again.
 const FLAGS: &str = r#"build.rustflags=["--cfg","trybuild","--verbose","-A","dead_code"]"#;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/user_crates")
 }
 
-/// Runs cargo on the user crates and gives its standard output.
+/// Runs cargo on the user crates and returns its standard output.
 fn cargo(arguments: &[&str]) -> String {
-    // The folder for temporary files of tests is `tmp` in the target folder.
+    // The tests' temporary folder is `tmp` in the target folder.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("tests").join("trybuild");
-    // Once, so that no cargo reads half a file.
+    // Copied once, so that no cargo reads an incomplete file.
     static LOCK_FILE: Once = Once::new();
     LOCK_FILE.call_once(|| {
         let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.lock");
@@ -31,8 +28,8 @@ fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(["--offline", "--config", FLAGS])
         .args(arguments)
-        // As trybuild names it: without, cargo compiles all dependencies once more, since those of
-        // the macro are then built with the same flags.
+        // Names the target as trybuild does. Otherwise cargo compiles all dependencies again,
+        // because those of the macro then get equal flags.
         .args(["--target", "host-tuple"])
         .current_dir(folder())
         .env("CARGO_TARGET_DIR", target)
@@ -45,7 +42,7 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-// One test, because cargo would make them wait for each other anyway.
+// One test, because cargo would serialise several anyway.
 #[test]
 #[ignore = "compiles kahan-core once more; .ci/run runs it"]
 fn crates_of_users_run() {

@@ -1,7 +1,5 @@
-//! The code that the macro wrote, over exact numbers.
-//!
-//! It insists that the ways to take a step agree: `step`, `try_step`, `at(ε)`, and a panic of
-//! `step` exactly at a pole.
+//! The macro's code over exact numbers. Asserts that all ways to take a step agree: `step`,
+//! `try_step` and `at(ε)`, with a panic of `step` exactly at poles.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -13,27 +11,25 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector};
 use crate::maps::{Map, erased, point, points, rows};
 
-/// Code that the macro wrote.
+/// Code written by the macro.
 pub struct Generated {
     name: &'static str,
     map: Box<dyn Map<Q>>,
     claims: Option<Box<dyn Claims>>,
 }
 
-/// What a generated type claims, by its accessors.
+/// The claims of a generated type, by its accessors.
 trait Claims {
     fn integrals(&self, x: &[Q], eps: Q) -> Vector;
     fn density(&self, x: &[Q], eps: Q) -> Option<Q>;
     fn bracket(&self, name: &str, x: &[Q], eps: Q) -> Option<Matrix>;
 }
 
-/// A method of M at a point and ε.
 type Accessor<M, R, const N: usize> = fn(&M, &SVector<Q, N>, Q) -> R;
 
-/// The name of a bracket, and its accessor.
 type Bracket<M, const N: usize> = (&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>);
 
-/// A map with its accessors, which are inherent methods and differ from type to type.
+/// A map with its accessors, inherent methods that differ between types.
 struct Accessors<M, const N: usize> {
     map: M,
     integrals: Accessor<M, Vector, N>,
@@ -56,8 +52,7 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// What a type without an accessor has in its place: where it has one, that goes before a method of
-/// a trait.
+/// Default accessors; inherent methods take precedence over these trait methods.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {
@@ -84,10 +79,7 @@ macro_rules! generated_catalog {
         $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)*
     })*) => {
         impl Generated {
-            /// A system of the catalog at these parameters.
-            ///
-            /// # Panics
-            /// If it has another number of parameters.
+            /// Makes a catalog system at these parameters. Panics if their number is wrong.
             #[must_use]
             pub fn of_catalog(entry: &Entry, parameters: &[Q]) -> Self {
                 let name = entry.type_name;
@@ -117,20 +109,19 @@ macro_rules! generated_catalog {
 
 with_catalog!(generated_catalog);
 
-/// What a call gives, or `None` where it panics: an exact scalar has no other way to say that there
-/// is no value.
+/// Returns a call's value, or `None` if it panics, as exact scalars do without a value.
 fn value_of<R>(call: impl FnOnce() -> R) -> Option<R> {
     catch_unwind(AssertUnwindSafe(call)).ok()
 }
 
 impl Generated {
-    /// A map that claims nothing, with a name for messages.
+    /// Makes a map without claims, named for messages.
     #[must_use]
     pub fn new(name: &'static str, map: Box<dyn Map<Q>>) -> Self {
         Self { name, map, claims: None }
     }
 
-    /// A claim's value, where there is a claim and it has a value.
+    /// Evaluates a claim; `None` without a claim or a value.
     fn claimed<R>(&self, value: impl FnOnce(&dyn Claims) -> Option<R>) -> Option<R> {
         let claims = self.claims.as_deref()?;
         value_of(|| value(claims)).flatten()

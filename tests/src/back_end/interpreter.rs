@@ -17,7 +17,7 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
-/// A system as the front end reads it, and what is derived of it, once.
+/// A system as read by the front end, with lazily derived objects.
 #[derive(Debug)]
 pub struct Read {
     /// The system.
@@ -25,18 +25,18 @@ pub struct Read {
     derived: OnceLock<Derived>,
 }
 
-/// What all points of a system share.
+/// The derived objects of a system.
 #[derive(Debug)]
 struct Derived {
     interpreter: Interpreter,
-    /// All plans, once they are asked for.
+    /// All plans, computed on demand.
     plans: OnceLock<kahan_algebra::Derived>,
-    /// N and D as polynomials, within the budget.
+    /// N and D as polynomials, if within the budget.
     map: Option<RationalMap>,
 }
 
 impl Read {
-    /// A system, nothing derived.
+    /// Wraps a system without deriving anything.
     #[must_use]
     pub fn new(system: System) -> Self {
         Self { system, derived: OnceLock::new() }
@@ -51,10 +51,8 @@ impl Read {
     }
 }
 
-/// The interpreter, at parameter values.
-///
-/// It evaluates all objects at once, so answers are kept, and what is free of ε is asked at ε = 0,
-/// where the rest costs little.
+/// The interpreter at parameter values. Results are cached, because the interpreter evaluates all
+/// objects at once. Objects free of ε are evaluated at ε = 0, where the others are cheap.
 #[derive(Debug)]
 pub struct Interpreted {
     system: &'static System,
@@ -76,7 +74,7 @@ fn outward_rows(m: &[Vec<Rational>]) -> Matrix {
 }
 
 impl Interpreted {
-    /// The system at these parameters.
+    /// Makes the interpreter for these parameters.
     #[must_use]
     pub fn new(read: &'static Read, parameters: &[Q]) -> Self {
         Self {
@@ -87,7 +85,7 @@ impl Interpreted {
         }
     }
 
-    /// The number of states.
+    /// Returns the number of states.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.system.field.dimension()
@@ -97,7 +95,7 @@ impl Interpreted {
         Point { state: inward(x), parameters: self.parameters.clone(), eps: eps.clone().into() }
     }
 
-    /// The values of all variables: states, parameters, ε.
+    /// Returns the values of all variables: states, parameters, ε.
     fn values(&self, x: &[Q], eps: &Q) -> Vector {
         x.iter().cloned().chain(outward(&self.parameters)).chain([eps.clone()]).collect()
     }
@@ -115,10 +113,8 @@ impl Interpreted {
         evaluation
     }
 
-    /// The results of any claim, also of one that is made for special parameters or ε only.
-    ///
-    /// # Panics
-    /// If there is no claim of this name.
+    /// Returns the results of any claim, including claims for special parameters or ε. Panics
+    /// without a claim of this name.
     #[must_use]
     pub fn claim(&self, name: &str, x: &[Q], eps: &Q) -> Option<Vector> {
         let claim = self.system.claims.iter().find(|claim| claim.name.text == name);
@@ -170,13 +166,13 @@ impl BackEnd for Interpreted {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
     }
 
-    /// By the plan that generated code has or, where there is none, by the Jacobian.
+    /// Uses the plan of generated code, or else the Jacobian.
     fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
         let Some((_, plan)) = plans.carry() else {
             return Some(product(&self.jacobian(x, eps)?, v));
         };
-        // States, parameters, ε, second states: in this order variables are numbered.
+        // Variables are numbered in this order: states, parameters, ε, second states.
         let states = x.iter().chain(v).cloned().map(Rational::from);
         let constants = self.parameters.iter().cloned().chain([eps.clone().into()]);
         let values: Vec<Rational> =
@@ -194,8 +190,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// The expanded polynomials N̂, D̂ and ∏q, term by term; beyond the budget there are none, and
-    /// the definition is used.
+    /// Evaluates the expanded polynomials N̂, D̂ and ∏q, or beyond the budget the definition.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

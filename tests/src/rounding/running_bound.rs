@@ -1,13 +1,10 @@
-//! A running bound on the rounding errors of a plan: for each step, how far a float may be from the
-//! exact result.
-//!
-//! In: a plan, exact inputs that the float has, the unit roundoff u. Out: the exact value and a
-//! bound on the error of each result. Every operation returns fl(z) = z(1 + δ) with |δ| ≤ u, so an
-//! operation whose operands are â = a + α, b̂ = b + β with |α| ≤ e_a, |β| ≤ e_b returns its exact
-//! result to within e + u(|result| + e), where e is what the operands do (Higham, Accuracy and
-//! Stability of Numerical Algorithms, §3.3, with exact in place of computed values). Nothing is
-//! assumed of the plan: a sum may cancel. A multiply-add counts two roundings, so the bound holds
-//! with and without fusing.
+//! Running bounds on the rounding errors of a plan. Takes a plan, inputs exact in the float type,
+//! and the unit roundoff u; returns the exact value and an error bound for each result. An
+//! operation returns fl(z) = z(1 + δ) with |δ| ≤ u. For operands â = a + α, b̂ = b + β with |α| ≤
+//! e_a, |β| ≤ e_b its error is at most e + u(|result| + e), where e is the operands' contribution
+//! (Higham, Accuracy and Stability of Numerical Algorithms, §3.3, with exact instead of computed
+//! values). The plan may be any, and sums may cancel. A multiply-add counts as two roundings, so
+//! the bound holds with and without fusing.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
@@ -16,12 +13,12 @@ use kahan_algebra::rational::Rational;
 /// Integers up to this size are exact in `f32` and in `f64`.
 const EXACT: i64 = 1 << 24;
 
-/// A number as a float has it.
+/// A number and its approximation by a float.
 #[derive(Clone, Debug)]
 pub(super) struct Rounded {
-    /// What it is.
+    /// The exact value.
     pub(super) exact: Rational,
-    /// A bound on how far the float is from it.
+    /// A bound on the error of the float.
     pub(super) error: f64,
 }
 
@@ -31,20 +28,20 @@ impl Rounded {
         self.exact.to_f64().abs()
     }
 
-    /// After one more rounding.
+    /// Adds one rounding.
     pub(super) fn rounded(self, unit: f64) -> Self {
         let error = self.error + unit * (self.size() + self.error);
         Self { error, ..self }
     }
 
-    /// A product before it is rounded: |âb̂ − ab| ≤ |a|e_b + |b|e_a + e_a e_b.
+    /// Multiplies before rounding: |âb̂ − ab| ≤ |a|e_b + |b|e_a + e_a e_b.
     pub(super) fn times(&self, other: &Self) -> Self {
         let error = self.size() * other.error + other.size() * self.error + self.error * other.error;
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// A quotient before it is rounded: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` where
-    /// b̂ may have lost every digit.
+    /// Divides before rounding, |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` if e_b ≥
+    /// |b|/2.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();
@@ -61,8 +58,7 @@ impl Rounded {
     }
 }
 
-/// The results of a plan as a float computes them; `None` where a divisor may have lost every
-/// digit.
+/// Bounds the results of a plan; `None` if a divisor may have lost every digit.
 pub(super) fn results(
     plan: &Plan,
     prepared: &[Option<Rounded>],
@@ -83,7 +79,6 @@ pub(super) fn results(
     plan.outputs.iter().map(|output| values[output.0].clone()).collect()
 }
 
-/// One operation.
 fn result<'a>(
     operation: &Operation,
     unit: f64,

@@ -1,6 +1,6 @@
-//! What `discover` prints compiles unchanged: each file in `discovered/` is a block of equations
-//! with the lines found for them, compiled and so proved by the macro; and what the library finds
-//! today from the equations alone is that very text.
+//! Blocks printed by `discover` compile unchanged. Each file in `discovered/` holds equations with
+//! the claims found for them, which the macro proves. The library must find exactly these claims
+//! from the equations.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
@@ -20,7 +20,7 @@ mod toda;
 mod triangular;
 mod volterra;
 
-/// The lines of a file that are claims, and its block without them.
+/// Splits a file into its claims and its block without them.
 fn parts(file: &str) -> (Vec<&str>, String) {
     let block = &file[block_range(file).expect("a block begins a line")];
     let is_claim =
@@ -32,12 +32,12 @@ fn parts(file: &str) -> (Vec<&str>, String) {
     )
 }
 
-/// `map` is what the file compiled to: it has the variables that were looked at.
+/// Compares the claims found for a file with its text. `map` is the compiled file.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system().expect("a system");
     assert_eq!(system.field.symbols.states, map.variables());
-    // A degree and no clock: slow machines find the same.
+    // A fixed degree and no clock, so that slow machines find the same claims.
     let degree = Some(default_degree(map.variables().len()));
     let options = Options { eps, degree, iterates: 6, iterate_degree: 50, ..Options::default() };
     let report = discover(&system, &options, &Unwatched).expect("there is a map");

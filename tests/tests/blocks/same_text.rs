@@ -1,7 +1,6 @@
-//! One mistake has one text and one place, whether rustc prints it or the command does.
-//!
-//! The blocks of the compile-error cases go through the front end as text, as `kahan show --field`
-//! reads them; each mistake it finds must stand in rustc's output, and rustc must print no other.
+//! Mistakes have equal texts and places in rustc's output and in the command's. The blocks of the
+//! compile-error cases go through the front end as text, as `kahan show --field` reads them; rustc
+//! must print exactly the mistakes found.
 
 mod cases;
 
@@ -13,8 +12,8 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// The tokens that rustc passes to the macro. Texts read `**` as a power and `.5` as a number;
-/// rustc passes two stars, and a point with a number.
+/// Returns the tokens that rustc passes to the macro. Texts read `**` as a power and `.5` as a
+/// number; rustc passes two stars, and a point with a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {
@@ -30,7 +29,7 @@ fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     tokens.into_iter().zip(ranges).flat_map(split).collect()
 }
 
-/// `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
+/// Returns `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     let mut mistakes = Vec::new();
     for block in &case.blocks {
@@ -52,7 +51,7 @@ fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     mistakes
 }
 
-/// All cases but those of blocks that are lifted, which are read before they are blocks.
+/// Returns all cases except lifted blocks, which are read differently.
 fn ordinary_cases() -> impl Iterator<Item = CompileCase> {
     compile_cases().into_iter().filter(|case| !case.name.starts_with("lifts/"))
 }

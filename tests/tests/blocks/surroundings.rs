@@ -1,9 +1,7 @@
-//! Blocks in hostile surroundings: whatever is in scope, a valid block compiles without a warning
-//! and means the same.
-//!
-//! That it means the same is shown over ℚ: the step satisfies the defining equation of Kahan's map,
-//! and an integral keeps its value. Crates with another edition, without `std` or with a renamed
-//! dependency are in `user_crate.rs`.
+//! Blocks in hostile surroundings: a valid block compiles without warnings and keeps its meaning,
+//! whatever names are in scope. Over ℚ the step must satisfy the defining equation of Kahan's map,
+//! and integrals keep their values. `user_crate.rs` covers other editions, `no_std` and renamed
+//! dependencies.
 
 #![deny(warnings, missing_docs, unused, clippy::pedantic)]
 
@@ -19,12 +17,11 @@ mod without_prelude;
 
 use kahan_core::prelude::*;
 
-/// p/q
 fn ratio(p: i64, q: i64) -> BigRational {
     BigRational::new(p.into(), q.into())
 }
 
-/// Asserts that a step satisfies (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, and gives it.
+/// Asserts that a step satisfies (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, and returns x and x̃.
 fn assert_kahan<M, const N: usize>(map: &M) -> (SVector<BigRational, N>, SVector<BigRational, N>)
 where
     M: KahanMap<BigRational, N>,
@@ -41,7 +38,7 @@ where
     (x, next)
 }
 
-/// A determinant that does not go through the crate under test.
+/// A determinant independent of the crate under test.
 trait DeterminantByRows {
     fn determinant_by_rows(&self) -> BigRational;
 }

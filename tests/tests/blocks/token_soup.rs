@@ -1,7 +1,6 @@
-//! Whatever is written, the front end answers: it never panics, and what is too large is an error.
-//!
-//! Random token soups and mutated blocks go through lexer, parser, checker and prover. The
-//! generator's seed is fixed, so a failure comes back.
+//! The front end never panics, and reports inputs that are too large. Random tokens and mutated
+//! blocks go through lexer, parser, checker and prover. The seed is fixed, so failures are
+//! reproducible.
 
 use std::ops::Range;
 
@@ -24,8 +23,7 @@ fn config(cases: u32) -> Config {
     }
 }
 
-/// Reads `text`, as a formula and as a list of them, too, and renders every mistake, places
-/// included.
+/// Reads `text` as a block, a formula and a list of formulas, and renders all mistakes.
 fn read_text(text: &str) -> Checked {
     let lexed = lex(text);
     let reading = read(&lexed.tokens);
@@ -37,7 +35,7 @@ fn read_text(text: &str) -> Checked {
     reading
 }
 
-/// Words of the language, and of its neighbours.
+/// Words of the language, and similar ones.
 const WORDS: [&str; 68] = [
     "xdot",
     "ydot",
@@ -124,7 +122,7 @@ fn soup(length: Range<usize>) -> impl Strategy<Value = String> {
     })
 }
 
-/// A valid block with a few of its tokens replaced, removed, doubled or exchanged.
+/// Generates a valid block with some tokens replaced, removed, doubled or swapped.
 fn mutated() -> impl Strategy<Value = String> {
     let changes = proptest::collection::vec((any::<prop::sample::Index>(), 0..4u8, 0..WORDS.len()), 1..5);
     (0..VALID.len(), changes).prop_map(|(block, changes)| {
@@ -167,12 +165,12 @@ proptest! {
     }
 }
 
-/// A list of `count` texts.
+/// Returns `count` texts, joined.
 fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
 
-/// Blocks of sizes at, below and beyond the limits of the language, each size drawn by itself.
+/// Generates blocks with independent sizes at, below and beyond the limits of the language.
 fn large() -> impl Strategy<Value = String> {
     let size = |sizes: &'static [usize]| proptest::sample::select(sizes);
     (
@@ -193,7 +191,7 @@ fn large() -> impl Strategy<Value = String> {
         })
 }
 
-/// Families of every reach, with claims.
+/// Generates families of every reach, with claims.
 fn far() -> impl Strategy<Value = String> {
     let reach = proptest::sample::select(&[1_usize, 2, 16, 63, 64, 65][..]);
     let boundary = proptest::sample::select(&["open", "periodic"][..]);
@@ -236,7 +234,7 @@ fn the_blocks_that_are_mutated_are_valid() {
     }
 }
 
-/// The one mistake that `text` has.
+/// Returns the only mistake of `text`.
 fn only_mistake(text: &str) -> Kind {
     let reading = read_text(text);
     let diagnostics = reading.diagnostics();
@@ -268,7 +266,7 @@ fn deep_nesting_is_refused_before_it_overflows_the_stack() {
     assert!(read_text(&allowed).diagnostics().is_empty());
 }
 
-/// 20 000 distinct products of states and powers of a parameter.
+/// Returns 20 000 distinct products of states and powers of a parameter.
 fn long_sum() -> String {
     let states: Vec<String> = (0..40).map(|i| format!("x{i}")).collect();
     let terms = (0..20_000).map(|k| {
@@ -283,7 +281,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics().is_empty());
-    // xᵢxⱼ and xⱼxᵢ are one product: 820 of them for each full round of 1600 terms and power of
+    // xᵢxⱼ and xⱼxᵢ are one product, so each round of 1600 terms has 820 of them for a power of
     // `a`.
     let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
@@ -291,7 +289,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
 
 #[test]
 fn a_claim_of_twenty_thousand_terms_is_proved() {
-    // At rest everything is an integral.
+    // For ẋ = 0 every function is an integral.
     let terms: Vec<String> = (1..=20_000).map(|k| format!("{k}*x^{}*y^{}", k % 50, k / 50 % 50)).collect();
     let text = format!("xdot = 0; ydot = 0; integral H = {};", terms.join(" + "));
     assert!(read_text(&text).diagnostics().is_empty());

@@ -1,6 +1,6 @@
-//! Interpreter against generated code, on the catalog and on seeded random fields of dimension 1 to
-//! 6: equal over ℚ in every object. A third opinion, the tree that a random field was written from,
-//! says what the text means.
+//! Interpreter against generated code, for the catalog and random fields of dimensions 1 to 6: all
+//! objects are equal over ℚ. The tree from which a random field was written is an independent
+//! reference.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{Rationals, q};

@@ -1,8 +1,6 @@
-//! The laws of Kahan's map over ℚ with `==`: on the catalog and on random fields, in both back
-//! ends, at seeded points.
-//!
-//! The references use f alone, whose differences are exact for a quadratic f, so a wrong form
-//! cannot hide behind itself.
+//! The laws of Kahan's map over ℚ, for the catalog and random fields, in both back ends, at seeded
+//! points. References use only f, whose differences are exact for quadratic f, so a wrong bilinear
+//! form is compared with an independent one.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{
@@ -176,7 +174,7 @@ fn the_rational_map_is_cramer_s_rule() {
     });
 }
 
-/// ε = 1/(∂f₁/∂x₁) makes A₁₁ = 0, so elimination has to swap rows.
+/// ε = 1/(∂f₁/∂x₁) makes A₁₁ = 0, so elimination must exchange rows.
 #[test]
 fn a_zero_in_the_first_pivot_s_place_changes_nothing() {
     let swapped = std::cell::Cell::new(0);

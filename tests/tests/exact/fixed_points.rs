@@ -1,4 +1,4 @@
-//! Where the field vanishes the map stands still: over ℚ, on the catalog and on random fields.
+//! Zeros of the field are fixed points of the map, over ℚ, for the catalog and random fields.
 
 use std::cell::{Cell, RefCell};
 
@@ -6,7 +6,7 @@ use kahan_core::prelude::BigRational;
 use kahan_tests::exact::q;
 use kahan_tests::subject::on_every_subject;
 
-/// The vectors of so many entries among 0 and 1.
+/// Returns all vectors with entries 0 and 1.
 fn grid(dimension: usize) -> Vec<Vec<BigRational>> {
     let entries = [q(0, 1), q(1, 1)];
     (0..dimension).fold(vec![Vec::new()], |points, _| {

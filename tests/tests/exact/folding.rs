@@ -1,5 +1,4 @@
-//! A `const` pays: a parameter that is folded in before the map is reduced gives the smaller plan
-//! of the special system.
+//! A `const` parameter is substituted before reduction, which gives the special system's plan.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;
@@ -10,7 +9,7 @@ fn plan(text: &str) -> StepPlan {
     StepPlan::of(&read_unproved(text).field).expect("a field of three variables has a closed form")
 }
 
-/// Additions, multiplications and divisions; a multiply-add is one of each.
+/// Counts additions, multiplications and divisions; a multiply-add counts as one of each.
 fn counts(plan: &Plan) -> [usize; 3] {
     let mut counts = [0; 3];
     for operation in &plan.operations {

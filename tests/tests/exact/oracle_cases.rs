@@ -1,8 +1,6 @@
-//! The oracle, case by case, over ℚ with `==`, through both back ends.
-//!
-//! A value that the oracle leaves out (`null`) must have none here either: the accessor of an exact
-//! scalar panics, the interpreter says `None`. The catalog's bracket Q is Q(ε)/c, so c times it is
-//! the oracle's Q.
+//! The oracle's cases over ℚ, in both back ends. Values that the oracle omits (`null`) must be
+//! missing here, too: the accessor of an exact scalar panics, the interpreter returns `None`. The
+//! catalog's bracket Q is Q(ε)/c, so c times it equals the oracle's Q.
 
 use std::cell::Cell;
 
@@ -11,7 +9,7 @@ use kahan_tests::exact::{Matrix, Q, Vector, q, scaled, shown};
 use kahan_tests::oracle::{Entry, SYSTEMS, file};
 use kahan_tests::subject::{Subject, catalog};
 
-/// Calls a check on every case of every system, in both back ends; returns how many it saw.
+/// Calls a check on every case in both back ends, and returns the number of calls.
 fn on_every_case(check: impl Fn(&str, Entry<'_>, &dyn BackEnd, &[Q], &Q)) -> usize {
     on_every_entry("cases", |name, case, subject| {
         let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
@@ -81,7 +79,7 @@ fn the_integrals_are_the_oracle_s() {
     let mut compared = 0;
     for name in ["euler", "e1", "e2", "e3", "e4", "e5", "e6"] {
         for case in file(name).entries("cases") {
-            // The paper states no integrals of the top's map.
+            // The paper states no integrals for the top's map.
             let expected: Option<Vector> = if case.mentions("extra_integrals") {
                 case.vector("extra_integrals")
             } else {
@@ -154,12 +152,12 @@ fn the_brackets_are_the_oracle_s() {
     assert_eq!(compared, [84, 70], "cases with values");
 }
 
-/// The entries above the diagonal, row by row, as a claim's plan gives them.
+/// Returns the entries above the diagonal by rows, as a claim's plan does.
 fn upper(matrix: &Matrix) -> Vector {
     (0..matrix.len()).flat_map(|i| matrix[i][i + 1..].to_vec()).collect()
 }
 
-/// A conditional claim against the oracle: `factor` times the claim is the oracle's entry.
+/// Compares `factor` times a conditional claim with the oracle's entry.
 fn compare_claim(subject: &Subject, claim: &str, factor: &Q, case: Entry<'_>, key: &str) -> usize {
     let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
     let Some(expected) = case.scalar(key).map(|value| vec![value]) else { return 0 };
@@ -191,8 +189,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u) with u = 1/(2εx) is a claim of the catalog times a power of 2ε:
-/// one factor u for each unit of ξ − 1 leaves (2ε)^(1−ξ) behind.
+/// A claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), u = 1/(2εx), times a power of 2ε: each
+/// unit of ξ − 1 gives a factor u, which leaves (2ε)^(1−ξ).
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;
@@ -263,8 +261,7 @@ fn where_the_oracle_s_determinant_is_zero_every_way_to_step_says_pole() {
             assert_eq!(Some(back_end.matrix(&x, &eps)), point.matrix("A"));
             assert_eq!(Some(back_end.rhs(&x, &eps)), point.vector("b"));
             assert_eq!(back_end.det_matrix(&x, &eps), q(0, 1));
-            // None of these points is a removable pole. For generated code, `step` also checks that
-            // step panics.
+            // No point is a removable pole. Generated code also checks that `step` panics.
             assert_eq!(back_end.step(&x, &eps), None);
             assert_eq!(back_end.jacobian(&x, &eps), None);
             assert_eq!(back_end.det_jacobian(&x, &eps), None);

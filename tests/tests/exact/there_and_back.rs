@@ -1,5 +1,4 @@
-//! n steps forward and n steps back come home: exactly over ℚ, in floats within the bound that
-//! `Orbit` states.
+//! n steps forward and back return to the start: exactly over ℚ, in floats within `Orbit`'s bound.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E3, E6, EulerTop, LotkaVolterra};
@@ -24,13 +23,13 @@ fn there_and_back_is_the_start_over_the_rationals() {
     comes_home_exactly(&top, vector![q(3, 7), q(-2, 5), q(1, 3)], eps);
 }
 
-/// ‖A‖ of the maximum norm: the largest sum of a row's sizes.
+/// Returns ‖A‖ in the maximum norm, the largest row sum of absolute values.
 fn norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     (0..N).map(|i| (0..N).map(|j| matrix[(i, j)].abs()).sum()).fold(0.0, f64::max)
 }
 
-/// The distance from home, and δ₀ + 2Σ ‖∂φ⁻ᵏ(xₖ)‖·δₖ with δₖ = 16u‖xₖ‖, the bound of one step that
-/// holds at ordinary points (ε‖f′‖ ≤ 1, |D| ≥ ¼).
+/// Returns the distance from the start, and the bound δ₀ + 2Σ ‖∂φ⁻ᵏ(xₖ)‖·δₖ. δₖ = 16u‖xₖ‖ bounds a
+/// step at ordinary points (ε‖f′‖ ≤ 1, |D| ≥ ¼).
 fn distance_and_bound<M: KahanMap<f64, N>, const N: usize>(
     map: &M,
     start: [f64; N],
@@ -61,9 +60,9 @@ fn comes_home<M: KahanMap<f64, N>, const N: usize>(name: &str, map: &M, start: [
     measured[2]
 }
 
-/// On periodic orbits the bound is not idle either: a step's rounding is some 20 times less than
-/// 16u, and 4000 roundings of random sign add up like the root of their number, so about a
-/// thousandth of the bound is left; ten times less would be a surprise.
+/// The bound is useful on periodic orbits, too. A step's rounding is about 20 times less than 16u,
+/// and 4000 roundings of random sign grow like the square root of their number. So about a
+/// thousandth of the bound is reached.
 #[test]
 fn there_and_back_is_within_the_bound_in_floats() {
     comes_home("E1", &E1, [0.5, 1.0, 0.25]);

@@ -1,11 +1,10 @@
-//! Projective orbits do what `kahan poles` says of curves, and what moved orbits tend to.
+//! Projective orbits agree with `kahan poles` and with limits of nearby orbits.
 //!
-//! 1. A rational point is taken on each curve that a map sends to infinity or blows down.
-//! 2. Its projective orbit is at infinity where the image of the curve is.
-//! 3. The point is moved by a tiny rational δ, and the ordinary exact orbit taken from there. Of
-//!    its coordinates, or quotients of them, the simplest rationals nearby are those of the
-//!    projective orbit.
-//! 4. Over `f64` the same orbit, begun at a rounded point, is that of the exact numbers.
+//! 1. Take a rational point on each curve that a map sends to infinity or blows down.
+//! 2. The projective orbit is at infinity exactly where the curve's image is.
+//! 3. Move the point by a tiny rational δ and compute the ordinary exact orbit. The simplest
+//!    rationals near its coordinates, or their quotients, are those of the projective orbit.
+//! 4. Over `f64`, the orbit from the rounded point agrees with the exact orbit from there.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -21,16 +20,15 @@ use kahan_tests::surface::moved_onto;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-/// Up to four variables; those that a system lacks stand still.
+/// The dimension; systems with fewer variables get constant ones.
 const N: usize = 4;
 
 type Map = Interpreted<Q, N>;
 
-/// How many steps of a curve that never comes back are looked at.
+/// The steps computed for a curve that never recovers.
 const STEPS: usize = 4;
 
-/// The simplest rational that is no further than `distance` from a number: the first convergent of
-/// its continued fraction that is.
+/// Returns the first convergent of a number's continued fraction within `distance` of it.
 fn simplest_near(number: &Q, distance: &Q) -> Q {
     let (mut rest, mut before, mut last) =
         (number.clone(), (BigInt::zero(), BigInt::one()), (BigInt::one(), BigInt::zero()));
@@ -46,22 +44,21 @@ fn simplest_near(number: &Q, distance: &Q) -> Q {
     }
 }
 
-/// The most bits of a numerator or denominator.
+/// Returns the greatest number of bits of a numerator or denominator.
 fn bits(point: &ProjectivePoint<Q, N>) -> usize {
     let of = |x: &Q| x.numer().bits().max(x.denom().bits());
     point.coordinates().iter().map(of).max().unwrap_or(0) as usize
 }
 
-/// Where the n-th point of moved orbits tends to, if that is a point whose numbers have so many
-/// bits: the coordinates, or at infinity a direction whose largest coordinate is 1, and whether it
-/// is at infinity.
+/// Returns the limit of the n-th points of moved orbits, if its numbers have at most `bits` bits,
+/// and whether it is at infinity. A point at infinity is a direction whose largest coordinate is 1.
 fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SVector<Q, N>, bool) {
     let power = |k: usize| Q::new(BigInt::one(), BigInt::one() << k);
     let (delta, near) = (power(6 * bits + 600), power(3 * bits + 100));
     let directions = [q(3, 1), q(-7, 2), q(5, 3), q(1, 1)];
     let moved = SVector::from_fn(|i, _| &x[i] + &delta * &directions[i]);
     let there = map.orbit(moved, eps.clone()).nth(n).expect("no pole at a point that is moved");
-    // The coordinates that stand still are moved, too.
+    // The constant coordinates are moved, too.
     let still = |i: usize| i >= map.variables().len();
     let largest = (0..N).filter(|i| !still(*i)).max_by_key(|&i| there[i].abs()).expect("a variable");
     let is_infinite = there[largest].abs() * &near > Q::one();
@@ -72,7 +69,7 @@ fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SV
     (SVector::from_fn(|i, _| limit(i)), is_infinite)
 }
 
-/// A rational point on a curve.
+/// Returns a rational point on a curve.
 fn point_on(
     pattern: &Pattern,
     symbols: &kahan_algebra::symbols::Symbols,
@@ -92,7 +89,7 @@ fn point_on(
     })
 }
 
-/// The orbit from a point of a curve, in exact numbers and in floats.
+/// Compares the exact orbit from a point of a curve with the limits.
 fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let x: SVector<Q, N> = SVector::from_fn(|i, _| x.get(i).map_or_else(Q::zero, Rational::to_big));
     let is_confined = pattern.confined == Some(true);
@@ -108,13 +105,13 @@ fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
         assert_eq!(point.is_infinite(), pattern.images[n - 1].is_infinite, "{}", here());
         let (limit, is_infinite) = tends_to(map, &x, eps, n, bits(&point));
         assert_eq!(point.is_infinite(), is_infinite, "{}", here());
-        // A direction is that up to a factor, which is 1 but for the sign of equal sizes.
+        // Directions agree up to a factor, which is ±1 here.
         let is_same = *point.coordinates() == limit || (is_infinite && *point.coordinates() == -&limit);
         assert!(is_same, "{}: {:?}, not {limit:?}", here(), point);
     }
 }
 
-/// Every curve of a system that has rational points; how many there were.
+/// Follows every curve with rational points, and returns their number.
 fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     let names = subject.system.field.symbols.parameters.clone();
     let parameters: Vec<(String, Rational)> =
@@ -139,12 +136,11 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     followed
 }
 
-/// What a projective orbit over `f64` may be off, relative to its largest coordinate: ten bits of
-/// the 64 u that an ordinary step promises.
+/// The error bound of projective orbits over `f64`, relative to the largest coordinate: 2¹⁶ u, ten
+/// bits above the 64 u of an ordinary step.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
-/// The orbit in floats from the rounded point, which is near the curve and seldom on it, against
-/// the exact one from there.
+/// Compares the float orbit from the rounded point with the exact orbit from there.
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let exactly = |value: f64| Q::from_float(value).expect("finite");
     let floats: Interpreted<f64, N> = map.rounded();

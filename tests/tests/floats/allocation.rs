@@ -1,6 +1,4 @@
-//! A step over floats allocates nothing, in whichever way it is taken.
-//!
-//! The allocator of this program counts what a thread allocates while it is measured.
+//! Steps over floats allocate nothing. This program's allocator counts the allocations of a thread.
 
 use allocation_counter::measure;
 use kahan_core::__private::{Boundary, Sizes, Stencil};
@@ -15,7 +13,7 @@ use kahan_tests::random_systems::Dense6;
 
 const STEPS: usize = 100;
 
-/// Allocations while steps are taken in every way, at ordinary points.
+/// Counts allocations of all ways to take steps, at ordinary points.
 fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
 where
     M: ExtendScalars<f64, N>,
@@ -38,8 +36,7 @@ where
         assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && z == w);
         assert!(projective.and_then(ProjectivePoint::affine) == Some(x));
-        // The stable tier may take another way, whose rounding differs: compared at one step, as an
-        // orbit can magnify it.
+        // The stable tier may round differently, so it is compared for one step only.
         let stable = map.try_step(&start, eps).unwrap_or(start);
         assert!(stable != start && (stable - map.step(&start, eps)).amax() <= 1e-13);
         assert!(z.iter().all(|entry| entry.is_finite()));
@@ -73,7 +70,7 @@ fn advancing_an_ensemble_allocates_nothing() {
     let points: Vec<SVector<f64, 3>> = (0..1000).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-3]).collect();
     let mut ensemble = Ensemble::new(points);
     let (e3, top) = (E3.at(0.05), EulerTop { a1: 1.0, a2: -2.0, a3: 1.0 }.at(0.05));
-    // Which instructions the processor has is asked once a program.
+    // The first call queries the processor's instruction sets.
     ensemble.advance(&e3, 1);
     let counted = measure(|| {
         ensemble.advance(&e3, STEPS as u64);
@@ -110,7 +107,7 @@ fn observing_an_orbit_allocates_nothing() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// What is allocated when it begins and ends is the same for any number of steps.
+/// Allocations at the beginning and end are independent of the number of steps.
 #[test]
 fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
     let map = E6.at(0.05);
@@ -123,7 +120,7 @@ fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
         let one = measure(|| drop(map.orbit(points[0]).observe(steps, spectrum)));
         [many.count_total, one.count_total]
     };
-    // Which instructions the processor has is asked once a program.
+    // The first call queries the processor's instruction sets.
     allocations(1);
     assert_eq!(allocations(10), allocations(1000));
 }
@@ -170,7 +167,6 @@ fn chains_allocate_nothing_once_they_are_made() {
             at.step_back(&mut x);
             at.for_each(&mut x, 2, |k, x| assert!(k > 0 && x[0] > 0.0));
             at.try_step(&mut x).expect("no pole");
-            // The refuge.
             x[0] = f64::NAN;
             at.step(&mut x);
         });
@@ -200,7 +196,7 @@ kahan! {
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
 
-/// Sees that a chain at ε holds at most 3h + 12 numbers for each of its unknowns.
+/// Asserts that a chain at ε stores at most 3h + 12 numbers per unknown.
 fn holds_few_numbers<M: LatticeMap<f64>>(map: &M, half_bandwidth: usize) {
     const SITES: usize = 12_000;
     let mut state: Vec<f64> = (0..SITES * M::BLOCK).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();

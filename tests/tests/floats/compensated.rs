@@ -1,8 +1,7 @@
-//! What carrying the rounding error buys: the drift of the map's own integral over long orbits.
-//!
-//! Ĥ is evaluated in `Dd`, with the very ε that the orbit has. The long runs are ignored by
-//! default: `cargo test --release -p kahan-tests compensated -- --ignored --nocapture` takes
-//! minutes and prints the figures.
+//! The drift of the map's integral over long orbits, with and without compensated summation. Ĥ is
+//! evaluated in `Dd` at the orbit's own ε. Long runs are ignored by default;
+//! `cargo test --release -p kahan-tests compensated -- --ignored --nocapture` takes minutes and
+//! prints the figures.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -11,7 +10,7 @@ use kahan_systems::{E6, EulerTop};
 
 const ORBITS: u64 = 16;
 
-/// Seeded points in [−1, 1]³, 24 bits an entry.
+/// Returns seeded points in [−1, 1]³ with 24 bits per entry.
 fn starts() -> impl Iterator<Item = SVector<f64, 3>> {
     (0..ORBITS).map(|seed| {
         let mut draws = SplitMix64::new(900 + seed);
@@ -19,8 +18,7 @@ fn starts() -> impl Iterator<Item = SVector<f64, 3>> {
     })
 }
 
-/// Root of the mean square, and the mean, over the orbits, of how far Ĥ is from its first value
-/// after each number of steps.
+/// The root mean square and the mean, over all orbits, of the change of Ĥ after `steps` steps.
 #[derive(Debug)]
 struct Drift {
     steps: u64,
@@ -28,7 +26,7 @@ struct Drift {
     mean: f64,
 }
 
-/// Relative to the first value, or to 1/4 where that is smaller.
+/// Measures relative to the initial value, or to 1/4 if that is larger.
 fn drift(
     milestones: &[u64],
     integral: impl Fn(&SVector<f64, 3>) -> Dd,
@@ -61,7 +59,7 @@ fn print(name: &str, rows: &[Drift]) {
     }
 }
 
-/// The slope of log rms against log n, by least squares.
+/// Returns the least squares slope of log rms against log n.
 fn slope(rows: &[Drift]) -> f64 {
     let points: Vec<_> = rows.iter().map(|row| ((row.steps as f64).ln(), row.rms.ln())).collect();
     let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / points.len() as f64;
@@ -76,10 +74,10 @@ fn e6_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
 
 const E6_EPS: f64 = 1.0 / 1024.0;
 
-/// At 10⁵ steps a plain orbit's integral is off by √(10⁵)·½u and a factor of order 1, the rounding
-/// of three coordinates: 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴). A compensated one's is off by the rounding
-/// of the point yielded, ½u in each coordinate, measured 1.2·10⁻¹⁶: ten times u leaves room for
-/// that and not for a random walk.
+/// After 10⁵ steps rounding of three coordinates changes a plain orbit's integral by about
+/// √(10⁵)·½u = 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴). On a compensated orbit only the final rounding counts,
+/// ½u in each coordinate (measured 1.2·10⁻¹⁶). The bound of 10 u allows that, and excludes a random
+/// walk.
 #[test]
 fn a_compensated_orbit_keeps_its_integral_to_the_rounding_of_its_last_point() {
     let milestones = [100_000];
@@ -114,7 +112,7 @@ fn top<T: Scalar>(convert: impl Fn(f64) -> T) -> EulerTop<T> {
     EulerTop { a1, a2, a3 }
 }
 
-/// (α₃y² − α₂z²)/(1 − ε²α₁α₂z²), whose size does not depend on ε: 1 − H is ε²α₁ times that.
+/// (α₃y² − α₂z²)/(1 − ε²α₁α₂z²), whose size is independent of ε; 1 − H is ε²α₁ times it.
 fn top_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
     move |x| {
         let EulerTop { a1, a2, a3 } = top(Dd::from);
@@ -132,8 +130,7 @@ fn the_remedies_for_a_badly_rounded_eps_give_the_same_law() {
     let shortened =
         drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short).compensated()));
     let shortened_plain = drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short)));
-    // X = εx at ε = 1 is the orbit, and its integral, evaluated where it is exact, is ε² times that
-    // of x.
+    // X = εx at ε = 1 is an equal orbit, whose integral is ε² times that of x.
     let of_scaled = |x: &SVector<f64, 3>| top_integral(1.0)(x) / (Dd::from(bad) * Dd::from(bad));
     let scaled = drift(&LONG, of_scaled, |x| {
         let scaled = top(f64::from).orbit(x, bad).scaled().expect("a homogeneous field");

@@ -1,13 +1,10 @@
-//! One step in double-double, rounded to `f64`, against the exact step from the same inputs, near
-//! true poles.
-//!
-//! Points and ε are doubles with all their bits, at a relative distance δ from a value of ε, or of
-//! one coordinate, where det A changes its sign and the map is unbounded. A component that does not
-//! cancel has the relative error of a few dozen u²/δ, and rounding to `f64` adds half an ulp: at
-//! most 0.5 + 1e-5 ulp in all down to δ = 1e-9, and 0.6 at 1e-12.
-//!
-//! Where x̃ᵢ = xᵢ + increment is nearly 0, the mathematics forbids that: the inputs' own digits are
-//! used up. There the error is as small against ‖x̃‖, and the last test shows such points.
+//! Steps in double-double, rounded to `f64`, near true poles, compared with exact steps from equal
+//! inputs. Points and ε have all bits, and lie at a relative distance δ from a value of ε or of a
+//! coordinate where det A changes its sign and the map is unbounded. Components without
+//! cancellation have a relative error of a few dozen u²/δ; rounding to `f64` adds half an ulp.
+//! Together these are at most 0.5 + 1e-5 ulp down to δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ +
+//! increment nearly cancels, the inputs' digits are used up, and the error is small only relative
+//! to ‖x̃‖; the last test shows such points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
@@ -19,7 +16,7 @@ use kahan_tests::rounding::UNIT_F64;
 use kahan_tests::subject::{Subject, paper};
 use num_traits::{Signed, Zero};
 
-/// Where to step from.
+/// A state and an ε.
 #[derive(Clone, Debug)]
 struct Place {
     x: Vec<f64>,
@@ -27,7 +24,7 @@ struct Place {
 }
 
 impl Place {
-    /// The coordinates, then ε.
+    /// Returns the i-th of the coordinates and ε.
     fn number(&mut self, i: usize) -> &mut f64 {
         if i < self.x.len() { &mut self.x[i] } else { &mut self.eps }
     }
@@ -46,20 +43,19 @@ impl Place {
         subject.interpreted.step(&self.state(), &exact(self.eps))
     }
 
-    /// The step in double-double, rounded.
+    /// Steps in double-double and rounds.
     fn step(&self, map: &dyn Steps<Dd>) -> Vec<f64> {
         let x: Vec<Dd> = self.x.iter().copied().map(Dd::from).collect();
         map.step(&x, self.eps.into()).into_iter().map(f64::from).collect()
     }
 }
 
-/// Whether det A is positive.
+/// Says whether det A > 0.
 fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// The double next to a zero of det A along the i-th number between two places, by bisection of
-/// exact signs.
+/// Returns the double next to a zero of det A along the i-th number, by bisection with exact signs.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);
@@ -75,7 +71,7 @@ fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut hi
     }
 }
 
-/// Errors of a rounded step in ulps of the exact components.
+/// Returns the errors of a rounded step in ulps of the exact components.
 fn errors(computed: &[f64], next: &Vector) -> Vec<f64> {
     let pairs = computed.iter().zip(next);
     pairs.map(|(value, next)| float(&(exact(*value) - next).abs()) / ulp(float(next))).collect()
@@ -89,18 +85,18 @@ fn size(next: &Vector) -> f64 {
     next.iter().map(|entry| float(&entry.abs())).fold(0.0, f64::max)
 }
 
-/// The largest errors near one system's poles, in ulps.
+/// The largest errors near the poles of a system, in ulps.
 #[derive(Default)]
 struct Worst {
     poles: usize,
     down_to_1e_9: f64,
     at_1e_12: f64,
-    /// What the plain step in `f64` makes of the same places.
+    /// The largest error of plain `f64` steps at these places.
     plain: f64,
 }
 
 impl Worst {
-    /// Steps off the pole at the i-th number's value, unless it is one that reduction removes.
+    /// Steps near the pole at a value of the i-th number, unless reduction removes the pole.
     fn look(
         &mut self,
         subject: &Subject,
@@ -112,7 +108,7 @@ impl Worst {
         const DISTANCES: [f64; 6] = [1e-12, -1e-12, 1e-9, -1e-9, 1e-6, -1e-4];
         let at = |distance: f64| place.with(i, pole * (1.0 + distance));
         let near = at(1e-12).exact_step(subject).expect("det A is not 0 there");
-        // A pole of the map itself: a component grows as the inverse of the distance.
+        // At a pole of the map a component grows like the inverse distance.
         if size(&near) < 1e6 * largest(&place.x.iter().copied().map(f64::abs).collect::<Vec<_>>()) {
             return;
         }
@@ -145,7 +141,7 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
                 break;
             }
             let numbers = subject.dimension() + 1;
-            // Coordinates of different sizes: E3 has no pole where x and y are large beside z.
+            // Coordinates of different sizes: E3 has no pole if x and y are large compared with z.
             let x = (1..numbers)
                 .map(|_| 2.0_f64.powi(2 - draws.below(4) as i32) * signed_unit(&mut draws))
                 .collect();
@@ -159,16 +155,16 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
         let Worst { poles, down_to_1e_9, at_1e_12, plain } = worst;
         eprintln!("{}: {poles} poles, {down_to_1e_9:.9}, {at_1e_12:.6}, in f64 {plain:.1e}", subject.name);
         assert!(poles >= POLES, "{}: {poles} poles are too few", subject.name);
-        // The places are hard, and the bound is the rounding: nearly half an ulp is met.
+        // The places are hard and the bound is sharp: nearly half an ulp is reached.
         assert!(plain > 1e9 && down_to_1e_9 > 0.45, "{}: {plain:e}, {down_to_1e_9}", subject.name);
     }
 }
 
-/// Steps onto a coordinate plane: from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ is as
-/// small as the inputs' rounding.
+/// Steps onto a coordinate plane: starting from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ
+/// is as small as the inputs' rounding errors.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
-    /// Error of a component beyond its half ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
+    /// The error of a component beyond half an ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
     const BOUND: f64 = 8.0;
     let (mut worst, mut worst_in_ulps, mut shown) = (0.0_f64, 0.0_f64, String::new());
     for (index, (subject, map)) in paper().iter().zip(steps::<Dd>()).enumerate() {
@@ -186,7 +182,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
             let Some(next) = place.exact_step(subject) else { continue };
             judged += 1;
             if next[i].is_zero() {
-                // The plane is invariant, or the preimage has few bits: nothing is lost.
+                // The plane is invariant or the preimage has few bits, so nothing is lost.
                 assert_eq!(place.step(map.as_ref())[i], 0.0);
                 continue;
             }

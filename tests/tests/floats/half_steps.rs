@@ -1,10 +1,7 @@
-//! Every size of ε. Steps of floats that are divided by the time step have another form for an ε
-//! that is zero, tiny or huge: on either side of the border between the two, and far beyond it, a
-//! step is what it is elsewhere.
-//!
-//! The bounds: a small step, ε‖f′‖ ≪ u, is off by the one rounding of x + increment, ½ ulp, and
-//! what an increment far below the last digit can add to that; where ε is large, by what the stable
-//! tier promises, 64 u of ‖exact‖∞.
+//! Steps for every size of ε. Steps divided by the time step use another form for zero, tiny and
+//! huge ε; at the borders between the forms and far beyond, steps must stay accurate. For ε‖f′‖ ≪ u
+//! the error is at most ½ ulp from rounding x + increment, plus the effect of an increment far
+//! below the last digit. For large ε it is at most the stable tier's 64 u of ‖exact‖∞.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_tests::back_end::BackEnd;
@@ -25,7 +22,7 @@ fn systems() -> Vec<(Subject, Map<f64>, Map<f32>)> {
         .collect()
 }
 
-/// Coordinates of a few bits, so that `f32` holds them, too; in ±[1/4, 1].
+/// Draws coordinates in ±[1/4, 1] with few bits, exact in `f32`.
 fn point(draws: &mut SplitMix64, n: usize) -> Vec<f32> {
     let coordinate = |draws: &mut SplitMix64| {
         let size = 0.25 + 0.75 * draws.below(1 << 10) as f32 / 1024.0;
@@ -54,8 +51,7 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// From the smallest double to just above the border: the increment is far below the last digit,
-/// and the step is x.
+/// Up to just above the border the increment is far below the last digit: the step returns x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -78,8 +74,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// `f32` at its border, where an increment reaches the last digits: within one ulp of `f32` of the
-/// exact step on either side.
+/// Increments reach the last digits at the border of `f32`; both forms err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);
@@ -98,8 +93,7 @@ fn steps_on_either_side_of_the_border_agree() {
     }
 }
 
-/// On either side of the upper border and far beyond, the stable tier keeps its promise or says
-/// that it cannot.
+/// On both sides of the upper border and far beyond, the stable tier is within its bound, or fails.
 #[test]
 fn huge_half_steps_keep_the_promise() {
     let mut draws = SplitMix64::new(74);

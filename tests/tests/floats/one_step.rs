@@ -1,20 +1,17 @@
-//! One fast step against the exact one, over the catalog: two bounds that users may count on.
+//! Two bounds on the error of one fast step, over the catalog.
 //!
-//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials
-//!   of fᵢ| with the larger of |xⱼ| and
-//!   |x̃ⱼ| for each variable. The half ulp is the one rounding of x + increment; the increment is a
-//!   few roundings away from 2ε times the polarised field between x and x̃, whose terms may cancel.
-//!   With |xⱼ| alone it does not hold
-//!   where one component is tiny beside others: what moves it is then of second order, ε²f′f, far
-//!   larger than its own fᵢ(x). E6 at ε ≈ 6.6e-5 from (2.9, 3.0e-9, 4.0e-7) is 53 times beyond:
-//!   there z̃ nearly cancels, and no sum of a rounded increment to z could do better.
-//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). On
-//!   the paper's systems ‖exact‖∞ alone does nearly always (Lotka–Volterra is the first to exceed
-//!   it, 22.6 u once in 10⁶ points), but a step that leads near the origin cancels: Weierstrass'
-//!   equation reached 207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
+//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
+//!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable. The half ulp rounds x +
+//!   increment. The increment is a few roundings away from 2ε times the polarised field, whose
+//!   terms may cancel. The bound fails with |xⱼ| only, if one component is tiny compared with
+//!   others: its increment is then of second order, ε²f′f. E6 at ε ≈ 6.6e-5 from (2.9, 3.0e-9,
+//!   4.0e-7) exceeds it 53 times, because z̃ nearly cancels.
+//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). Steps
+//!   to points near the origin cancel, so ‖exact‖∞ does not suffice: Weierstrass' equation reached
+//!   207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
 //!
-//! Inputs are doubles with all their bits; the exact step is taken from the very numbers. In the
-//! large samples, which are not part of `cargo test`, the judge is double-double.
+//! Inputs are doubles with all bits. Large samples, outside of `cargo test`, are judged in
+//! double-double instead of exactly.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbol;
@@ -33,8 +30,7 @@ fn slope(subject: &Subject, x: &Vector) -> f64 {
     rows.iter().map(|row| row.iter().map(|entry| float(&entry.abs())).sum()).fold(0.0, f64::max)
 }
 
-/// Σ|monomials of fᵢ| at the point whose coordinates are the larger of |xⱼ| and |yⱼ|, each
-/// component.
+/// Returns Σ|monomials of fᵢ| for each component, at the larger of |xⱼ| and |yⱼ|.
 fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     let symbols = &subject.system.field.symbols;
     let value = |variable| match symbols.symbol(variable) {
@@ -55,7 +51,7 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     sums.collect()
 }
 
-/// A system with its map over doubles, and what judges that.
+/// A system with its map over doubles, and its reference; `None` for exact steps.
 struct Case {
     subject: Subject,
     map: Box<dyn Steps<f64>>,
@@ -63,7 +59,7 @@ struct Case {
 }
 
 impl Case {
-    /// A step both ways: the float's, the judge's.
+    /// Returns the float step and the reference step.
     fn both(&self, x: &[f64], eps: f64) -> Option<(Vec<f64>, Vector)> {
         let next = match &self.judge {
             None => {
@@ -80,18 +76,18 @@ impl Case {
     }
 }
 
-/// Every system, judged by exact steps.
+/// Returns all systems with exact references.
 fn every_system() -> impl Iterator<Item = Case> {
     let systems = paper().into_iter().chain(further()).zip(steps());
     systems.map(|(subject, map)| Case { subject, map, judge: None })
 }
 
-/// Every system, judged by steps in double-double.
+/// Returns all systems with references in double-double.
 fn judged_in_double_double() -> impl Iterator<Item = Case> {
     every_system().zip(steps()).map(|(case, judge)| Case { judge: Some(judge), ..case })
 }
 
-/// The largest part of its bound that an error came to, and where.
+/// The largest ratio of an error to its bound, and its place.
 #[derive(Debug, Default)]
 struct Worst {
     part: f64,
@@ -106,7 +102,7 @@ impl Worst {
     }
 }
 
-/// So many small steps of one system: the largest error as a part of the bound on its component.
+/// Takes small steps of one system, and returns the largest error relative to its bound.
 fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
@@ -128,8 +124,7 @@ fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     worst
 }
 
-/// So many steps of one system from ordinary points: the largest error in units of u times the
-/// larger of ‖x‖∞ and ‖x̃‖∞.
+/// Takes steps from ordinary points, and returns the largest error in units of u max(‖x‖∞, ‖x̃‖∞).
 fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
@@ -177,7 +172,7 @@ fn a_step_from_an_ordinary_point_is_within_sixteen_units() {
     assert!(largest > 1.0, "a bound that nothing comes near says little: {largest} u");
 }
 
-/// Points of each system in the large samples.
+/// The number of points for each system in large samples.
 const MANY: usize = 20_000;
 
 #[test]

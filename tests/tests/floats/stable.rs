@@ -1,10 +1,8 @@
-//! The promise of `try_step`, judged by exact rationals from the floats as given: `Ok` is within 64
-//! u of the exact step, and an error is justified: the exact point is a pole, or leaves the
-//! scalar's range, or the step is ill-conditioned there.
-//!
-//! The points are seeded and of every kind: ordinary, of mixed magnitudes from 1e-150 to 1e150 with
-//! ε from 1e-300 to 1e300, and on either side of true and removable poles. A larger sample of all
-//! tiers is what `kahan extremes` judges.
+//! The promise of `try_step`, judged by exact rationals: `Ok` is within 64 u of the exact step, and
+//! an error has a reason: a pole, a result outside the scalar's range, or an ill-conditioned step.
+//! The points are seeded: ordinary ones, mixed magnitudes from 1e-150 to 1e150 with ε from 1e-300
+//! to 1e300, and both sides of true and removable poles. `kahan extremes` judges a larger sample of
+//! all tiers.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -29,14 +27,14 @@ kahan! {
     zdot = x*y;
 }
 
-/// What the floats of a scalar can hold, and its promise.
+/// A float type with its range and its promise.
 trait Judged: Pivot + Copy + ToPrimitive {
     /// Binary exponents of states and of ε.
     const STATES: i32;
     const EPS: i32;
-    /// 2⁻⁵³ or 2⁻²⁴, as a power of two.
+    /// The exponent of the unit roundoff, −53 or −24.
     const UNIT: i32;
-    /// The least normal number, and the condition number below which there must be an answer.
+    /// The least normal number, and the condition number below which a step must succeed.
     const NORMAL: i32;
     const CONDITION: f64;
     fn of(value: f64) -> Self;
@@ -86,7 +84,6 @@ fn size<const N: usize>(x: &SVector<BigRational, N>) -> BigRational {
     x.iter().map(Signed::abs).max().expect("a state has entries")
 }
 
-/// Draws floats.
 struct Draws(SplitMix64);
 
 impl Draws {
@@ -102,21 +99,20 @@ impl Draws {
         self.sign() * (0.1 + 2.0 * self.unit())
     }
 
-    /// A size of any exponent.
+    /// Draws a number of any exponent.
     fn any(&mut self, exponents: i32) -> f64 {
         let exponent = self.0.below(2 * exponents as u64 + 1) as i32 - exponents;
         self.sign() * (1.0 + self.unit()) * 2.0_f64.powi(exponent)
     }
 }
 
-/// What a sample came to.
+/// The results of a sample.
 #[derive(Default)]
 struct Tally {
     established: usize,
     flagged: usize,
 }
 
-/// Judges one step.
 fn judge<T, M, const N: usize>(name: &str, map: &M, x: SVector<T, N>, eps: T, tally: &mut Tally)
 where
     T: Judged,
@@ -169,7 +165,7 @@ where
     }
 }
 
-/// Points of every kind for one map.
+/// Judges points of all kinds for one map.
 fn sample<T, M, const N: usize>(name: &str, map: &M, trials: usize) -> Tally
 where
     T: Judged,
@@ -192,8 +188,7 @@ where
     tally
 }
 
-/// An ε at which det A(x,ε) is small: a real root by bisection where there is a change of sign,
-/// moved by a relative 2⁻ᵏ.
+/// Returns an ε near a root of det A(x,ε): by bisection, if any, moved by a relative 2⁻ᵏ.
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,
@@ -231,7 +226,7 @@ where
     M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
-        // A step that always flags would keep its promise, too.
+        // A step that always fails would keep its promise, too.
         assert!(tally.established > trials / 3, "{name}: {} of {trials} flagged", tally.flagged);
     }
 }
@@ -262,26 +257,26 @@ promise! {
     wave: Wave;
 }
 
-/// Points that were once silently wrong.
+/// Points that once gave silently wrong results.
 #[test]
 fn states_far_out_are_right_or_flagged() {
     let mut tally = Tally::default();
     judge("May–Leonard", &MayLeonard { a: 0.5, b: 0.7 }, vector![1e100, 0.2, 0.3], 0.05, &mut tally);
     judge("E3", &E3, vector![1e60, 1e130, 0.0], 0.5, &mut tally);
-    // Elimination has a small backward error and a wrong answer.
+    // Elimination has a small backward error, but a wrong result.
     judge("Volterra", &VolterraLattice, vector![0.3, 1.7, 2.9], 1e17, &mut tally);
     judge("E6", &E6, vector![1e-200, 1e-200, -1e-200], 0.5, &mut tally);
     judge("E6 at rest", &E6, vector![0.0, 0.0, 0.0], 0.5, &mut tally);
-    // x² − y² decides, and is 0: nothing was rounded in it.
+    // x² − y² is decisive and exactly 0.
     judge("wave", &Wave, vector![1e60, 1e60, 1e-160], 0.5, &mut tally);
-    // 1 + εz is 0, a removable pole; the increments are 10¹⁶⁸ times the components of x̃.
+    // 1 + εz = 0 is a removable pole; the increments are 10¹⁶⁸ times the components of x̃.
     let x = vector![-8.676922526036922e48, -1.5830949700414324e75, 4.794036587204811e-94];
     judge("E3", &E3, x, -2.0859248397665138e93, &mut tally);
-    // 1 − ξ is 0 and stands before the largest terms.
+    // The factor 1 − ξ of the largest terms is 0.
     let x = vector![-6096532.558838251, -242655735183791.94, -1.8544218759589321e-93];
     judge("E9", &E9 { xi: 1.0 }, x, 5.392351629290315e92, &mut tally);
     assert_eq!(tally.flagged, 0);
-    // The last addition overflows, and nothing before it.
+    // Only the last addition overflows.
     judge("E2", &E2, vector![12.0, 1e154, 1.0], 0.125, &mut tally);
     assert_eq!(tally.flagged, 1);
 }
@@ -300,7 +295,7 @@ fn what_is_not_finite_is_never_ok() {
     }
 }
 
-/// 1 + εx = 0 is a removable pole of E1, 1 − εx = 0 a true one.
+/// 1 + εx = 0 is a removable pole of E1, 1 − εx = 0 a true pole.
 #[test]
 fn removable_poles_have_values_and_true_ones_have_none() {
     let next = E1.try_step(&vector![-2.0, 0.75, 0.5], 0.5).expect("the reduced map has a value");
@@ -312,7 +307,7 @@ fn removable_poles_have_values_and_true_ones_have_none() {
     assert_eq!((error.determinant(), error.eps(), error.bound()), (0.0, 0.5, f64::INFINITY));
 }
 
-/// Ordinary points never leave the first rung, whose bits are those of the fast step.
+/// Ordinary points stay on the first rung, whose bits equal those of the fast step.
 #[test]
 fn ordinary_points_have_the_bits_of_the_fast_step() {
     let mut draws = Draws(SplitMix64::new(5));

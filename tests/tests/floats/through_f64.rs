@@ -1,4 +1,4 @@
-//! `f32` through `f64` against the exact step: nearly always the nearest `f32`, never far from it.
+//! `f32` steps through `f64` against exact steps: nearly always the nearest `f32`.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ThroughF64;
@@ -11,22 +11,22 @@ fn rational(x: f32) -> Q {
     Q::from_float(x).expect("an ordinary point has a finite step")
 }
 
-/// The distance between neighbours of an `f32` of this size.
+/// Returns the distance between neighbouring `f32`s of this size.
 fn ulp(x: f32) -> Q {
     rational(x.abs().next_up()) - rational(x.abs())
 }
 
-/// Components compared, and those that are not the nearest `f32`.
+/// The number of components compared, and of those that differ from the nearest `f32`.
 #[derive(Default)]
 struct Count {
     all: u32,
     wrong: u32,
 }
 
-/// Seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴]: there an `f64` step is off by
-/// at most 2⁶ u, 2⁻⁴⁷ of the largest number in it, which is at most 2⁵ times the result unless that
-/// is small. So the error is at most half an ulp and 2⁻¹⁰ for components of size 2⁻¹² or more, by a
-/// wide margin.
+/// Compares seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴]. There an `f64` step
+/// errs by at most 2⁶ u = 2⁻⁴⁷ of its largest number, which is at most 2⁵ times the result unless
+/// that is small. So the error is below half an ulp plus 2⁻¹⁰ ulp for components of size 2⁻¹² or
+/// more, by a wide margin.
 fn compare<M, E, const N: usize>(map: &M, exact: &E, seed: u64, count: &mut Count)
 where
     M: KahanMap<f32, N>,
@@ -65,12 +65,11 @@ fn a_step_is_nearly_always_the_nearest_f32() {
     let top = |a: f32, b: f32, c: f32| EulerTop { a1: a, a2: b, a3: c };
     let exact = EulerTop { a1: rational(0.1), a2: rational(-0.7), a3: rational(1.3) };
     compare(&ThroughF64(top(0.1, -0.7, 1.3)), &exact, 5, &mut count);
-    // Ties within the error of the f64 step have a probability of about 10⁻⁷; one in 4000 is a
-    // defect.
+    // Ties within the error of the f64 step have probability 10⁻⁷, so one in 4000 is a defect.
     assert!(count.all > 3000 && count.wrong <= 1, "{} of {}", count.wrong, count.all);
 }
 
-/// What the comparison would say of `f32` alone, so that it can fail.
+/// Shows that the comparison detects plain `f32` steps.
 #[test]
 fn a_step_in_f32_alone_is_often_not_the_nearest() {
     let map = E6;
@@ -95,8 +94,8 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     let plain = error(ThroughF64(E6).orbit(start, eps).nth(steps));
     let compensated = error(ThroughF64(E6).orbit(start, eps).compensated().nth(steps));
     let in_single = error(E6.orbit(start, eps).compensated().nth(steps));
-    // The increment is rounded to u·2ε|f| a step, and the point yielded to half an ulp; E6 does not
-    // magnify errors much.
+    // Each step rounds the increment to u·2ε|f|, and the result to ½ ulp; E6 hardly magnifies
+    // errors.
     assert!(
         compensated < 1e-6 && compensated <= in_single && compensated < 0.1 * plain,
         "plain {plain:e}, compensated {compensated:e}, in f32 {in_single:e}"
@@ -105,8 +104,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     assert_eq!(map.orbit(start).nth(5), ThroughF64(E6).orbit(start, eps).nth(5));
 }
 
-/// E1's map at ε = ½: x̃ = x/(1 + x), beyond the range of `f32` beside the pole x = −1 where x is
-/// −1 + 2⁻²⁴ and y is large.
+/// E1 at ε = ½, x̃ = x/(1 + x): beyond the range of `f32` near its pole for large y.
 #[test]
 fn what_f32_cannot_hold_is_flagged() {
     let pole = ThroughF64(E1).try_step(&vector![-1.0_f32, 1.0, 0.0], 0.5);

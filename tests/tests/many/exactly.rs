@@ -1,5 +1,4 @@
-//! Over ℚ, with `==`: the defining equation and what follows from it, also where leading minors of
-//! A vanish in the order of elimination.
+//! The defining equation over ℚ, also for vanishing leading minors of A in elimination order.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -24,7 +23,7 @@ where
     assert_eq!(map.matrix(x, eps.clone()) * jacobian, map.matrix(&next, -eps.clone()));
 }
 
-/// Small numbers, so that the minors of A vanish now and then.
+/// Tests small numbers, for which minors of A sometimes vanish.
 fn at_small_points<M, const N: usize>(map: &M, seed: u64)
 where
     M: KahanMap<BigRational, N>,
@@ -55,8 +54,7 @@ fn the_defining_equation_holds_for_every_kind_of_coupling() {
     at_small_points::<_, 18>(&Web, 4);
 }
 
-/// The entry of xᵢ on the diagonal is 1 − ε(xᵢ₊₁ − xᵢ₋₁), here 0 for a variable that is eliminated
-/// first, and for a few more.
+/// The diagonal entry of xᵢ, 1 − ε(xᵢ₊₁ − xᵢ₋₁), vanishes for a variable eliminated first.
 #[test]
 fn pivots_that_vanish_are_exchanged() {
     let start = SVector::<_, 12>::from_fn(|i, _| q(i64::try_from(i * i * i).expect("small") - 400, 77));

@@ -1,5 +1,4 @@
-//! The promise of `try_step`, judged by exact rationals from the floats as given; and the bits of
-//! compiled code, which are those of the same field read at run time.
+//! The promise of `try_step`, judged exactly, and equal bits of compiled and run-time fields.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -9,10 +8,10 @@ use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
 
 use super::systems::{ARROW, Arrow, CASCADE, Cascade, RING, Ring, WEB, Web};
 
-/// A float whose promise is judged: its unit, and the number that it is.
+/// A float type under test, with its unit roundoff.
 trait Judged: MachineFloat + ParameterValue + Pivot + ToPrimitive {
     const UNIT: f64;
-    /// The largest power of ten that states are multiplied or divided by.
+    /// The greatest power of ten by which states are scaled.
     const SIZES: i32;
     fn near(value: f64) -> Self;
 }
@@ -37,7 +36,7 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
     BigRational::from_f64(value.to_f64().expect("a float")).expect("finite")
 }
 
-/// The most entries in a row of A, at a point where none is 0 by chance.
+/// Returns the number of entries in the widest row of A, at a point without accidental zeros.
 fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
     let matrix = map.extend_scalars(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
@@ -72,7 +71,7 @@ where
     worst
 }
 
-/// Points of ordinary and of mixed size, some with variables that are 0, and ε from 1e-6 to 1e3.
+/// Judges points of ordinary and mixed sizes, some with zeros, and ε from 1e-6 to 1e3.
 fn keeps_its_promise<T, M, const N: usize>(map: &M, seed: u64, count: usize)
 where
     T: Judged,
@@ -94,7 +93,7 @@ where
                 let error = backward_error(map, &x, &eps, &next);
                 assert!(error.to_f64().expect("a float") <= promise, "{error} at {x:?}, {eps:?}");
             }
-            // Extreme numbers may leave no step that can be told; ordinary ones only at a pole.
+            // Extreme numbers may leave no certain step; ordinary ones fail at poles only.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
                 let determinant =
@@ -120,7 +119,7 @@ fn try_step_says_why_there_is_no_step() {
     let start = SVector::<f64, 11>::from_fn(|i, _| if i == 3 { f64::NAN } else { 1.0 });
     let why = Arrow { a: 0.5 }.try_step(&start, 0.1).expect_err("no number");
     assert!(why.to_string().contains("not a finite number"), "{why}");
-    // A variable alone: x6 is a block of A, whose entry is 1 − εx3.
+    // The variable x6 is a block of A, with the entry 1 − εx3.
     let mut start = SVector::<f64, 10>::repeat(1.0);
     (start[3], start[6]) = (2.0, 5.0);
     let why = Cascade.try_step(&start, 0.5).expect_err("a pole");
@@ -146,7 +145,7 @@ fn has_the_bits_of_the_field_read_at_run_time<T, M, const N: usize>(
         let mut next = vec![T::zero(); N];
         at.step(x.as_slice(), &mut next).expect("as many variables");
         let compiled = map.step(&x, eps);
-        // Printed, zeros have their signs, and what is no number is one thing.
+        // Printed numbers keep the sign of zero and identify all NaNs.
         let same = |a: &T, b: &T| format!("{a:?}") == format!("{b:?}");
         assert!(next.iter().zip(&compiled).all(|(a, b)| same(a, b)), "{trial}: {x:?}, {eps:?}");
         if trial % 10 == 0 {

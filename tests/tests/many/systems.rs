@@ -1,8 +1,8 @@
-//! Fields of more than eight variables, of every kind of coupling.
+//! Fields of more than eight variables, with all kinds of couplings.
 
 use kahan_core::prelude::*;
 
-/// A block, and its text for whoever reads it at run time.
+/// Defines a block, and its text for run time.
 macro_rules! block {
     ($text:ident: $($block:tt)*) => {
         kahan! { $($block)* }

@@ -1,4 +1,4 @@
-//! Compositions: which structure they keep, which they lose, over ℚ; and their order, measured.
+//! Compositions: structures that they preserve and lose, over ℚ, and their measured orders.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd};
@@ -8,8 +8,8 @@ use kahan_tests::taylor::{distance, flow};
 
 type Point = SVector<Q, 3>;
 
-/// γ of a symmetric composition with rational coefficients; what survives does not depend on which
-/// they are.
+/// Returns γ of a symmetric composition with rational coefficients; the preserved structures are
+/// independent of their values.
 fn gammas() -> [Q; 5] {
     [q(2, 3), q(-3, 4), q(7, 6), q(-3, 4), q(2, 3)]
 }
@@ -18,7 +18,7 @@ fn composed<M: KahanMap<Q, 3>>(map: &M, x: &Point, eps: &Q) -> Point {
     gammas().iter().fold(x.clone(), |x, gamma| map.step(&x, gamma * eps))
 }
 
-/// det ∂x̃/∂x of the composition: the product over its stages.
+/// Returns det ∂x̃/∂x of the composition, the product over its stages.
 fn composed_det<M: KahanMap<Q, 3>>(map: &M, x: &Point, eps: &Q) -> Q {
     let stages = gammas().into_iter().fold((x.clone(), q(1, 1)), |(x, det), gamma| {
         let factor = map.det_jacobian(&x, &gamma * eps);
@@ -57,8 +57,8 @@ fn integrals_without_eps_survive_and_those_with_eps_do_not() {
     assert_ne!(E3.integrals(&e3, eps.clone())[1], E3.integrals(&x, eps)[1]);
 }
 
-/// H and K have one denominator, and det ∂x̃/∂x is its cofactor's square: H/K and c/(HK) survive, H
-/// and K change.
+/// H and K have one denominator, and det ∂x̃/∂x is the square of its cofactor, so H/K and c/(HK)
+/// are preserved, while H and K are not.
 fn keeps_the_ratio_and_the_measure<M>(name: &str, map: &M, density: impl Fn(&M, &Point, Q) -> Q)
 where
     M: KahanMap<Q, 3> + Integrals<Q, 3, 2>,
@@ -80,7 +80,7 @@ fn the_ratio_of_two_integrals_with_one_denominator_survives() {
     keeps_the_ratio_and_the_measure("E6", &E6, E6::density);
 }
 
-/// (α₃y² − α₂z²)/(α₁z² − α₃x²) and the density that is one over their product.
+/// (α₃y² − α₂z²)/(α₁z² − α₃x²), and as density the reciprocal of their product.
 #[test]
 fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     let (x, eps) = start();
@@ -97,7 +97,7 @@ fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     assert!(before[0] != after[0] && before[1] != after[1]);
 }
 
-/// Errors at a fixed time, with 8, 16, 32 and 64 steps.
+/// Returns the errors at a fixed time for 8, 16, 32 and 64 steps.
 fn errors<M, const N: usize>(map: &M, start: [f64; N], time: f64, composition: Composition) -> [f64; 4]
 where
     M: KahanMap<Dd, N>,
@@ -111,9 +111,9 @@ where
     })
 }
 
-/// The slope over each halving. The times are such that all errors lie above 10⁻²⁶, where rounding
-/// (10⁻³¹) and the series (below 10⁻³⁰) do not show, and that the next order, 2 more, changes a
-/// slope by less than the band.
+/// Asserts the slope for each halving of ε. At these times errors exceed 10⁻²⁶, far above rounding
+/// (10⁻³¹) and the series (10⁻³⁰), and the next order, 2 more, changes slopes by less than the
+/// tolerance.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

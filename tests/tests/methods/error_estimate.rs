@@ -1,4 +1,4 @@
-//! The error estimate against the flow: its sign, its order, and how it is carried along.
+//! The error estimate against the flow: its sign, its order and its accumulation.
 
 use kahan_core::prelude::*;
 use kahan_core::{Dd, ExtendScalars};
@@ -14,7 +14,7 @@ fn top() -> EulerTop<Dd> {
     EulerTop { a1, a2, a3 }
 }
 
-/// ε, and (the size of x̃ − flow, of x̃ − flow − estimate).
+/// Returns the sizes of x̃ − flow and of x̃ − flow − estimate.
 fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64) -> [f64; 2] {
     let (x, half_step) = (point(start), Dd::from(eps));
     let next = map.step(&x, half_step);
@@ -23,8 +23,7 @@ fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64)
     [distance(&next, &flow), distance(&corrected, &flow)]
 }
 
-/// Errors of 10⁻¹² to 10⁻²⁰, far above rounding; the terms left out change a slope by O(ε), 2⁻¹⁰
-/// and less.
+/// Errors of 10⁻¹² to 10⁻²⁰ exceed rounding; neglected terms change slopes by at most 2⁻¹⁰.
 fn estimates_the_step<M: KahanMap<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let sizes = [11, 12, 13].map(|k| local(map, start, 2_f64.powi(-k)));
     for pair in sizes.windows(2) {
@@ -43,8 +42,7 @@ fn the_estimate_is_the_leading_term_of_a_step() {
     estimates_the_step("LV", &LotkaVolterra, [1.5, 0.75]);
 }
 
-/// At a fixed time the error is of order 2 and what the accumulated estimate leaves of it of order
-/// 4.
+/// At a fixed time the error has order 2, and the error minus the accumulated estimate order 4.
 fn estimates_the_orbit<M: ExtendScalars<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let (time, x) = (Dd::from(4.0), point(start));
     let end = flow(map, x, time, 64);
@@ -70,7 +68,7 @@ fn the_accumulated_estimate_is_the_leading_term_of_an_orbit() {
     estimates_the_orbit("LV", &LotkaVolterra, [1.5, 0.75]);
 }
 
-/// The points are the orbit's own, and the first has no error.
+/// The points are those of the orbit, and the first has no error.
 #[test]
 fn estimating_changes_no_point() {
     let (start, eps) = (vector![0.5, 0.75, -0.25], 0.01);

@@ -1,15 +1,14 @@
-//! The weakenings: where, what stands there, what is put in its place, and the tests that must
-//! notice.
+//! The list of weakenings: a file, a text in it, its replacement, and the tests that must fail.
 
-/// One of them.
+/// One change that weakens a proof or a test's subject.
 pub(crate) struct Weakening {
     pub(crate) name: &'static str,
-    /// From the root of the workspace.
+    /// The path from the workspace's root.
     pub(crate) file: &'static str,
-    /// What stands there, once.
+    /// A text that occurs exactly once in the file.
     pub(crate) text: &'static str,
     pub(crate) weaker: &'static str,
-    /// What follows `cargo test`.
+    /// The arguments of `cargo test`.
     pub(crate) tests: &'static str,
 }
 
@@ -59,7 +58,6 @@ const fn digit(
 
 #[rustfmt::skip]
 pub(crate) const WEAKENINGS: &[Weakening] = &[
-    // The count of roundings.
     rule("a sum without its rounding", OPERATIONS,
         "roundings: self.roundings.max(other.roundings).saturating_add(1),",
         "roundings: self.roundings.max(other.roundings),"),
@@ -167,7 +165,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "(residual.size + residual.error, products", "(residual.size, products"),
     known("a right-hand side that may be zero",
         "if G::of(64.0) * self.error <= self.size", "if self.error <= self.size"),
-    // Steps.
     rule("an attempt without the weights of reciprocals", ATTEMPT,
         "Some(reciprocal) => reciprocal.weight(roundings),", "Some(reciprocal) => reciprocal.weight(0),"),
     rule("an attempt as N/D without an error", ATTEMPT,
@@ -181,7 +178,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),
     rule("a pair of floats that is better than it is", FORMATS,
         "f64::EPSILON * f64::EPSILON * 4.0", "f64::EPSILON * f64::EPSILON * 3.0"),
-    // The last rungs' numbers.
     digit("a product without the radius of a factor", WIDE,
         "self.size() * other.radius + (other.size() + other.radius) * self.radius", "(other.size() + other.radius) * self.radius"),
     digit("a sum without the radius of a term", WIDE,
@@ -200,7 +196,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "off.size() + off.radius() <= rounded.size()", "off.radius() <= rounded.size()"),
     digit("a rounding of what is not known", "kahan-core/src/scalar/wide/long.rs",
         "off.size() + off.radius() <= rounded.size()", "off.size() <= rounded.size()"),
-    // Pairs of floats: what their operations do, and what is stated of them.
     Weakening { name: "a sum of pairs without its last rest", file: MODERATE, tests: PAIRS,
         text: "fast_two_sum(sum, rest + error)", weaker: "fast_two_sum(sum, error)" },
     Weakening { name: "a product of pairs without a lower part", file: MODERATE, tests: PAIRS,
@@ -215,7 +210,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "const PRODUCT: i64 = 5;", weaker: "const PRODUCT: i64 = 4;" },
     Weakening { name: "quotients of pairs said to err by 9u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
         text: "const QUOTIENT: i64 = 14;", weaker: "const QUOTIENT: i64 = 9;" },
-    // Degrees and references.
     Weakening { name: "a degree with one spare point less", file: "crates/kahan-discover/src/modular/thiele.rs", tests: DEGREES,
         text: "const SPARE: usize = 4;", weaker: "const SPARE: usize = 3;" },
     Weakening { name: "a degree told when one spare point agrees", file: "crates/kahan-discover/src/modular/thiele.rs", tests: DEGREES,
@@ -224,7 +218,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "self.difference = self.difference.max(difference);", weaker: "self.difference = difference;" },
     Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
         text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
-    // Claims on relations.
     Weakening { name: "a relation that random points do not satisfy", file: "crates/kahan-algebra/src/prove/sample.rs", tests: RELATIONS,
         text: "impose(conditions, &arithmetic, &mut here)?;",
         weaker: "" },
@@ -264,7 +257,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a claim on a relation that holds without it", file: "crates/kahan-discover/src/scan/proposals.rs", tests: SCANS,
         text: "if self.claims.proved(&[], &claim(&fixed)).is_some() {",
         weaker: "if claim(&fixed).is_empty() {" },
-    // What is kept of a text.
     Weakening { name: "a sum in which a name cancels and that stands", file: "crates/kahan-algebra/src/check/expand.rs", tests: KEPT,
         text: "if extents.into_iter().all(still_has) { sum } else { self.without_kept(sum) }",
         weaker: "{ let _ = extents.into_iter().all(still_has); sum }" },

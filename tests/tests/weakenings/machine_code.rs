@@ -1,5 +1,4 @@
-//! The weakenings of machine code: the encoder, registers and slots, the routines, and the programs
-//! of steps.
+//! Weakenings of machine code: encoder, registers and slots, routines, and programs of steps.
 
 use super::list::Weakening;
 

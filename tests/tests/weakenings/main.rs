@@ -1,17 +1,14 @@
-//! What is proved in comments, made weaker line by line: each weakening must fail a test.
+//! Mutation tests of code with proofs in comments: each weakening of a line must fail a test.
 //!
-//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all of them,
-//! which takes some twenty minutes; with KAHAN_WEAKENING=WORDS in the environment those alone whose
-//! names or files hold these words. With `change` in place of `every` it tries those whose file
-//! has changed since a commit, KAHAN_BASE or else the last that is twelve hours older than HEAD,
-//! and four others, which the hash of HEAD chooses. It begins none, and goes on with none, after
-//! [`MINUTES`], and says how many it has tried.
+//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all in about
+//! twenty minutes; KAHAN_WEAKENING=WORDS selects by name or file. `change` instead of `every`
+//! selects the files changed since KAHAN_BASE (default: the last commit twelve hours older than
+//! HEAD) and four others by the hash of HEAD, and stops after [`MINUTES`] with a count.
 //!
-//! The workspace is copied into the target folder, one weakening after the other is put into the
-//! copy, and the tests that its line names are run there: the workspace itself stays as it is,
-//! whenever a run is ended. The copy begins with the builds of the workspace. A text that
-//! does not stand in its file exactly once is an error, and so is a copy that does not compile, or
-//! whose tests fail as it stands.
+//! Each weakening is applied to a copy of the workspace in the target folder, where its tests run;
+//! the workspace itself never changes. The copy reuses the workspace's builds. A text that doesn't
+//! occur exactly once, a copy that doesn't compile, and tests that fail without a weakening are
+//! errors.
 
 #![cfg(unix)]
 
@@ -31,48 +28,44 @@ use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
 
-/// How long the weakenings of a change are tried.
+/// The time limit for the weakenings of a change.
 const MINUTES: u64 = 3;
 
-/// How many weakenings are tried besides those of a change.
+/// The number of weakenings tried besides those of a change.
 const OTHERS: usize = 4;
 
-/// All of them.
 fn every() -> impl Iterator<Item = &'static Weakening> {
     WEAKENINGS.iter().chain(MACHINE_CODE).chain(ORBITS)
 }
 
-/// The workspace.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
 }
 
-/// The folder of the workspace's builds, among which is this program.
+/// Returns the folder of the workspace's builds, which holds this program.
 fn builds() -> PathBuf {
     let program = std::env::current_exe().expect("a program has a path");
     program.ancestors().nth(2).expect("it stands in target/debug/deps").to_owned()
 }
 
-/// The copy of the workspace, in the target folder.
+/// Returns the copy of the workspace in the target folder.
 fn folder() -> PathBuf {
     builds().with_file_name("weakenings").join("workspace")
 }
 
-/// The copy's own builds. Cargo knows crates by their place in a workspace, so in the builds of the
-/// workspace a weakened crate would be taken for the sound one.
+/// Returns the folder of the copy's builds. Cargo identifies crates by their place in a workspace,
+/// so a shared folder would confuse weakened crates with sound ones.
 fn target() -> PathBuf {
     folder().with_file_name("target")
 }
 
-/// Makes the copy of the workspace, or brings it up to date.
 fn copy_workspace() {
     let (made, found) = (folder(), folder().is_dir());
     let made = made.parent().expect("it was joined");
     if found {
         return update(&root(), &folder());
     }
-    // What was built stays built: files keep their times. A copy that is not finished has another
-    // name.
+    // Files keep their times, so builds stay valid. An unfinished copy has another name.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(&root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -95,7 +88,6 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     entries.map(|entry| entry.expect("an entry").path()).collect()
 }
 
-/// Copies a folder with the times of its files.
 fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(from).into_iter().filter(|path| is_copied(path)) {
@@ -111,8 +103,7 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder like another; files that are alike stay as they are, so that they are not
-/// compiled again, and others are of now.
+/// Makes one folder equal another; equal files keep their times and builds.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(to) {
@@ -138,8 +129,7 @@ fn write(path: &Path, bytes: &[u8]) {
     }
 }
 
-/// Runs `cargo test` with these words in the copy; whether it succeeds, and `None` where it was
-/// ended at the deadline.
+/// Runs `cargo test` in the copy; returns its success, or `None` after the deadline.
 fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Option<bool> {
     let mut command = Command::new(env!("CARGO"));
     command.arg("test").args(words.split(' ').take_while(|word| *word != "--"));
@@ -149,7 +139,7 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    // A crate is compiled several times, one line changed.
+    // A crate is compiled repeatedly with one changed line.
     command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
@@ -166,14 +156,14 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
     }
 }
 
-/// Ends a cargo with all that it has started, and waits for it.
+/// Ends a cargo process with its process group, and waits for it.
 fn end(cargo: &mut Child) {
     let group = format!("-{}", cargo.id());
     Command::new("kill").args(["-TERM", "--", &group]).status().expect("a group can be ended");
     cargo.wait().expect("it has been ended");
 }
 
-/// The file of the copy with the weakening in it.
+/// Returns the file's text with the weakening applied.
 fn weakened(weakening: &Weakening) -> Result<String, String> {
     let text = fs::read_to_string(root().join(weakening.file)).map_err(|why| format!("{why}"))?;
     match text.matches(weakening.text).count() {
@@ -182,14 +172,14 @@ fn weakened(weakening: &Weakening) -> Result<String, String> {
     }
 }
 
-/// What git says in the workspace.
+/// Runs git in the workspace and returns its output.
 fn git(words: &[&str]) -> String {
     let output = Command::new("git").args(words).current_dir(root()).output().expect("git runs");
     assert!(output.status.success(), "git {}: {}", words.join(" "), String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("paths and hashes are text").trim().to_owned()
 }
 
-/// The weakenings of what changed since `KAHAN_BASE`, and four others that share their tests.
+/// Returns the weakenings of files changed since `KAHAN_BASE`, and four others.
 fn chosen_by_the_change() -> Vec<&'static Weakening> {
     let head = git(&["rev-parse", "HEAD"]);
     let base = std::env::var("KAHAN_BASE").unwrap_or_else(|_| {
@@ -197,7 +187,7 @@ fn chosen_by_the_change() -> Vec<&'static Weakening> {
         let before = format!("--before={}", time - 12 * 3600);
         git(&["rev-list", "-1", "--first-parent", &before, "HEAD"])
     });
-    // Without a base everything has changed.
+    // Without a base all files count as changed.
     let changed = if base.is_empty() { git(&["ls-files"]) } else { git(&["diff", "--name-only", &base]) };
     let changed: BTreeSet<&str> = changed.lines().collect();
     let mut shuffled: Vec<&Weakening> = every().collect();
@@ -210,19 +200,19 @@ fn chosen_by_the_change() -> Vec<&'static Weakening> {
     of_change.into_iter().chain(others).collect()
 }
 
-/// FNV-1a over both.
+/// Returns the FNV-1a hash of both.
 fn hash(commit: &str, name: &str) -> u64 {
     let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     commit.bytes().chain(name.bytes()).fold(0xcbf2_9ce4_8422_2325, mix)
 }
 
-/// Tries weakenings, those with the same tests together; panics if one of them fails no test.
+/// Tries weakenings, grouped by tests. Panics if a weakening fails no test.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // What depends on a crate is compiled again after its weakenings, so the front end comes last.
+    // Dependents are compiled again after weakenings of a crate, so the front end comes last.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
-    // In the order of the first of each.
+    // Groups are ordered by their first weakening.
     let mut commands: Vec<&str> = Vec::new();
     let mut groups: BTreeMap<&str, Vec<&Weakening>> = BTreeMap::new();
     for &weakening in &chosen {
@@ -267,7 +257,7 @@ fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     assert!(survivors.is_empty(), "{}", survivors.join("; "));
 }
 
-/// Part of every run, so that a change of the code takes its weakenings along.
+/// Runs in every test run, so that changes of the code update their weakenings.
 #[test]
 fn every_weakening_has_its_place() {
     let errors: Vec<String> = every().filter_map(|weakening| weakened(weakening).err()).collect();

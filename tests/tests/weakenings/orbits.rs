@@ -1,5 +1,4 @@
-//! The weakenings of what is told of orbits: periodic points, tangent vectors, and the way through
-//! poles.
+//! Weakenings of results on periodic points, tangent vectors, and continuation through poles.
 
 use super::list::Weakening;
 
@@ -27,7 +26,6 @@ const fn of(
 
 #[rustfmt::skip]
 pub(crate) const ORBITS: &[Weakening] = &[
-    // Any map.
     of(ANY, "memory of a chain of another form", "kahan-core/src/lattice/at.rs",
         "|memory: &Memory<T>| memory.form == form",
         "|_: &Memory<T>| true"),
@@ -79,7 +77,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(MAPS, "a group that begins with the first map", "kahan-core/src/ensemble/each.rs",
         "((first + group) * GROUP + lane)",
         "(group * GROUP + lane)"),
-    // Cycles.
     of(CYCLES, "a cycle that does not close", "crates/kahan-dynamics/src/periodic/cycle.rs",
         "const CLOSED: f64 = 1e-11;",
         "const CLOSED: f64 = 1e11;"),
@@ -138,7 +135,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(PROOFS, "the derivative by another parameter", "crates/kahan-runtime/src/engine/mod.rs",
         "extended[index] = Dual::coordinate(constants[index], 0);",
         "extended[0] = Dual::coordinate(constants[0], 0);"),
-    // Proofs over the rationals.
     of(PROOFS, "an orbit that does not close", "crates/kahan-runtime/src/periodic/rational.rs",
         "(points.pop()? == points[0]).then_some(points)",
         "points.pop().map(|_| points)"),
@@ -157,7 +153,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(PROOFS, "multipliers on the circle that attract", "crates/kahan-runtime/src/periodic/circle.rs",
         "gcd(polynomial, &reversed).as_constant().is_some()",
         "!reversed.is_zero()"),
-    // Tangent vectors.
     of(TANGENTS, "forms that lose the digits of tangent vectors", "crates/kahan-algebra/src/plan/forms/tangent.rs",
         ".find(|form| accuracy.keeps_tangents(form))",
         ".find(|_| true)"),
@@ -167,7 +162,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(EXPONENTS, "vectors that are scaled too seldom", "kahan-core/src/observe/carried.rs",
         "const PAUSE: u64 = 16;",
         "const PAUSE: u64 = 64;"),
-    // The way through poles.
     of(POLES, "a step that forgets where it came from", "kahan-core/src/map/orbit/projective/through.rs",
         " && is_far_from_singular(&map.matrix(&next, -eps))",
         ""),

@@ -1,8 +1,7 @@
-//! A process that computes Lyapunov exponents and stability maps when it is asked to, so that
-//! `numba/exponents.py` can time it in turns with loops of its own.
-//!
-//! A line `e6 STEPS`, `lorenz STEPS` or `map STEPS` is answered by the seconds that it took, and
-//! behind them the exponent of the orbit, or the SALI of each cell.
+//! A process that computes Lyapunov exponents and stability maps on request, so that
+//! `numba/exponents.py` can time it in turns with its own loops. A line `e6 STEPS`, `lorenz STEPS`
+//! or `map STEPS` is answered by the seconds, followed by the orbit's exponent or the SALI of each
+//! cell.
 
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};

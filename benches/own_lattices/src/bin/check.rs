@@ -1,10 +1,8 @@
-//! Every lattice against Kahan's map of the same field, written down a second time and solved
-//! densely.
+//! Checks every lattice against Kahan's map of an independently written field, solved densely.
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
-/// (I - eps f'(x)) (y - x) = 2 eps f(x); the columns of f' by central differences, exact for a
-/// quadratic field.
+/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x), with f' by central differences (exact for f).
 fn kahan(f: &dyn Fn(&[f64]) -> Vec<f64>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = x.len();
     let mut a = vec![vec![0.0; n + 1]; n];
@@ -205,7 +203,7 @@ fn main() {
             }
         }
     }
-    // The same equations, written out.
+    // An equal system, written out.
     let plain = {
         let (du, dv, eat, die) = (0.2, 0.5, 0.9, 0.4);
         let (r0, r1, r2) = (0.5, 1.0, 1.5);

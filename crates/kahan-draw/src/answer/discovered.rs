@@ -1,4 +1,4 @@
-//! What a map preserves, with the formulas that were proved, and the numbers of the search.
+//! HTML and a table for a search: proved formulas and the search's numbers.
 
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
@@ -10,7 +10,6 @@ use maud::{Markup, html};
 
 use crate::document::{LINE, Table, claim, display, readable};
 
-/// What was found, each formula as it was proved.
 pub(super) fn html(found: &Discovered) -> Markup {
     let claimed = &found.readable();
     let report = &found.report;
@@ -51,7 +50,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
     }
 }
 
-/// The numbers of the search, one kind a row.
+/// Returns the numbers of the search, one row for each kind.
 #[must_use]
 pub fn numbers(found: &Discovered) -> Table {
     let report = &found.report;
@@ -73,7 +72,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // Without relations all monomials are independent on an orbit, so the degree is enough.
+    // Without relations all monomials are independent on an orbit, so the degree says everything.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
@@ -84,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // Those of higher degree are not looked for, so that silence says nothing of them.
+    // Higher degrees were not searched, so an empty list would prove nothing.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
@@ -93,7 +92,7 @@ pub fn numbers(found: &Discovered) -> Table {
     Table::new("Numbers of the search", ["what", "found"], rows.into_iter().map(Vec::from))
 }
 
-/// A point and its image, as vectors.
+/// Returns a state and its image as vectors in a notation.
 #[must_use]
 pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2] {
     let states = report.variables.iter();
@@ -104,8 +103,8 @@ pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2
     ]
 }
 
-/// Which coefficients of a basis are integrals, and how they are found from an orbit; formulas
-/// stand between marks.
+/// Says which quotients of a basis's coefficients are integrals, and how many points of an orbit
+/// determine them. Each quotient stands between two copies of `mark`.
 #[must_use]
 pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {

@@ -1,4 +1,4 @@
-//! A lift: the quadratic equations, the new variables, the relations and their fates.
+//! HTML for a lift: the quadratic equations, the new variables, and the relations between them.
 
 use kahan_algebra::render::Notation;
 use kahan_latex::Latex;
@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use crate::document::{LINE, Table, display};
 
-/// The lift of a field, in words and formulas.
+/// Returns the HTML of a lift.
 #[must_use]
 pub fn lift(found: &LiftFound) -> Markup {
     html! {
@@ -38,7 +38,6 @@ pub fn lift(found: &LiftFound) -> Markup {
     }
 }
 
-/// A row a relation.
 fn relations(found: &LiftFound) -> Table {
     let rows = found.relations.iter().map(|relation| vec![found.equation(relation), relation.verdict()]);
     Table::new("Relations between the variables", ["relation", "along the orbit"], rows)

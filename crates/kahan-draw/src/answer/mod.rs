@@ -1,7 +1,5 @@
-//! Answers as parts of a page: what each says in tables, pictures, formulas and sentences.
-//!
-//! In: an answer. Out: HTML; and the tables in it, which text shows, too. By which command it was
-//! asked for, this module must not know.
+//! Answers as parts of a page: HTML for pages, and tables that text output prints, too. Commands
+//! and their arguments are unknown here.
 
 mod discovered;
 mod lifted;
@@ -22,11 +20,11 @@ pub use poles::poles;
 pub use section::jumps;
 pub use traded::{choice, front};
 
-/// Larger matrices are no reading.
+/// The largest number of variables whose formulas a page shows.
 const MOST_VARIABLES: usize = 8;
 
-/// What an answer says on a page. `None` for those that pages do not show, or show as a picture of
-/// [`crate::picture`]; formulas are shown from LaTeX.
+/// Returns the HTML of an answer, or `None` for answers that pages omit or draw by
+/// [`crate::picture`]. Formulas are read from the answer's LaTeX.
 #[must_use]
 pub fn html(answer: &Answer) -> Option<Markup> {
     Some(match answer {

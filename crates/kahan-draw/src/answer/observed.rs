@@ -1,11 +1,11 @@
-//! What an orbit does, as tables.
+//! Tables and sentences for an observed orbit.
 
 use kahan_core::observe::Extremes;
 use kahan_study::{End, Observable, Observed, Seen};
 
 use crate::document::Table;
 
-/// What was observed as tables; there is none of what was not asked for.
+/// Returns the tables of all observables that were asked for.
 #[must_use]
 pub fn observed(observed: &Observed) -> Vec<Table> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
@@ -20,7 +20,6 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
     };
     let mut found: Vec<_> =
         Observable::ALL.iter().filter_map(|one| Some((*one, observed.of(*one)?))).collect();
-    // Turns are the last columns.
     found.sort_by_key(|(_, seen)| matches!(seen, Seen::Turns(_)));
     for (observable, seen) in found {
         match seen {
@@ -76,8 +75,8 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
     tables.map(|(caption, rows)| Table { caption, rows }).collect()
 }
 
-/// What the estimates of exponents say, where there are some: how far they are known, and whether
-/// the largest may be 0.
+/// Describes the errors of Lyapunov exponents, and whether the largest exponent may be 0. Returns
+/// `None` without an exponent whose error is finite.
 #[must_use]
 pub fn convergence(observed: &Observed) -> Option<String> {
     let largest = |observable| match observed.of(observable)? {
@@ -98,7 +97,7 @@ pub fn convergence(observed: &Observed) -> Option<String> {
     })
 }
 
-/// Why there are fewer steps than asked.
+/// Explains an orbit that ended before the steps asked for.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
     let Observed { system, steps, end, why, .. } = observed;
@@ -118,7 +117,7 @@ pub fn out_of_range(observed: &Observed) -> Option<String> {
     }
 }
 
-/// Eight digits; nothing for what is not a number.
+/// Writes eight significant digits, or `-` for NaN.
 fn number(value: f64) -> String {
     if value.is_nan() {
         return "-".to_owned();
@@ -133,10 +132,10 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The digits up to the first that an error of this size changes.
+/// Writes the digits up to the first one that an error of this size changes.
 fn known(value: f64, error: f64) -> String {
     let places = -error.log10().floor();
-    // What has no estimate, or one beyond eight digits behind the point, has its usual ones.
+    // Values without an estimate, or with over eight certain decimals, get eight digits.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }
@@ -144,7 +143,7 @@ fn known(value: f64, error: f64) -> String {
     if shown.parse() == Ok(0.0) { shown.trim_start_matches('-').to_owned() } else { shown }
 }
 
-/// Two digits.
+/// Writes two significant digits, or `-` for NaN.
 fn short(value: f64) -> String {
     if value.is_nan() { "-".to_owned() } else { format!("{value:.1e}") }
 }

@@ -1,13 +1,13 @@
-//! What becomes of what a map loses, as a table.
+//! A table of singularity patterns: the curves that a map loses, and whether it recovers them.
 
 use kahan_study::PolesFound;
 
 use crate::document::Table;
 
-/// A polynomial of more characters would fill a page, and is counted.
+/// The longest polynomial written out, in characters; longer ones appear by degree and size.
 const LONGEST: usize = 1000;
 
-/// A row a pattern.
+/// Returns a table with one row for each pattern.
 #[must_use]
 pub fn poles(found: &PolesFound) -> Table {
     let found = &found.found;

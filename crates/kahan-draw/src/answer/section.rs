@@ -1,6 +1,6 @@
-//! What sections say in words.
+//! Sentences about Poincaré sections.
 
-/// Counts the sign changes of the formula `plane` that are no crossings, where there are some.
+/// Counts the sign changes of `plane` that are jumps instead of crossings; `None` for 0 jumps.
 #[must_use]
 pub fn jumps(plane: &str, jumps: u64) -> Option<String> {
     let count = match jumps {

@@ -1,4 +1,4 @@
-//! Settings compared on one scene: the choice, the front, and the picture of all.
+//! HTML for settings compared on one scene: the picture, the cheapest setting and the Pareto front.
 
 use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};
@@ -6,7 +6,6 @@ use maud::{Markup, html};
 use crate::document::Table;
 use crate::picture::{self, Look};
 
-/// The picture, the choice and the front.
 pub(super) fn html(traded: &Traded) -> Markup {
     html! {
         figure #trade {
@@ -21,7 +20,7 @@ pub(super) fn html(traded: &Traded) -> Markup {
     }
 }
 
-/// The choice in words, and as Rust to paste.
+/// Returns the choice in words and as Rust code, or `None` if no setting meets the tolerance.
 #[must_use]
 pub fn choice(traded: &Traded) -> Option<[String; 2]> {
     let Choice { setting: choice, rust } = traded.choice.as_ref()?;
@@ -36,18 +35,15 @@ pub fn choice(traded: &Traded) -> Option<[String; 2]> {
     Some([words, rust.clone()])
 }
 
-/// An error of a setting, where it was measured.
 type Error = fn(&Measured) -> Option<f64>;
 
-/// The errors by the headings of their columns.
 const ERRORS: [(&str, Error); 3] = [
     ("trajectory", |measured| measured.trajectory_error),
     ("integrals", |measured| measured.integral_drift),
     ("return", |measured| measured.return_error),
 ];
 
-/// A row for each setting that no other one beats in price and error together, the cheapest first.
-/// What was measured of none has no column.
+/// Returns the Pareto front of price and error, cheapest first, with the errors that were measured.
 #[must_use]
 pub fn front(traded: &Traded) -> Table {
     let front = || traded.settings.iter().filter(|measured| measured.on_front);

@@ -1,4 +1,4 @@
-//! The formulas of a field, and what is claimed of it, from the LaTeX of their answers.
+//! HTML of a field's formulas and claims, from the LaTeX in answers.
 
 use kahan_algebra::render::Notation;
 use kahan_algebra::syntax::ClaimKind;
@@ -9,13 +9,12 @@ use maud::{Markup, html};
 use super::math::{LINE, display, displays, inline};
 use super::readable::readable;
 
-/// ∂x̃/∂x and its determinant by A, in LaTeX.
+/// The formulas of ∂x̃/∂x and its determinant in terms of A, in LaTeX.
 pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
-/// The field, A and b, the determinant, the map in lowest terms; b is left out where it is x. The
-/// sheet is one in LaTeX.
+/// Sets the field, A, b (unless x), det A and the reduced map, of a sheet in LaTeX.
 pub fn formulas(sheet: &Sheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
@@ -43,8 +42,8 @@ pub fn formulas(sheet: &Sheet) -> Markup {
     }
 }
 
-/// A claim about a field of so many variables: its kind, its condition and its source, what is said
-/// of it besides, and what it says, a formula each.
+/// Sets a claim about a field with this number of variables: kind, condition, source and formulas.
+/// `besides` is further text about the claim.
 pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {
@@ -71,7 +70,6 @@ pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
 }
 
 fn matrix(rows: &[Vec<String>]) -> String {
-    /// The characters of what stands before a matrix.
     const BEFORE: usize = 10;
     breaking::matrix("pmatrix", rows, LINE - BEFORE)
 }

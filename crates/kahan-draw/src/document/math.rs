@@ -1,40 +1,39 @@
-//! Formulas: LaTeX to MathML, which browsers set without a script.
+//! Formulas from LaTeX to MathML, which browsers set without a script.
 
 use kahan_latex::breaking;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
 
-/// A formula in running text.
+/// Sets a formula in running text.
 pub fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// The characters of a line in the width of the page.
+/// The length of a line in the width of the page, in characters.
 pub const LINE: usize = 84;
-/// Those of a line in the column of statements.
+/// The length of a line in the column of statements, in characters.
 pub const COLUMN: usize = 56;
-/// Those of a line in a cell of a table of formulas.
+/// The length of a line in a cell of a table of formulas, in characters.
 const CELL: usize = 44;
 
-/// A formula of at most so many characters a line. It scrolls in its box only where the window
-/// itself is narrower.
+/// Sets a displayed formula with at most `width` characters on a line.
 pub fn display(latex: &str, width: usize) -> Markup {
     let latex = breaking::display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
-/// A formula in a cell of a table: in display style, without a box.
+/// Sets a formula for a cell of a table: in display style, without a box.
 pub fn cell(latex: &str) -> Markup {
     inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
 
-/// Several formulas, each on lines of its own.
+/// Sets several displayed formulas, one below the other.
 pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
 
-/// What cannot be set is shown as it is written, and marked: the tests look for the mark.
+/// Converts LaTeX to MathML, or to its source in the class `unset`, which tests search for.
 fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
     let storage = Storage::new();
     let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();
@@ -44,7 +43,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
         push_mathml(&mut text, events, RenderConfig { display_mode, ..RenderConfig::default() })
     });
     match set {
-        // The micro sign, which is set for \\mu, is no Greek letter and would not become italic.
+        // The library sets `\\mu` as the micro sign, which would stay upright.
         Ok(Ok(())) => PreEscaped(text.replace('\u{b5}', "μ")),
         _ => html! { code.unset { (latex) } },
     }

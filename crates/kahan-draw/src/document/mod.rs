@@ -1,7 +1,5 @@
-//! Pages of HTML that need no network and no script: what the atlas and the pages of single fields
-//! share.
-//!
-//! Formulas are MathML, drawings are SVG, and the browser is told to fetch nothing.
+//! Pages of HTML that need no network and no script: formulas are MathML, drawings are SVG, and a
+//! policy forbids the browser to fetch anything. The atlas and the pages of fields use them.
 
 mod formulas;
 mod math;
@@ -17,27 +15,25 @@ pub use math::{COLUMN, LINE, cell, display, displays, inline};
 pub use readable::readable;
 pub use tables::{Rows, Table, table_of_formulas};
 
-/// When a page is made, for its foot.
+/// The time and duration of a page's making, for its footer.
 #[derive(Clone, Debug)]
 pub struct Making {
-    /// The day: `2026-01-31`.
+    /// The day, such as `2026-01-31`.
     pub date: String,
-    /// How long it took so far, in seconds.
+    /// The seconds spent so far.
     pub seconds: f64,
 }
 
-/// No style sheet, font or script is fetched, and the browser is told to refuse any; images are
-/// those within the page.
+/// The content security policy: inline styles and `data:` images only.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-/// The style of pages, of their formulas and of drawings within them, light or dark as the reader
-/// has it.
+/// Returns the style of pages, formulas and inline drawings, for light and dark viewers.
 #[must_use]
 pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// A whole document; `main` is the anchor to which one can skip, and what it is.
+/// Returns a document; `main` is the anchor and name of the part to which a link skips.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)
@@ -59,7 +55,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
     document.into_string()
 }
 
-/// Who wrote the page, when, and `again`: how to write it once more.
+/// Sets the footer: version, time, and in `again` the command that writes the page once more.
 pub fn colophon(making: &Making, again: &Markup) -> Markup {
     html! {
         footer {

@@ -1,4 +1,4 @@
-//! The registry's plain text for readers: places in the paper, details of what was found.
+//! Typographic forms of plain text, such as places in the paper and details of findings.
 
 use crate::plot::{lowered, raised};
 
@@ -18,8 +18,8 @@ const GREEK: [(&str, char); 13] = [
     ("zeta", 'ζ'),
 ];
 
-/// The text with letters, indices, powers and signs: `eps` is ε, `alpha1` is α₁, `x~` is x̃,
-/// `2^-100` is 2⁻¹⁰⁰, `K_9` is K₉, `1e-70` is 10⁻⁷⁰, `2.500000` is 2.5.
+/// Replaces names, indices, powers and signs: `eps` → ε, `alpha1` → α₁, `x~` → x̃, `2^-100` →
+/// 2⁻¹⁰⁰, `K_9` → K₉, `1e-70` → 10⁻⁷⁰, `2.500000` → 2.5.
 pub fn readable(text: &str) -> String {
     let mut readable = String::with_capacity(text.len());
     let mut rest = text;
@@ -40,19 +40,18 @@ pub fn readable(text: &str) -> String {
     readable.replace("->", "→")
 }
 
-/// The digits at the beginning of a text.
 fn digits(text: &str) -> &str {
     &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
 }
 
-/// A power after `^`: digits, perhaps with a sign.
+/// Reads the power after `^`: digits with an optional sign. Returns it with its length in bytes.
 fn power(text: &str) -> Option<(String, usize)> {
     let after = text.strip_prefix('-').unwrap_or(text);
     let length = text.len() - after.len() + digits(after).len();
     (!digits(after).is_empty()).then(|| (raised(&text[..length]), length))
 }
 
-/// An index after `_`: digits, or n.
+/// Reads the index after `_`: digits, or n. Returns it with its length in bytes.
 fn index(text: &str) -> Option<(String, usize)> {
     match digits(text) {
         "" => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
@@ -61,14 +60,14 @@ fn index(text: &str) -> Option<(String, usize)> {
     }
 }
 
-/// A hyphen that is a sign: it opens a word, or stands alone.
+/// Returns a minus sign for a hyphen that begins a word or stands between spaces.
 fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
     let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | ',' | '='));
     let alone = before == Some(' ') && after.starts_with(' ');
     (alone || opens && after.starts_with(char::is_alphanumeric)).then_some("−")
 }
 
-/// A power of ten, or a decimal fraction without the zeros at its end.
+/// Reads `1e-N` as a power of ten, or a decimal fraction without trailing zeros.
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
@@ -76,7 +75,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // A section's number has one digit after the point, and keeps it.
+    // Numbers of sections have one decimal and stay unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }
@@ -85,14 +84,14 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// One word: a Greek name with digits as an index, or the coefficient of an Euler top.
+/// Rewrites a word that is a Greek name, or `a`, followed by digits as an index.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {
         "a" => 'a',
         _ => match GREEK.iter().find(|(name, _)| *name == stem) {
             Some((_, letter)) => *letter,
-            // E1 and (e1) have no indices.
+            // Names of systems, such as E1 and (e1), keep their digits.
             None => return word.to_owned(),
         },
     };

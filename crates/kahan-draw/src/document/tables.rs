@@ -2,21 +2,20 @@
 
 use maud::{Markup, Render, html};
 
-/// The cells of a table, row by row: the first row has the headings of the columns, the first cell
-/// of another says what that row is about.
+/// The cells of a table by rows; first the column headings, then each row after its subject.
 pub type Rows = Vec<Vec<String>>;
 
-/// A table of what an answer says. A page shows it with its caption; text has the rows.
+/// A table of an answer. Pages show it with its caption; text output prints the rows only.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
-    /// What it is of.
+    /// The caption.
     pub caption: &'static str,
-    /// Its cells.
+    /// The cells.
     pub rows: Rows,
 }
 
 impl Table {
-    /// A table with these headings and rows below them.
+    /// Makes a table of headings and the rows below them.
     #[must_use]
     pub fn new<'a>(
         caption: &'static str,
@@ -35,7 +34,7 @@ impl Render for Table {
     }
 }
 
-/// A table of formulas with an anchor; the first cell of a row says what it is about.
+/// Sets a table of formulas with an anchor. The first cell of a row names its subject.
 pub fn table_of_formulas(
     id: &str,
     caption: &str,

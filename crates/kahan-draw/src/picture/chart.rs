@@ -1,4 +1,4 @@
-//! What an observer says of orbits over one range, as a curve, or over two, in colours.
+//! Charts of an observable: a curve over one range, or colours over two.
 
 use kahan_latex::symbol;
 use kahan_study::{Axis, Kept, Observable, Over, OverFound, Question, Shade, Through, Varied};
@@ -6,39 +6,36 @@ use kahan_study::{Axis, Kept, Observable, Over, OverFound, Question, Shade, Thro
 use super::{Look, Picture};
 use crate::plot::{Grid, Mark, Marks, NumberLine, Plot, Series};
 
-/// Numbers over one range or two.
+/// Values of an observable over one range or two.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The ranges, the abscissa first.
+    /// The ranges; the first is the abscissa.
     pub axes: Vec<Axis>,
-    /// Row by row from below; not a number where a cell is empty.
+    /// The values row by row from below; NaN in empty cells.
     pub values: Vec<f64>,
-    /// Of what the numbers are: a system, or the file that they come from.
+    /// The system, or the file that holds the values.
     pub name: String,
-    /// The name of what they are.
+    /// The name of the column shown.
     pub column: String,
-    /// Whether they are logarithms of it, to base 10.
+    /// Whether the values are logarithms to base 10.
     pub is_logarithm: bool,
-    /// Whether the numbers of some cells are lower bounds.
+    /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// How each orbit ended, and after how many steps, cell by cell; of a file's rows nothing.
+    /// The end of each orbit and its number of steps, cell by cell; empty for rows of a file.
     pub ended: Vec<(String, i64)>,
-    /// How many steps each orbit takes, where that is known.
     steps: Option<u64>,
 }
 
-/// To base 10; what is smaller than a rounding of 1 counts as that.
+/// Returns the logarithm to base 10; values below the unit roundoff count as `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
 impl Chart {
-    /// A column of the one observable of [`Observe`](kahan_study::Observe) over one or two ranges,
-    /// the last axis of the question to the right. A cell is empty where its orbit leaves the range
-    /// of doubles or escapes, and under `escape` where it does neither.
-    ///
-    /// # Panics
-    /// If the question is another, or something goes through other values than a range's.
+    /// Makes the chart of one column of an [`Observe`](kahan_study::Observe) over one or two
+    /// ranges. The question's last axis becomes the abscissa. A cell is empty where the orbit
+    /// leaves the range of doubles or escapes; for `escape`, where the orbit does neither. Panics
+    /// if the question is another one, or an axis is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &Shade) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -64,19 +61,19 @@ impl Chart {
         Chart { is_lower_bound, ended, steps: Some(observe.steps), ..chart }
     }
 
-    /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
+    /// Says whether a column spans many powers of ten, so that charts show its logarithm.
     #[must_use]
     pub fn is_logarithmic(column: &str) -> bool {
         Observable::of_column(column).is_some_and(Observable::is_logarithmic)
     }
 
-    /// How the numbers of a column are shown: as logarithms to base 10, or as they are.
+    /// Returns the scale of a column: the logarithm to base 10, or the identity.
     #[must_use]
     pub fn scale(column: &str) -> fn(f64) -> f64 {
         if Self::is_logarithmic(column) { logarithm } else { |value| value }
     }
 
-    /// Numbers of a column of a file, on their [scale](Chart::scale).
+    /// Makes the chart of a file's column, on its [scale](Chart::scale).
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
@@ -84,7 +81,7 @@ impl Chart {
         Chart { axes, values, name, column, is_logarithm, is_lower_bound, ended, steps: None }
     }
 
-    /// What the numbers are, in words.
+    /// Returns the name of the values, for the axis or the legend.
     #[must_use]
     pub fn label(&self) -> String {
         let quantity = self.quantity();
@@ -96,7 +93,7 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// What is shown, in words: the values of a curve, the cells of a grid.
+    /// Describes the axes from end to end for a curve, from edge to edge for a grid.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
@@ -108,7 +105,7 @@ impl Chart {
         format!("{} of {} over {}{steps}", self.label(), self.name, axes.join(" and "))
     }
 
-    /// How many orbits ended early, in each way.
+    /// Counts the orbits that ended early, by kind of end.
     #[must_use]
     pub fn ends(&self) -> Vec<(&str, usize)> {
         let count = |name| self.ended.iter().filter(|(ended, _)| ended == name).count();
@@ -116,7 +113,6 @@ impl Chart {
         counts.into_iter().filter(|(_, count)| *count > 0).collect()
     }
 
-    /// Names the ends of orbits in words, each behind its number of cells.
     fn early(&self) -> String {
         let words = |(name, count): &(&str, usize)| match *name {
             "escaped" => format!("{count} escaped"),
@@ -126,9 +122,8 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// What there is to say where the colours of a scale tell nothing.
+    /// Describes empty cells, equal values, and values beyond the scale.
     fn note(&self, scale: Option<&NumberLine>) -> String {
-        /// Some hundred roundings of 1.
         const ROUNDING: f64 = 1e-13;
 
         let numbers = || self.values.iter().copied().filter(|value| value.is_finite());
@@ -155,13 +150,12 @@ impl Chart {
     }
 }
 
-/// What a column is, in words.
 fn quantity(column: &str) -> String {
     let observable = Observable::of_column(column).filter(|one| [one.name(), one.key()].contains(&column));
     observable.and_then(Observable::label).map_or_else(|| symbol(column), str::to_owned)
 }
 
-/// A chart over one range or two.
+/// Draws a chart.
 #[must_use]
 pub fn chart(shown: &Chart, look: &Look) -> Picture {
     let (description, sheet) = (shown.description(), look.sheet);
@@ -170,7 +164,7 @@ pub fn chart(shown: &Chart, look: &Look) -> Picture {
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
-        // The dots show the values that no line leads to.
+        // Dots show values between empty cells.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&description, [&*symbol(&axis.name), &*quantity], marked.into());
         let y = NumberLine { marks, ..plot.y };

@@ -1,4 +1,4 @@
-//! How the heights of an exact orbit grow.
+//! Growth of the heights of an exact orbit.
 
 use kahan_algebra::rational::Rational;
 use kahan_latex::symbol;
@@ -8,8 +8,8 @@ use kahan_study::HeightsFound;
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
 
-/// The heights of each variable, so that growth like a power of n is a straight line; where growth
-/// is exponential, that is. The orbit is one at this ε.
+/// Draws ln h of each variable's heights h against n for exponential growth, else against ln n.
+/// Powers of n become straight lines. `eps` appears in the description.
 #[must_use]
 pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
     let survey = &found.survey;

@@ -1,7 +1,5 @@
-//! Answers as pictures.
-//!
-//! In: answers, or the rows of orbits as they come, and how the picture is to look. Out: a
-//! [`Picture`]. What was asked, and how long that may take, this module must not know.
+//! Pictures of answers. Takes answers, or the rows of orbits as they arrive, and the picture's
+//! looks; returns a [`Picture`]. Questions and time limits are unknown here.
 
 mod chart;
 mod heights;
@@ -19,41 +17,40 @@ pub use trade::{trade, trade_sheet};
 
 use crate::plot::{Drawing, NumberLine, Plot, Sheet};
 
-/// Colours that series have in turn; the sixth is grey, for what they are compared with.
+/// The number of colours that series cycle through; the sixth is grey, for references.
 const COLOURS: usize = 5;
 
-/// How a picture is to look.
+/// The looks of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
-    /// What it is drawn on.
+    /// The sheet to draw on.
     pub sheet: Sheet,
-    /// Where axes begin and end, by their names; the others show nearly all there is.
+    /// The ends of axes by name; other axes show nearly all values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
     pub lines: bool,
 }
 
-/// A picture, and what there is to say of it.
+/// A drawing with statements about its content.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// The picture.
+    /// The drawing.
     pub drawing: Drawing,
-    /// How many points there are.
+    /// The number of points.
     pub points: usize,
-    /// How many of these its axes do not show.
+    /// The number of points outside the axes.
     pub outside: usize,
-    /// What is seen of each orbit of a portrait or a section.
+    /// The visible points of each orbit, for portraits and sections.
     pub visits: Vec<Visits>,
 }
 
 impl Look {
-    /// As it is without wishes, on this.
+    /// Returns the default looks on a sheet.
     #[must_use]
     pub fn on(sheet: Sheet) -> Self {
         Look { sheet, windows: Vec::new(), lines: false }
     }
 
-    /// The axis of this name, with the ends that its window has.
     fn windowed(&self, name: &str, line: NumberLine) -> NumberLine {
         match self.windows.iter().find(|(known, _)| known == name) {
             Some((_, [low, high])) => NumberLine { low: *low, high: *high, ..line },

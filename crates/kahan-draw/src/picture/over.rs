@@ -1,4 +1,4 @@
-//! What depends on a parameter or on ε: orbit diagrams, and branches of cycles.
+//! Orbit diagrams and branches of cycles, over a parameter or ε.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::periodic::Stability;
@@ -8,11 +8,8 @@ use kahan_study::{CycleFound, DiagramFound, Range};
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 
-/// Orbit diagrams of the same field over the same range, each from a first point of its own, after
-/// so many steps.
-///
-/// # Panics
-/// Without a diagram.
+/// Draws orbit diagrams of one field over one range, each from its own initial state, after
+/// `transient` steps. Panics if `diagrams` is empty.
 #[must_use]
 pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &Look) -> Picture {
     let DiagramFound { system, axis, variable, .. } = &diagrams[0];
@@ -34,8 +31,8 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// The first variable of each point of a cycle over what changes along its branch, of a cycle of
-/// the flow its largest and smallest values: stable cycles and others apart.
+/// Draws the branch of a cycle: its first variable against the parameter, with stable cycles marked
+/// apart. A cycle of the flow shows the maximum and minimum only.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &Look) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

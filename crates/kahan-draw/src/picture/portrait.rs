@@ -1,4 +1,4 @@
-//! Orbits in the plane or in space: all their points, or those of a section.
+//! Phase portraits and sections: orbits in the plane or in space.
 
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -10,44 +10,44 @@ use kahan_study::{Column, Rows, Values};
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 
-/// What an axis shows of a point of an orbit.
+/// A coordinate of an orbit's points, shown by one axis.
 #[derive(Clone, Debug)]
 pub enum Coordinate {
-    /// The time 2εn.
+    /// The time t = 2εn.
     Time,
-    /// A variable, by its index.
+    /// The variable with this index.
     Variable(usize),
-    /// A formula of all variables, and of the integrals behind them.
+    /// A formula of the variables and of the integrals that follow them in rows.
     Formula {
-        /// Its text, or the name of an integral.
+        /// The text of the formula, or the name of an integral.
         text: String,
-        /// The formula.
+        /// The compiled formula.
         formula: Formula,
-        /// The place of `t` among the variables, where it is one and no column of the rows.
+        /// The index of `t` among the formula's variables; `None` where a column holds `t`.
         time: Option<usize>,
     },
 }
 
-/// The points of an orbit, as two or three axes show them; it takes the rows of an orbit in doubles
-/// and keeps no more of them than that.
+/// The points of one orbit in the coordinates of two or three axes. Receives an orbit's rows of
+/// doubles, and stores the coordinates only.
 #[derive(Clone, Debug)]
 pub struct Trace {
     axes: Vec<Coordinate>,
-    /// For each axis its coordinate of each point.
+    /// The coordinates by axes; each column has one entry for each point.
     columns: Vec<Vec<f64>>,
 }
 
-/// What is seen of an orbit.
+/// The visible extent of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visits {
-    /// How many points it has in the picture.
+    /// The number of points.
     pub points: usize,
-    /// At how many places these are that can be told apart.
+    /// The number of distinguishable places.
     pub places: usize,
 }
 
 impl Coordinate {
-    /// Its name, of a field with these variables.
+    /// Returns the name of the coordinate for a field with these variables.
     #[must_use]
     pub fn name<'a>(&'a self, variables: &'a [String]) -> &'a str {
         match self {
@@ -57,7 +57,7 @@ impl Coordinate {
         }
     }
 
-    /// Its value at a point: the time, and what follows it in rows.
+    /// Returns the value at a point: the time and the values that follow it in a row.
     fn value(&self, t: f64, mut point: Vec<f64>) -> f64 {
         match self {
             Coordinate::Time => t,
@@ -69,7 +69,7 @@ impl Coordinate {
         }
     }
 
-    /// An axis for these numbers.
+    /// Makes an axis that shows these values.
     fn axis(&self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
         let name = self.name(variables);
         look.windowed(
@@ -84,25 +84,21 @@ impl Coordinate {
 }
 
 impl Trace {
-    /// Of no point yet.
-    ///
-    /// # Panics
-    /// With other than two or three axes.
+    /// Makes a trace without points. Panics unless there are two or three axes.
     #[must_use]
     pub fn new(axes: &[Coordinate]) -> Self {
         assert!(matches!(axes.len(), 2 | 3), "a portrait has two axes or three");
         Trace { axes: axes.to_vec(), columns: vec![Vec::new(); axes.len()] }
     }
 
-    /// How many points there are.
+    /// Returns the number of points.
     #[must_use]
     pub fn count(&self) -> usize {
         self.columns[0].len()
     }
 
-    /// How often it is seen, and at how many places that can be told apart in a picture.
+    /// Counts the points, and the distinguishable places among those inside the axes.
     fn visits(&self, axes: &[NumberLine]) -> Visits {
-        /// Parts of an axis, about as wide as a small dot.
         const PARTS: f64 = 200.0;
 
         let is_shown = |row: &usize| axes.iter().zip(&self.columns).all(|(axis, of)| axis.shows(of[*row]));
@@ -117,9 +113,8 @@ impl Trace {
 }
 
 impl Rows for Trace {
-    /// Takes rows of n, t, the variables, and whatever follows.
+    /// Reads rows of n, t, the variables and the integrals.
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
-        // The first column is the number of the step.
         let columns = values.iter().skip(1).map(|values| match values {
             Values::F64(values) => *values,
             _ => panic!("a picture shows doubles"),
@@ -138,11 +133,8 @@ impl Rows for Trace {
     }
 }
 
-/// Orbits of a field with these variables, their coordinates against each other. The description
-/// says what is seen.
-///
-/// # Panics
-/// Without an orbit.
+/// Draws orbits of a field with these variables. `description` is the text for screen readers.
+/// Panics if `orbits` is empty.
 #[must_use]
 pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, look: &Look) -> Picture {
     let axis = |(i, coordinate): (usize, &Coordinate)| {
@@ -177,11 +169,10 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
     Picture { visits, ..picture }
 }
 
-/// Marks by how many points there are, without those of orbits that always come back to the same
-/// few places: these are drawn by dots that can be seen.
+/// Chooses marks by the number of points; orbits with few distinct places get visible dots.
 fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
     const FEW: usize = 24;
-    /// More points, joined by lines of the usual width, are an area.
+    /// Beyond this number of points, lines of the usual width would merge into an area.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);

@@ -1,13 +1,12 @@
-//! The errors of the relations of a lift along an orbit.
+//! Errors of a lift's relations along an orbit.
 
 use kahan_study::{LiftFound, Watched};
 
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
 
-/// The largest error of each relation in each part of the orbit along which they were watched, on a
-/// logarithmic axis; `None` where there was none. A relation whose error is 0 all the way has no
-/// line.
+/// Draws the largest error of each relation in each part of the watched orbit, on a logarithmic
+/// axis. Returns `None` if no orbit was watched. Relations without any error get no line.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &Look) -> Option<Picture> {
     let Watched { eps, errors: seen, .. } = found.watched.as_ref()?;

@@ -1,5 +1,5 @@
-//! The work–precision picture: price against error, a line for each order in doubles and in dd,
-//! small dots for other scalars and for compensation, the front below all.
+//! The work–precision diagram: price against error. Double and double-double get one line for each
+//! order, other scalars and compensated sums small dots; the front lies below all.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
@@ -7,13 +7,13 @@ use kahan_study::trade::{Measured, Traded};
 use super::{Look, Picture};
 use crate::plot::{Mark, Marks, NumberLine, Plot, Series, Sheet};
 
-/// What the picture is usually drawn on.
+/// Returns the default sheet.
 #[must_use]
 pub fn trade_sheet() -> Sheet {
     Sheet::page(720, 480)
 }
 
-/// Every setting that was measured, but for those whose error is so large that it tells nothing.
+/// Draws all measured settings, except those with errors too large to be of use.
 #[must_use]
 pub fn trade(traded: &Traded, look: &Look) -> Picture {
     const LARGEST: f64 = 10.0;

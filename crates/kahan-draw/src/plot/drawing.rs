@@ -1,4 +1,4 @@
-//! A drawing within a page, or as a file of its own.
+//! A drawing within a page, or as a file.
 
 use std::fmt;
 use std::path::Path;
@@ -7,38 +7,38 @@ use maud::{Markup, PreEscaped, html};
 
 use super::palette::{Paint, Theme, style};
 
-/// What was drawn, with what it shows in words.
+/// A finished drawing with its description.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// What is seen, for those who do not see it.
+    /// The description for screen readers.
     pub description: String,
     pub(super) sheet: Sheet,
     pub(super) body: Markup,
 }
 
-/// What a file of a picture holds.
+/// A file format of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// Lines and words.
+    /// Vector graphics.
     Svg,
     /// Pixels.
     Png,
-    /// Lines and words on a page for print.
+    /// Vector graphics on a page for print.
     Pdf,
 }
 
-/// What a drawing is drawn on.
+/// The size and colours of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
     pixels: (u32, u32),
-    /// Width and height of the view box.
+    /// The width and height of the view box.
     pub(super) view_box: (f64, f64),
-    /// The colours. A file of pixels or for print is light where this is [`Theme::Viewer`].
+    /// The colours. PNG and PDF files of [`Theme::Viewer`] are light.
     pub theme: Theme,
 }
 
 impl Drawing {
-    /// For a page of [`document`](crate::document::document), which has the style of drawings.
+    /// Returns the SVG for a [`document`](crate::document::document), which supplies the style.
     #[must_use]
     pub fn inline(&self) -> Markup {
         let (width, height) = self.sheet.view_box;
@@ -47,13 +47,13 @@ impl Drawing {
         }
     }
 
-    /// The file as SVG, with its own style.
+    /// Returns an SVG file with its own style.
     #[must_use]
     pub fn svg(&self) -> String {
         let Sheet { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // The fonts of printers, whose letters are as wide as each other's.
+        // Fonts of printers; the letters of both have equal widths.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -67,10 +67,7 @@ impl Drawing {
         svg.into_string() + "\n"
     }
 
-    /// The file in a format.
-    ///
-    /// # Errors
-    /// Where this build has no renderer for it, or that one fails.
+    /// Renders a file. Fails if this build has no renderer for the format, or the renderer fails.
     pub fn file(&self, format: Format) -> Result<Vec<u8>, NoFile> {
         match format {
             Format::Svg => Ok(self.svg().into_bytes()),
@@ -84,14 +81,14 @@ impl Drawing {
     }
 }
 
-/// Why there is no file of a drawing.
+/// A reason why a drawing has no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoFile {
-    /// The ending of the file's name is that of no format.
+    /// The file name's extension belongs to no format.
     Ending,
     /// This build has no renderer for the format.
     NotBuilt(Format),
-    /// The renderer cannot draw it, and says why.
+    /// The renderer failed, with its message.
     Renderer(String),
 }
 
@@ -124,10 +121,8 @@ impl fmt::Display for Format {
 }
 
 impl Format {
-    /// By the ending of the file's name.
-    ///
-    /// # Errors
-    /// Where the ending is that of no format, or of one that this build cannot write.
+    /// Returns the format for a file's extension. Fails if the extension belongs to no format, or
+    /// to one that this build cannot write.
     pub fn of(path: &Path) -> Result<Self, NoFile> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let format = [Format::Svg, Format::Png, Format::Pdf];
@@ -139,7 +134,7 @@ impl Format {
         }
     }
 
-    /// The feature of this crate that writes it, and the ending of its files; SVG needs none.
+    /// Returns the file extension, which is also the format's crate feature; SVG needs no feature.
     #[must_use]
     pub fn feature(self) -> &'static str {
         match self {
@@ -151,13 +146,13 @@ impl Format {
 }
 
 impl Sheet {
-    /// Pixels to an inch, in print.
+    /// Pixels per inch in print.
     const INCH: f64 = 300.0;
-    /// The width of a column in print, 86 millimetres.
+    /// The size of a picture in pixels that fills a column in print, 86 mm wide.
     pub const COLUMN: (u32, u32) = (1016, 762);
 
-    /// A file with this width and height. On a screen the view box is so small that text is large
-    /// enough on a telephone; in print, where 300 pixels are an inch, text has its size on paper.
+    /// Makes the sheet of a file. For screens the view box is small enough for text to be legible
+    /// on telephones. For print, at 300 pixels an inch, text has its size on paper.
     #[must_use]
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
@@ -169,7 +164,7 @@ impl Sheet {
         Sheet { pixels, view_box: (scale * width, scale * height), theme }
     }
 
-    /// Within a page, of so many units; as a file, of as many pixels.
+    /// Makes the sheet of a drawing within a page, in units of the view box; as a file, in pixels.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
         Sheet {
@@ -179,7 +174,7 @@ impl Sheet {
         }
     }
 
-    /// Width and height as an SVG file says them: pixels, or in print millimetres.
+    /// Returns width and height for an SVG file: in pixels, or for print in millimetres.
     fn lengths(&self) -> [String; 2] {
         const MILLIMETRES: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {

@@ -1,4 +1,4 @@
-//! A grid of numbers over two axes, in colours with a legend.
+//! A grid of numbers over two axes, drawn in colours with a colour bar.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -14,37 +14,32 @@ use super::{Drawing, Frame, NumberLine, Sheet, name, placed};
 /// Numbers over a rectangle, cell by cell.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    /// What is seen, for those who do not see it.
+    /// The description for screen readers.
     pub description: String,
-    /// What it is drawn on.
+    /// The sheet to draw on.
     pub sheet: Sheet,
-    /// From the left edge of the first cell to the right edge of the last.
+    /// The horizontal axis, from the first cell's left edge to the last cell's right edge.
     pub x: NumberLine,
-    /// From the lower edge of the lowest cells to the upper edge of the highest.
+    /// The vertical axis, from the lowest cell's lower edge to the highest cell's upper edge.
     pub y: NumberLine,
-    /// What the numbers are, and those at the ends of the colours; beyond, colours are those of the
-    /// ends.
+    /// The axis of the colour bar. Numbers beyond its ends get the colours of the ends.
     pub scale: NumberLine,
-    /// How many cells a row has.
+    /// The number of cells in a row.
     pub columns: usize,
-    /// Row by row from below, each from the left; a cell stays empty where this is not a number.
+    /// The numbers row by row from below; NaN leaves a cell empty.
     pub values: Vec<f64>,
-    /// What stands above; may be empty.
+    /// A note above the grid; may be empty.
     pub note: String,
 }
 
-/// Colours of the image; one more is that of empty cells.
+/// The number of colours; one further index is transparent, for empty cells.
 const COLOURS: usize = 255;
-/// Where the column of colours begins and ends, to the right of the frame.
+/// The left and right edges of the colour bar, measured from the frame.
 const COLUMN: [f64; 2] = [12.0, 26.0];
-/// The room of the name on its right.
 const NAME: f64 = 28.0;
 
 impl Grid {
-    /// The drawing.
-    ///
-    /// # Panics
-    /// If the numbers are no rows of that length.
+    /// Draws the grid. Panics if `values` cannot be split into rows of `columns` numbers.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
@@ -68,7 +63,6 @@ impl Grid {
         Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
-    /// The place of a number among the colours.
     fn index(&self, value: f64) -> u8 {
         if value.is_nan() {
             return COLOURS as u8;
@@ -77,7 +71,6 @@ impl Grid {
         (part * (COLOURS - 1) as f64).round() as u8
     }
 
-    /// A column of all colours, the numbers that they mean, and the name of these.
     fn colours(&self, frame: &Frame) -> Markup {
         let [left, right] = COLUMN.map(|beside| frame.right + beside);
         let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
@@ -94,10 +87,9 @@ impl Grid {
     }
 }
 
-/// Cells from the upper left as an image between left, top, right and bottom.
-///
-/// Not every program leaves the pixels of an enlarged image as sharp as `image-rendering` asks for,
-/// so that cells are enlarged here until all have together about as many pixels a side as a print.
+/// Draws cells, given from the upper left, as an image between left, top, right and bottom. Cells
+/// are enlarged to about 1024 pixels a side, because some programs ignore `image-rendering` and
+/// blur enlarged images.
 fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
     const SIDE: usize = 1024;
 
@@ -106,7 +98,7 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     let pixels = cells.chunks(columns).map(|cells| row(cells).repeat(upwards)).collect::<Vec<_>>().concat();
     let png = png(across * columns, upwards * rows, &pixels)
         .expect("there are cells, and memory takes what is written");
-    // The old name of `href`, as Inkscape knows no other.
+    // The old name of `href`, the only one that Inkscape reads.
     html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"
@@ -114,17 +106,16 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     }
 }
 
-/// A byte a cell, and what colour it means: far smaller than a rectangle a cell.
+/// Encodes cells as an indexed PNG, which is far smaller than a rectangle for each cell.
 fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
     let palette = (0..COLOURS).flat_map(|i| colour(i as f64 / (COLOURS - 1) as f64));
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
-    // Rows are repeated.
+    // Enlarged rows repeat, so differences to the row above are zero.
     encoder.set_filter(png::Filter::Up);
     encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
-    // The last colour lets the paper through.
     encoder.set_trns([vec![255; COLOURS], vec![0]].concat());
     let mut writer = encoder.write_header()?;
     writer.write_image_data(cells)?;

@@ -1,23 +1,19 @@
-//! The words of drawings: how much room they take, and how they are set.
-//!
-//! In: words in which letters that stand alone are variables, and raised and lowered characters are
-//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Out: elements with variables in
-//! italic and the rest upright. Not every font has the raised and lowered characters, so these are
-//! smaller digits off the line.
+//! Labels. A single letter that stands alone is a variable, and set in italic; raised and lowered
+//! characters are exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Some fonts lack raised
+//! and lowered characters, so drawings use small digits off the baseline.
 
 use maud::{Markup, html};
 
 use super::path::{Place, tenths};
 use super::script::{LOWERED, RAISED};
 
-/// The size of words at ticks and in legends; 8.6 points in print.
+/// The font size of tick labels and legends; 8.6 points in print.
 pub(super) const SMALL: f64 = 12.0;
-/// The size of the names of axes.
 pub(super) const LARGE: f64 = 13.0;
-/// Nothing is smaller: 6 points in print.
+/// The least font size; 6 points in print.
 const LEAST: f64 = 8.4;
 
-/// How wide words are in one of the wider usual fonts, DejaVu Sans.
+/// Returns the width of a label in DejaVu Sans, one of the wider common fonts.
 pub(super) fn width(words: &str, size: f64) -> f64 {
     let part = |c: char| match c {
         ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '/' | '|' | 'f' | 'i' | 'j' | 'l' | 'r' | 't' => 0.41,
@@ -28,21 +24,19 @@ pub(super) fn width(words: &str, size: f64) -> f64 {
     words.chars().map(|c| script(c).map_or(size * part(c), |(_, c)| small(size) * part(c))).sum()
 }
 
-/// The size of exponents and indices.
 fn small(size: f64) -> f64 {
     (0.7 * size).max(LEAST)
 }
 
-/// The part of [`width`] that words take in most fonts.
+/// The share of [`width`] that labels occupy in most fonts.
 const USUAL: f64 = 0.92;
 
-/// How far from their middle words reach, in whatever usual font they are.
+/// Returns the largest distance of a label's ends from its middle, in any common font.
 pub(super) fn reach(words: &str, size: f64) -> f64 {
     (1.0 - USUAL / 2.0) * width(words, size)
 }
 
-/// Words in a size in which they take no more room than this, without their end where that would
-/// be too small to read.
+/// Shrinks a label to fit into `room`, and shortens it where the font would become too small.
 pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
     let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
     let mut shown = words.to_owned();
@@ -53,7 +47,6 @@ pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
     (shown, smaller)
 }
 
-/// How a part of words is set.
 #[derive(Clone, Copy, PartialEq)]
 enum Set {
     Upright,
@@ -63,7 +56,7 @@ enum Set {
 }
 
 impl Set {
-    /// How far below the line it stands, in sizes of the words.
+    /// Returns the distance below the baseline, in font sizes.
     fn drop(self) -> f64 {
         match self {
             Set::Raised => -0.35,
@@ -73,14 +66,12 @@ impl Set {
     }
 }
 
-/// What a raised or lowered character stands for.
 fn script(c: char) -> Option<(Set, char)> {
     let digit = |index: usize, tenth: char| char::from_digit(index as u32, 10).unwrap_or(tenth);
     let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (Set::Raised, digit(i, '−')));
     raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (Set::Lowered, digit(i, 'n'))))
 }
 
-/// The parts of words that are set alike.
 fn parts(words: &str) -> Vec<(Set, String)> {
     let letters: Vec<char> = words.chars().collect();
     let is_word =
@@ -98,7 +89,7 @@ fn parts(words: &str) -> Vec<(Set, String)> {
     parts
 }
 
-/// Words at a place, turned by so many degrees; `anchor` is `start`, `middle` or `end`.
+/// Sets a label at a place, rotated by `turn` degrees; `anchor` is `start`, `middle` or `end`.
 pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -> Markup {
     let transform =
         (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));
@@ -112,7 +103,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs disagree on where words of several parts end, but not on where they begin.
+    // Programs disagree about the end of a label of several parts, but agree about its start.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

@@ -1,4 +1,4 @@
-//! Above the axes: what stands for what, with as many lines as that takes.
+//! The legend above the axes, on as many lines as needed.
 
 use maud::{Markup, html};
 
@@ -7,22 +7,18 @@ use super::palette::Paint;
 use super::path::Place;
 use super::{Series, Sheet};
 
-/// The width of what is drawn before the words.
 const SAMPLE: f64 = 20.0;
-/// The height of a line of words.
 const LINE: f64 = 14.5;
-/// What is left free on the left and on the right.
 const FREE: f64 = 8.0;
 
-/// The legend of a drawing.
 pub(super) struct Legend<'a> {
     sheet: Sheet,
-    /// Where words begin, what they are in which size, and the series before them; a note has none.
+    /// The place, text, font size and series of each entry; a note has no series.
     entries: Vec<(Place, (String, f64), Option<&'a Series>)>,
 }
 
 impl<'a> Legend<'a> {
-    /// Of the series that have a label, with a note behind them that may be empty.
+    /// Makes the legend of all series with a label, followed by the note, if any.
     pub(super) fn of(series: &'a [Series], note: &str, sheet: Sheet) -> Self {
         let series = series.iter().filter(|series| !series.label.is_empty());
         let named = series.map(|series| (series.label.as_str(), Some(series)));
@@ -42,7 +38,6 @@ impl<'a> Legend<'a> {
         Legend { sheet, entries: named.chain(notes).map(entry).collect() }
     }
 
-    /// How much room it takes, from above.
     pub(super) fn height(&self) -> f64 {
         self.entries.last().map_or(0.0, |((_, y), ..)| y + 2.0)
     }

@@ -1,33 +1,33 @@
-//! A number line with round ticks.
+//! Axes with round ticks. A [`NumberLine`] shifts values that share leading digits, and divides
+//! very large or small values by a power of ten; its name states both.
 
 use super::script::raised;
 
-/// A number line.
+/// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// What it shows, in words in which letters that stand alone are variables: `t`, `ln n`.
+    /// The label; single letters are variables: `t`, `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
     /// The greatest value shown.
     pub high: f64,
-    /// Which values it marks.
+    /// The kind of ticks.
     pub marks: Marks,
 }
 
-/// Which values a number line marks.
+/// A kind of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marks {
-    /// Round ones.
+    /// Round numbers.
     Round,
-    /// Whole ones, of what is counted.
+    /// Whole numbers, for counts.
     Whole,
-    /// The values are decimal logarithms, and whole ones are written as powers of ten. A line on
-    /// which there are not two of these says in its name that it shows logarithms.
+    /// Powers of ten: the values are decimal logarithms. An axis with fewer than two whole numbers
+    /// shows the logarithms instead, and its name says so.
     Powers,
 }
 
-/// A round value, and how it is written.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tick {
     pub(super) value: f64,
@@ -35,14 +35,14 @@ pub(super) struct Tick {
 }
 
 impl NumberLine {
-    /// One with round marks.
+    /// Makes an axis with round ticks.
     #[must_use]
     pub fn new(label: &str, low: f64, high: f64) -> Self {
         NumberLine { label: label.to_owned(), low, high, marks: Marks::Round }
     }
 
-    /// One that shows all these values, with a little room. Values that differ by roundings only
-    /// are one.
+    /// Makes an axis that shows all finite values, with small margins. Values that differ by
+    /// rounding errors only count as equal.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -59,8 +59,8 @@ impl NumberLine {
         NumberLine::new(label, low - room, high + room)
     }
 
-    /// One that shows nearly all of these values: a few that lie far away, as beside a pole, do not
-    /// make the rest a dot.
+    /// Makes an axis that shows nearly all values. A few distant ones, as near a pole, don't
+    /// squeeze the rest together.
     #[must_use]
     pub fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
@@ -75,7 +75,7 @@ impl NumberLine {
         NumberLine::around(label, ends.into_iter())
     }
 
-    /// Its label, with what the values at the ticks leave out: `(x − 2.5) / 10⁻⁸`.
+    /// Returns the label with the shift and scale of the tick labels: `(x − 2.5) / 10⁻⁸`.
     pub(super) fn name(&self) -> String {
         let label = match self.marks {
             Marks::Powers if !self.has_powers() => format!("log₁₀ of {}", self.label),
@@ -94,12 +94,12 @@ impl NumberLine {
         }
     }
 
-    /// The lengths of its parts are smaller by a power of ten than this.
+    /// Returns the greatest power of ten up to the length of the axis.
     fn unit(&self) -> f64 {
         10_f64.powf((self.high - self.low).log10().floor())
     }
 
-    /// What is taken off values that share their first digits.
+    /// Returns the shift of values that share their leading digits, or 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();
@@ -107,23 +107,22 @@ impl NumberLine {
         if is_far { ((self.low / 2.0 + self.high / 2.0) / unit).round() * unit } else { 0.0 }
     }
 
-    /// The power of ten that is taken out of very large and very small values.
+    /// Returns the power of ten that tick labels omit; 0 for values of moderate size.
     fn power(&self) -> i32 {
         let offset = self.offset();
         let largest = (self.low - offset).abs().max((self.high - offset).abs());
         if (1e-2..1e5).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
     }
 
-    /// Whether two whole values lie on it.
     fn has_powers(&self) -> bool {
         self.high.floor() - self.low.ceil() >= 1.0
     }
 
-    /// Round values on it: four to seven of them where `fits` says that their words do not run into
-    /// each other, else as many as do.
+    /// Returns four to seven ticks at round values, or fewer where more labels would overlap by
+    /// `fits`.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Of all these steps, half or two fifths of each other, one leaves four to seven ticks.
+        // Consecutive steps differ by factors 2 or 2.5, so one of them gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
@@ -133,19 +132,20 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // A stable order: four to seven first, the coarser before the finer, quarters last; then as
-        // many as there can be.
+        // The sort is stable: four to seven ticks first, coarse before fine, multiples of 2.5 last;
+        // then fewer ticks, most first.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
     }
 
-    /// The multiples of a step on it.
+    /// Returns the multiples of a step on the axis.
     fn every(&self, step: f64) -> Vec<Tick> {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // 0.1 + 0.2 is no label, and a step of 0.25 has one decimal more than its size.
+        // Rounds errors such as 0.1 + 0.2 away; a step of 0.25 needs one decimal more than its
+        // size.
         let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);
@@ -160,26 +160,26 @@ impl NumberLine {
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
     }
 
-    /// Where a value lies, if the least one lies at `from` and the greatest at `to`.
+    /// Returns the place of a value, if `low` lies at `from` and `high` at `to`.
     #[must_use]
     pub fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)
     }
 
-    /// Whether a value lies on it.
+    /// Says whether a value lies on the axis.
     #[must_use]
     pub fn shows(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
 }
 
-/// A number with this many decimals and a typographic minus sign.
+/// Writes a number with `decimals` decimals and a typographic minus sign.
 #[must_use]
 pub fn decimal(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$}").replace('-', "−")
 }
 
-/// A number with as many of fourteen digits as it has.
+/// Writes a number with up to fourteen significant digits.
 fn number(value: f64) -> String {
     let digits = format!("{value:.13e}");
     let (digits, power) = digits.split_once('e').expect("digits and a power");

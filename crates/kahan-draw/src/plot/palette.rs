@@ -1,16 +1,13 @@
-//! The colours of drawings, for light and for dark surroundings.
-//!
-//! The six colours of curves stay apart for readers who lack one of the three kinds of cones and in
-//! grey print, and each stands out from the paper as text has to.
+//! Colours of drawings. The six colours of curves are distinguishable in grey print and by readers
+//! who lack one kind of cones. Each has the contrast to the paper that text needs.
 
 use std::fmt::Write as _;
 
 use maud::{Markup, html};
 
-/// A colour on light ground, on dark, and in print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Colour {
-    /// The name by which the style sheet of a page knows it.
+    /// The name of the CSS variable.
     name: &'static str,
     light: &'static str,
     dark: &'static str,
@@ -22,7 +19,7 @@ impl Colour {
         Colour { name, light, dark, print }
     }
 
-    /// The colours of curves are dark enough for print as they are in light.
+    /// Makes a colour of curves, whose light variant is dark enough for print.
     const fn curve(name: &'static str, light: &'static str, dark: &'static str) -> Self {
         Colour::new(name, light, dark, light)
     }
@@ -50,11 +47,9 @@ const CURVES: [Colour; 6] = [
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
-/// What the elements of one part of a drawing are painted with.
-///
-/// The colours of a theme stand in the elements, where every program that reads SVG finds them. Of
-/// a drawing that is light or dark as its viewer is, these are the light ones, and the dark ones are
-/// rules of a style sheet for the class.
+/// The fill and stroke of one part of a drawing. Elements carry the theme's colours as attributes,
+/// which all programs read. Where the viewer chooses, these are the light colours, and a style
+/// sheet replaces them by the dark ones through the class.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,
@@ -85,7 +80,6 @@ impl Paint {
         Paint::drawn("c5", CURVES[4]),
         Paint::drawn("c6", CURVES[5]),
     ];
-    /// The lines and dots of a colour, 1 to 6.
     pub(super) fn curve(colour: usize) -> Self {
         Paint::CURVES[colour - 1]
     }
@@ -94,17 +88,14 @@ impl Paint {
         self.class
     }
 
-    /// What the attribute `fill` says.
     pub(super) fn fill(self, theme: Theme) -> &'static str {
         self.fill.map_or("none", |colour| colour.on(theme))
     }
 
-    /// What the attribute `stroke` says.
     fn stroke(self, theme: Theme) -> &'static str {
         self.stroke.map_or("none", |colour| colour.on(theme))
     }
 
-    /// Elements that are painted with it.
     pub(super) fn group(self, theme: Theme, elements: &Markup) -> Markup {
         html! { g.(self.class) fill=(self.fill(theme)) stroke=(self.stroke(theme)) { (elements) } }
     }
@@ -114,7 +105,6 @@ impl Paint {
         parts.into_iter().chain(Paint::CURVES)
     }
 
-    /// The rule that makes it dark.
     fn rule(self) -> String {
         let property = |name: &str, colour: Option<Colour>| {
             colour.map_or_else(String::new, |colour| format!("{name}:{};", colour.dark))
@@ -123,30 +113,29 @@ impl Paint {
     }
 }
 
-/// Which colours a drawing has.
+/// The colours of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
-    /// Light or dark, as the viewer has it.
+    /// Light or dark, as the viewer prefers.
     #[default]
     Viewer,
-    /// Light everywhere.
+    /// Always light.
     Light,
-    /// Dark everywhere.
+    /// Always dark.
     Dark,
-    /// For print: black on white, in thin lines; a unit of the view box is a hundredth of an inch.
+    /// Black on white with thin lines, for print; a unit of the view box is 0.01 inch.
     Paper,
 }
 
 impl Theme {
-    /// The width of a line that has this one on a screen.
+    /// Scales a line width, given for screens.
     pub(super) fn line(self, width: f64) -> f64 {
-        /// Lines are so much thinner in print.
         const THIN: f64 = 0.6;
         if self == Theme::Paper { THIN * width } else { width }
     }
 }
 
-/// The style sheet of drawings.
+/// Returns the style sheet of drawings: the dark colours, where the viewer chooses.
 pub(crate) fn style(theme: Theme) -> String {
     match theme {
         Theme::Viewer => {
@@ -157,7 +146,7 @@ pub(crate) fn style(theme: Theme) -> String {
     }
 }
 
-/// The colours of drawings as variables of a page, which are light or dark as the reader has it.
+/// Declares the colours as CSS variables of a page, light or dark as the reader prefers.
 pub(crate) fn variables() -> String {
     let colours = || [PAPER, INK, SOFT, RULE].into_iter().chain(CURVES);
     let declared = |value: fn(Colour) -> &'static str| {
@@ -184,7 +173,7 @@ mod tests {
         for theme in [Theme::Light, Theme::Dark, Theme::Paper] {
             let (paper, curves) = (rgb(PAPER.on(theme)), CURVES.map(|colour| rgb(colour.on(theme))));
             for (i, &one) in curves.iter().enumerate() {
-                // What guidelines for the web ask of text.
+                // The contrast that web guidelines (WCAG) require of text.
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
@@ -192,7 +181,6 @@ mod tests {
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }
-                    // In grey print.
                     let grey = (lab(one)[0] - lab(other)[0]).abs();
                     assert!(grey >= 5.0, "c{} and c{} in grey: {grey}", i + 1, j + 1);
                 }

@@ -1,20 +1,17 @@
-//! The elements of drawings: lines, paths, dots and rings, in tenths of a unit.
+//! SVG elements: lines, paths, dots and rings, rounded to tenths of a unit.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
 
 use maud::{Markup, html};
 
-/// A place in the view box.
 pub(super) type Place = (f64, f64);
 
-/// A straight line.
 pub(super) fn line(from: Place, to: Place) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
-/// A line, dots or rings, so wide and dashed or not; `shape` is [`polyline`], [`dots`] or
-/// [`rings`].
+/// Draws a path of [`polyline`], [`dots`] or [`rings`] with a width and optional dashes.
 pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>) -> Markup {
     html! {
         path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-dasharray=[dashes]
@@ -22,7 +19,7 @@ pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>
     }
 }
 
-/// A circle around each place.
+/// Returns the path of a circle around each place.
 pub(super) fn rings(places: &[Place], radius: f64) -> String {
     let half = |by: f64| format!("a{radius} {radius} 0 1 0 {} 0", tenths(by));
     let ring = |&(x, y): &Place| {
@@ -31,10 +28,10 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
     places.iter().map(ring).collect()
 }
 
-/// What makes a dot of a place: some programs draw no path that has neither width nor height.
+/// The path command of a dot; some programs omit paths without width and height.
 const DOT: &str = "h.01";
 
-/// A line through places; places that fall together are one, and a dot if there is no other.
+/// Returns the path of a line through places, merging equal neighbours; a single place is a dot.
 pub(super) fn polyline(places: &[Place]) -> String {
     let mut path = String::new();
     let mut before = None;
@@ -42,7 +39,6 @@ pub(super) fn polyline(places: &[Place]) -> String {
         let here = (tenths(x), tenths(y));
         if before.as_ref() != Some(&here) {
             let command = if before.is_none() { 'M' } else { 'L' };
-            // Writing to a string cannot fail.
             let _ = write!(path, "{command}{} {}", here.0, here.1);
             before = Some(here);
         }
@@ -53,14 +49,12 @@ pub(super) fn polyline(places: &[Place]) -> String {
     path
 }
 
-/// The most dots of one path, which then has about a megabyte.
+/// The largest number of dots in a path, about a megabyte of SVG.
 const MOST_DOTS: usize = 100_000;
 
-/// A dot at each place: lines of no length with round ends, which is a third of the size of
-/// circles.
-///
-/// Dots that fall together are one. Where there are very many, those within half a unit or a unit
-/// of each other are: a dot is hardly smaller.
+/// Returns the path of a dot at each place: lines of zero length with round ends, a third of the
+/// size of circles. Coinciding dots are merged; among very many dots, also those within 0.5 or 1
+/// unit, about the size of a dot.
 pub(super) fn dots(places: &[Place]) -> String {
     let distinct = |units: f64| {
         let mut seen = HashSet::new();

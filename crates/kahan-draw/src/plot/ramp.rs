@@ -1,13 +1,9 @@
-//! Colours for numbers: the scale viridis, dark for small and light for large.
-//!
-//! Equal steps of the number look about equally far apart, and lightness alone tells their order,
-//! so it reads in grey and without any one kind of cones. (Van der Walt and Smith, matplotlib
-//! 2015.)
+//! The colour map viridis (Van der Walt and Smith, matplotlib 2015), from dark to light. Equal
+//! steps look about equally large. Lightness increases with the number, so the order is visible in
+//! grey and without any one kind of cones.
 
-/// Red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// Eighths of the scale.
 const EIGHTHS: [Rgb; 9] = [
     [0x44, 0x01, 0x54],
     [0x47, 0x2d, 0x7b],
@@ -20,7 +16,7 @@ const EIGHTHS: [Rgb; 9] = [
     [0xfd, 0xe7, 0x25],
 ];
 
-/// The colour of a part from 0 to 1.
+/// Returns the colour of a number in [0, 1], interpolated linearly.
 pub(super) fn colour(part: f64) -> Rgb {
     let at = part.clamp(0.0, 1.0) * (EIGHTHS.len() - 1) as f64;
     let below = (at as usize).min(EIGHTHS.len() - 2);
@@ -45,7 +41,7 @@ mod tests {
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
-                // Without short cones, violet and dark blue are nearly one.
+                // Without short cones, violet and dark blue are nearly equal.
                 let least = if matches!(kind, Kind::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }

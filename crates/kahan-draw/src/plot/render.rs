@@ -1,7 +1,4 @@
-//! A drawing as pixels or on a page for print: the SVG of the same drawing, rendered.
-//!
-//! Letters come from a font of our own, so that a picture is the same on every machine, also where
-//! there are no fonts.
+//! PNG and PDF files from a drawing's SVG, equal on every machine by a font of the crate's own.
 
 use std::sync::Arc;
 
@@ -10,7 +7,7 @@ use resvg::usvg::{Options, Tree};
 
 use super::NoFile;
 
-/// The part of DejaVu Sans that names and numbers need.
+/// A subset of DejaVu Sans for names and numbers.
 const FONT: &[u8] = include_bytes!("DejaVuSans.ttf");
 
 fn read(svg: &str) -> Result<Tree, NoFile> {
@@ -22,7 +19,6 @@ fn read(svg: &str) -> Result<Tree, NoFile> {
     Tree::from_str(svg, &options).map_err(|error| NoFile::Renderer(error.to_string()))
 }
 
-/// The PNG of a drawing that fills so many pixels.
 #[cfg(feature = "png")]
 pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, NoFile> {
     use resvg::tiny_skia::{Pixmap, Transform};
@@ -38,13 +34,13 @@ pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, NoF
     pixels.encode_png().map_err(|error| failed(&error))
 }
 
-/// The PDF of a drawing: one page of its size, with text that can be searched.
+/// Renders a PDF with one page of the drawing's size and searchable text.
 #[cfg(feature = "pdf")]
 pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, NoFile> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// A pixel of CSS is 1/96 of an inch, a point 1/72.
+    /// A CSS pixel is 1/96 inch, a point 1/72 inch.
     const POINTS: f32 = 0.75;
 
     let tree = read(svg)?;
@@ -87,7 +83,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Left of the axis stand letters only.
+            // Only letters lie left of the axis.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }
@@ -98,7 +94,6 @@ mod tests {
     fn a_page_for_print_has_the_size_of_a_column_and_a_font_within() {
         let file = drawing(Sheet::COLUMN, Theme::Paper).file(super::super::Format::Pdf).expect("a page");
         let text = String::from_utf8_lossy(&file);
-        // 86.02 mm in points.
         assert!(text.starts_with("%PDF-") && text.contains("MediaBox[0 0 243.8"));
         assert!(text.contains("DejaVuSans") && text.contains("/FontFile"));
     }

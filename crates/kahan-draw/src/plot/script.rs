@@ -1,18 +1,16 @@
-//! Digits above and below the line.
+//! Superscript and subscript digits.
 
 use std::fmt::Display;
 
-/// 0 to 9 and a minus sign as exponents.
+/// The superscripts 0 to 9 and minus.
 pub(crate) const RAISED: [char; 11] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻'];
-/// 0 to 9 and n as indices.
+/// The subscripts 0 to 9 and n.
 pub(crate) const LOWERED: [char; 11] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉', 'ₙ'];
 
-/// A whole number as an exponent.
 pub(crate) fn raised(power: impl Display) -> String {
     set(&power.to_string(), RAISED)
 }
 
-/// Digits as an index.
 pub(crate) fn lowered(index: &str) -> String {
     set(index, LOWERED)
 }

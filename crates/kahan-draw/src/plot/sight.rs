@@ -1,13 +1,10 @@
-//! How colours look to readers, for tests of the colours chosen.
-//!
-//! Missing cones are simulated by the matrices of Machado, Oliveira and Fernandes, "A
-//! physiologically-based model for simulation of color vision deficiency" (2009), severity 1;
-//! differences are Euclidean in CIE L*a*b*.
+//! Simulated colour vision, for tests of the palette. Missing cones follow the matrices of severity
+//! 1 by Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
+//! vision deficiency" (2009).
 
-/// Linear red, green and blue from 0 to 1.
 pub(super) type Linear = [f64; 3];
 
-/// Which cones a reader has.
+/// A kind of colour vision, by the cones that are missing.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kind {
     All,
@@ -18,7 +15,6 @@ pub(super) enum Kind {
 
 pub(super) const KINDS: [Kind; 4] = [Kind::All, Kind::NoLong, Kind::NoMedium, Kind::NoShort];
 
-/// `#rrggbb` in linear light.
 pub(super) fn rgb(hex: &str) -> Linear {
     std::array::from_fn(|i| {
         let byte = u8::from_str_radix(&hex[1 + 2 * i..3 + 2 * i], 16).expect("two hexadecimal digits");
@@ -26,13 +22,13 @@ pub(super) fn rgb(hex: &str) -> Linear {
     })
 }
 
-/// A byte of a picture in linear light.
+/// Converts one byte of an sRGB channel to linear light.
 pub(super) fn linear(byte: u8) -> f64 {
     let c = f64::from(byte) / 255.0;
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
-/// What a reader sees instead.
+/// Returns the colour that a reader with this vision perceives.
 pub(super) fn seen(colour: Linear, kind: Kind) -> Linear {
     let rows = match kind {
         Kind::All => return colour,
@@ -53,18 +49,16 @@ pub(super) fn seen(colour: Linear, kind: Kind) -> Linear {
     rows.map(|row| row.iter().zip(colour).map(|(m, c)| m * c).sum::<f64>().clamp(0.0, 1.0))
 }
 
-/// Relative luminance.
 fn luminance([r, g, b]: Linear) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// The ratio of contrast, from 1 to 21.
+/// Returns the contrast ratio, from 1 to 21.
 pub(super) fn contrast(one: Linear, other: Linear) -> f64 {
     let (a, b) = (luminance(one) + 0.05, luminance(other) + 0.05);
     (a / b).max(b / a)
 }
 
-/// L*, a*, b* under daylight.
 pub(super) fn lab([r, g, b]: Linear) -> [f64; 3] {
     let x = (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505;
     let z = (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089;
@@ -73,7 +67,7 @@ pub(super) fn lab([r, g, b]: Linear) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// How far apart two colours are.
+/// Returns the Euclidean distance of two colours in L*a*b*.
 pub(super) fn distance(one: Linear, other: Linear) -> f64 {
     let (one, other) = (lab(one), lab(other));
     one.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()

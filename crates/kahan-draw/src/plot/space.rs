@@ -1,5 +1,4 @@
-//! Orbits in space: a parallel projection of a box with its axes, near points and lines wider than
-//! far ones.
+//! Orbits in space, in parallel projection; near points and lines are wider than distant ones.
 
 use std::cell::Cell;
 
@@ -10,63 +9,60 @@ use super::palette::Paint;
 use super::path::{Place, dots, line, polyline, stroked};
 use super::{Drawing, Mark, NumberLine, Sheet, Theme, grid, name, placed};
 
-/// Points in space that belong together.
+/// Points in space drawn in one style.
 #[derive(Clone, Debug)]
 pub struct Cloud {
     /// The colour, 1 to 6.
     pub colour: usize,
-    /// How it is drawn.
+    /// The style.
     pub mark: Mark,
-    /// In the units of the axes; what these do not show is left out, and no line leads there.
+    /// The points in units of the axes. Points outside are omitted, and interrupt lines.
     pub points: Vec<[f64; 3]>,
 }
 
 /// A drawing in space.
 #[derive(Clone, Debug)]
 pub struct Space {
-    /// What is seen, for those who do not see it.
+    /// The description for screen readers.
     pub description: String,
-    /// What it is drawn on.
+    /// The sheet to draw on.
     pub sheet: Sheet,
-    /// To the right, to the back, upwards.
+    /// The axes to the right, to the back and upwards.
     pub axes: [NumberLine; 3],
-    /// What is drawn.
+    /// The clouds.
     pub clouds: Vec<Cloud>,
 }
 
-/// Room that is left around the box.
+/// The margins around the box.
 const RIGHT: f64 = 16.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
-/// The width of lines in the middle of the box.
 const LINE: f64 = 1.4;
 const THIN: f64 = 0.7;
 const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
-/// Layers of depth, from the back: so many that the width of a line changes less from one to the
-/// next than can be seen.
+/// The number of depth layers. The width of lines changes invisibly from one layer to the next.
 const LAYERS: usize = 24;
-/// Boxes that are longer than this many times their width are drawn as others, upright or up to
-/// this many times as broad as high, as there is room.
+/// A box with a larger ratio of lengths than `SLENDER` is stretched to unit height and up to
+/// `BROAD` times that width.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
-/// To the right, upwards, and towards the eye: from the front, a little from the right and from
-/// above.
+/// Rotates a point into the coordinates right, up and towards the eye. The eye is in front,
+/// slightly right of and above the box.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     let (right, back) = (x * TURN.cos() - y * TURN.sin(), x * TURN.sin() + y * TURN.cos());
     [right, z * TILT.cos() + back * TILT.sin(), z * TILT.sin() - back * TILT.cos()]
 }
 
-/// The projection that fills a drawing with a box.
 struct View {
-    /// Where the middle of the box is drawn.
+    /// The place of the box's middle in the drawing.
     centre: Place,
     middle: [f64; 3],
-    /// What the box's lengths are multiplied by before they are turned.
+    /// The factors of the box's lengths before rotation.
     stretch: [f64; 3],
     scale: f64,
-    /// The greatest depth before the middle, and behind it.
+    /// The greatest distance from the middle towards the eye.
     depth: f64,
 }
 
@@ -76,21 +72,19 @@ impl View {
         let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
-        // As far as the corners of a box with this stretch are from its middle, to the right,
-        // upwards and towards the eye.
+        // The largest coordinates of a stretched box's corners: right, up and towards the eye.
         let reach = |stretch: [f64; 3]| -> [f64; 3] {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
-        // Beside the box stand the values of the third axis and half of those at the ends of the
-        // lower ones, and on the left a name.
+        // Beside the box there is room for tick labels, and on the left for a name.
         let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
         let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
         let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
         let scale = |reach: [f64; 3]| (width / 2.0 / reach[0]).min(height / 2.0 / reach[1]);
         let stretch = if long > SLENDER * short {
             let broad = |by: f64| [by / lengths[0], by / lengths[1], 1.0 / lengths[2]];
-            // Up to there it becomes broader without becoming smaller.
+            // Within these bounds a box becomes broader without becoming smaller.
             let boxes = (0..=10).map(|part| broad(1.0 + (BROAD - 1.0) * f64::from(part) / 10.0));
             let area = |stretch: [f64; 3]| {
                 let reach = reach(stretch);
@@ -115,18 +109,16 @@ impl View {
         (self.centre.0 + self.scale * right, self.centre.1 - self.scale * up)
     }
 
-    /// How near a point is: 0 at the back of the box, 1 at the front.
     fn nearness(&self, point: [f64; 3]) -> f64 {
         (self.turned(point)[2] / self.depth + 1.0) / 2.0
     }
 
-    /// Which layer of depth a point is in.
     fn layer(&self, point: [f64; 3]) -> usize {
         ((self.nearness(point) * LAYERS as f64) as usize).min(LAYERS - 1)
     }
 }
 
-/// The width of the widest of the values that an axis may have.
+/// Returns the width of the widest label among all candidate ticks of an axis.
 fn widest(axis: &NumberLine) -> f64 {
     let most = Cell::new(0.0_f64);
     axis.ticks(|ticks| {
@@ -136,20 +128,20 @@ fn widest(axis: &NumberLine) -> f64 {
     most.get()
 }
 
-/// The width of lines or dots in a layer of depth, of those that are so wide in the middle.
+/// Returns the width of lines or dots in a layer, given the width in the middle.
 fn width_in(layer: usize, middle: f64) -> f64 {
     const AT_THE_BACK: f64 = 0.7;
     let nearness = (layer as f64 + 0.5) / LAYERS as f64;
     middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
-/// From the middle of the box to a corner: a bit that is set means the greater end of that axis.
+/// Returns the vector from the middle to a corner; a set bit selects the greater end of an axis.
 fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
 }
 
 impl Space {
-    /// The drawing.
+    /// Draws the box with axes and clouds.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         let view = View::of(&self.axes, self.sheet.view_box);
@@ -163,7 +155,7 @@ impl Space {
         Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
-    /// How many points there are that the axes do not show.
+    /// Counts the points outside the axes.
     #[must_use]
     pub fn outside(&self) -> usize {
         self.clouds.iter().flat_map(|cloud| &cloud.points).filter(|point| !self.shows(point)).count()
@@ -191,7 +183,6 @@ impl Space {
         }
     }
 
-    /// What of a cloud lies in one layer of depth.
     fn cloud(&self, view: &View, cloud: &Cloud, layer: usize) -> Markup {
         let is_here = |point: &[f64; 3]| self.shows(point) && view.layer(*point) == layer;
         let places = |points: &[[f64; 3]]| points.iter().map(|point| view.place(*point)).collect::<Vec<_>>();
@@ -199,7 +190,7 @@ impl Space {
         if here.is_empty() {
             return html! {};
         }
-        // A part goes on to the first point of the next layer, so that the line has no gaps.
+        // Each piece extends to the first point of the next layer, so that lines have no gaps.
         let lines = || {
             let mut path = String::new();
             let mut from = 0;
@@ -221,7 +212,6 @@ impl Space {
         })
     }
 
-    /// Round values along the edges of the axes, and the names of these further out.
     fn names(&self, view: &View) -> Markup {
         let beside = |axis: usize, value: f64, (right, down): Place| {
             let mut point = self.corner(AXES[axis].0);
@@ -240,7 +230,7 @@ impl Space {
                 let long = width(&value, SMALL);
                 let left = place.0 - if axis == 2 { long } else { long / 2.0 };
                 let own = [left - 4.0, place.1 - 11.0, left + long + 4.0, place.1 + 2.0];
-                // Near a corner, the values of two axes would touch.
+                // Labels of two axes near a corner would touch.
                 if boxes.iter().all(|other| (0..2).any(|i| own[i] > other[i + 2] || other[i] > own[i + 2])) {
                     boxes.push(own);
                     values.push((place, ANCHORS[axis], value));
@@ -253,7 +243,7 @@ impl Space {
             let (named, (right, down)) = (self.axes[axis].name(), NAMES[axis]);
             let out = right + right.signum() * widest(&self.axes[axis]) / 2.0;
             let (x, y) = beside(axis, middle(axis), (out, down));
-            // A long name would run into values.
+            // A long name would overlap tick labels.
             let is_long = width(&named, LARGE) > 2.0 * LARGE;
             let room = if axis == 0 { [corner, across] } else { [0.0, corner] };
             name(
@@ -277,11 +267,10 @@ impl Space {
     }
 }
 
-/// The edges of the outline that carry the axes: two below, one on the left.
+/// The edges that carry the axes, as pairs of corners: two below, one on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
-/// How far to the right of its edge, and below it, an axis has its values.
+/// The offsets of tick labels from their edges, to the right and downwards.
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
-/// On which side of these places the values are.
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
-/// The same of the names of the lower ones.
+/// The offsets of the names of the two lower axes, to the right and downwards.
 const NAMES: [Place; 2] = [(20.0, 32.0), (-26.0, 28.0)];

@@ -1,4 +1,4 @@
-//! Places, and what is read out.
+//! Tests of places, labels and descriptions.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -37,7 +37,7 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     assert!(path.contains("L466 "), "{path}");
 }
 
-/// A line or a cloud along y, away from the eye.
+/// Draws points along y, away from the eye.
 fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine::new(label, -1.0, 1.0);
     let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
@@ -51,7 +51,7 @@ fn receding(mark: Mark) -> String {
     space.drawing().inline().into_string()
 }
 
-/// The shapes of a class with their widths, in the order in which they are drawn.
+/// Returns the paths of a class with their widths, in drawing order.
 fn shapes(svg: &str, class: &str) -> Vec<(String, f64)> {
     let opening = format!("class=\"{class}\" d=\"");
     let parts = svg.split(&opening).skip(1);
@@ -75,7 +75,7 @@ fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
         let shapes = shapes(&receding(mark), class);
         assert!(shapes.len() > 10, "{mark:?}: {shapes:?}");
         for pair in shapes.windows(2) {
-            // From the back to the front, by less than a tenth of a unit, which nobody sees.
+            // Widths grow from the back to the front, by less than 0.1 unit.
             let grows = pair[1].1 - pair[0].1;
             assert!((0.0..=0.1001).contains(&grows), "{mark:?}: {pair:?}");
         }
@@ -95,7 +95,6 @@ fn a_line_in_space_has_no_gaps() {
             path.trim_end_matches("h.01").split(['M', 'L']).skip(1).map(str::to_owned).collect();
         (places[0].clone(), places[places.len() - 1].clone())
     };
-    // The line goes to the back, where drawing begins.
     for pair in shapes.windows(2) {
         assert_eq!(ends(&pair[0].0).0, ends(&pair[1].0).1, "{pair:?}");
     }
@@ -144,7 +143,7 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     let dark = on((900, 600), Theme::Dark);
     assert!(dark.contains("stroke=\"#2d8bb9\"") && dark.contains("fill=\"#14171b\""), "{dark}");
     assert!(["prefers-color-scheme", "var(", "#435bc6"].iter().all(|word| !dark.contains(word)), "{dark}");
-    // A flat sheet is widened until there is room for both axes.
+    // A flat sheet is widened until both axes have room.
     assert_eq!(Sheet::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
 }
 
@@ -161,10 +160,10 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     assert!(inked.starts_with("#000000"), "{inked}");
 }
 
-/// What a piece of words covers: left, top, right, bottom.
+/// The bounds of a label: left, top, right, bottom.
 type Box = [f64; 4];
 
-/// The words of a drawing, and what they cover where letters are wide.
+/// Returns the labels of a drawing with their bounds in a wide font.
 fn words(svg: &str) -> Vec<(String, Box)> {
     let element = |part: &str| {
         let (attributes, rest) = part.split_once('>').expect("the end of a tag");
@@ -199,7 +198,7 @@ fn words(svg: &str) -> Vec<(String, Box)> {
     svg.split("<text").skip(1).map(element).collect()
 }
 
-/// All words lie on the sheet, and none on others; in print none are smaller than six points.
+/// Asserts that all labels lie on the sheet without overlap, and in print have at least six points.
 fn has_room(drawing: &Drawing) {
     let svg = drawing.svg();
     let (across, upwards) = drawing.sheet.view_box;

@@ -1,9 +1,8 @@
-//! Formulas in LaTeX taken apart at their top: terms, factors, and what is inside a fraction or a
-//! parenthesis.
+//! Splits LaTeX formulas at the top level of grouping.
 
 use std::ops::Range;
 
-/// The arguments of the first fraction at the top, or what the first parentheses there enclose.
+/// Returns the arguments of the first top-level fraction, or the inside of the first parentheses.
 pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -27,7 +26,7 @@ pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Where the group ends whose inside begins at `start`: at its `}` or `\right`.
+/// Returns the end of the group whose inside begins at `start`: its `}` or `\right`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = Depth::default();
     for (at, _) in text[start..].char_indices() {
@@ -39,7 +38,7 @@ pub(super) fn closing(text: &str, start: usize) -> usize {
     text.len()
 }
 
-/// How deep in groups a place is: braces, `\left … \right`, environments.
+/// The nesting depth at a place: braces, `\left … \right` and environments.
 #[derive(Default)]
 struct Depth(i32, bool);
 
@@ -48,10 +47,10 @@ impl Depth {
         self.0 == 0
     }
 
-    /// Goes over the character that begins `rest`.
+    /// Advances over the first character of `rest`.
     fn pass(&mut self, rest: &str) {
         if std::mem::take(&mut self.1) {
-            // `\{` is a sign, not a group.
+            // `\{` is a character and opens no group.
             return;
         }
         self.1 = rest.starts_with("\\{") || rest.starts_with("\\}") || rest.starts_with("\\\\");
@@ -64,21 +63,21 @@ impl Depth {
     }
 }
 
-/// Whether a command with this name begins here, and not one whose name is longer.
+/// Says whether a command with exactly this name begins here.
 fn is_command(rest: &str, name: &str) -> bool {
     rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// The terms of a sum, each but the first with its sign in front.
+/// Returns the terms of a sum; all but the first keep their sign.
 pub(super) fn terms(formula: &str) -> Vec<&str> {
     split(formula, |rest| rest.starts_with(" + ") || rest.starts_with(" - "))
 }
 
-/// The factors of a product, the first with its sign.
+/// Returns the factors of a product; the first keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // What an accent or a function applies to, a point and what it multiplies, a space that is
-        // written out.
+        // Keeps accents and functions with arguments, dots with the next factor, and explicit
+        // spaces.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")
             || last.starts_with("\\operatorname")

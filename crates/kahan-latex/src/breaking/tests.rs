@@ -1,4 +1,4 @@
-//! Lines, boxes and matrices of formulas that are too wide.
+//! Tests of lines, boxes and matrices for wide formulas.
 
 use super::{boxed, display, equation, lines, matrix, width_of};
 

@@ -1,8 +1,8 @@
-//! About how wide a formula in LaTeX is.
+//! Estimated widths of typeset formulas.
 
 use super::pieces::closing;
 
-/// About how many characters wide a formula is when it is set.
+/// Returns the approximate width of a typeset formula, in characters.
 #[must_use]
 pub fn width_of(formula: &str) -> usize {
     let mut width = 0;
@@ -22,8 +22,7 @@ pub fn width_of(formula: &str) -> usize {
     width
 }
 
-/// The width of a command with its arguments, where these are not in a line, and how many bytes it
-/// has.
+/// Returns the width of a command with its arguments, and its length in bytes.
 fn command(rest: &str) -> (usize, usize) {
     let letters = rest[1..].find(|c: char| !c.is_ascii_alphabetic()).map_or(rest.len(), |end| end + 1);
     let name = &rest[..letters];

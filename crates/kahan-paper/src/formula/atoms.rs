@@ -1,8 +1,7 @@
-//! Exponentials, hyperbolic functions, logarithms and symbolic powers as new independent variables.
-//!
-//! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are
-//! algebraically independent over ℚ. So an identity between rational functions of them holds if and
-//! only if it holds with a fresh name for each, and it can be proved like any rational identity.
+//! Transcendental functions as independent variables. For independent names v, w, … the functions
+//! v, w, exp v, exp w, log v, v^w, tan(v/2), … are algebraically independent over ℚ. An identity
+//! between rational functions of them holds exactly if it holds with a fresh name for each
+//! function, and is then proved like a rational identity.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +9,7 @@ use kahan_algebra::rational::Rational;
 
 use super::Formula;
 
-/// The formula with its functions replaced by rational expressions in fresh names; `None` if some
-/// function stays.
+/// Replaces functions by rational expressions in fresh names; `None` if a function remains.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
     match formula {
         Formula::Name(name) if name == "pi" => None,
@@ -47,7 +45,7 @@ fn call(name: &str, arguments: &[Formula]) -> Option<Formula> {
             };
             Some(above.over(below))
         }
-        // What stands inside is evaluated at another point: its functions cannot keep their names.
+        // The argument is evaluated at another point, where its functions would need other names.
         ("next" | "back", [.., inner]) => {
             (!has_functions(inner)).then(|| Formula::call(name, arguments.to_vec()))
         }
@@ -64,8 +62,7 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// base^exponent: an integer exponent as it is, a symbolic one of a name as a monomial in fresh
-/// names.
+/// Rewrites base^exponent: exponents with names give monomials in fresh names.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     let rational_base = rationalise(base)?;
     if exponent.as_number().is_some() {
@@ -87,11 +84,9 @@ fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     Some(if factors.is_empty() { Formula::integer(1) } else { Formula::Product(factors) })
 }
 
-/// exp(u): for an integer combination u of monomials in names a monomial in fresh names, else a
-/// fresh name for u itself.
-///
-/// Fresh names for arguments like y/x and 2 y/x are not independent: an identity that holds for
-/// independent ones holds, but one that does not may hold all the same.
+/// Rewrites exp(u): an integer combination u of monomials gives a monomial in fresh names, other u
+/// a fresh name. Fresh names for arguments such as y/x and 2y/x are dependent: a proof with
+/// independent names remains valid, but a failure proves nothing.
 fn exponential(u: &Formula) -> Option<Formula> {
     let Some(form) = expand(u) else { return Some(whole_exponential(u)) };
     let mut factors = Vec::new();
@@ -119,7 +114,7 @@ fn whole_exponential(u: &Formula) -> Formula {
     }
 }
 
-/// A polynomial in names: its monomials (sorted names) with their coefficients.
+/// A polynomial in names: coefficients by monomial, a sorted list of names.
 type Expanded = BTreeMap<Vec<String>, Rational>;
 
 fn expand(formula: &Formula) -> Option<Expanded> {

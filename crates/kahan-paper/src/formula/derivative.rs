@@ -2,10 +2,8 @@
 
 use super::Formula;
 
-/// ∂formula/∂variable, with zeros and ones removed.
-///
-/// # Errors
-/// Where a call that depends on the variable has no known derivative (`next`, `sum`, …).
+/// Returns ∂formula/∂variable without trivial terms and factors. Fails if a call with unknown
+/// derivative (`next`, `sum`, …) depends on the variable.
 pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, String> {
     if !depends_on(formula, variable) {
         return Ok(Formula::integer(0));
@@ -81,7 +79,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
     }
 }
 
-/// outer · ∂inner/∂variable
+/// Returns outer · ∂inner/∂variable.
 fn chain(outer: Formula, inner: &Formula, variable: &str) -> Result<Formula, String> {
     let slope = derivative(inner, variable)?;
     Ok(if slope.is_number(1) { outer } else { outer.times(slope) })
@@ -94,7 +92,7 @@ fn unknown(name: &str) -> String {
 fn depends_on(formula: &Formula, variable: &str) -> bool {
     match formula {
         Formula::Name(name) => name == variable,
-        // A step of the map moves every state: it depends on all of them.
+        // A step of the map depends on all states.
         Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "f" | "A" | "b" | "J") => true,
         _ => formula.parts().into_iter().any(|part| depends_on(part, variable)),
     }

@@ -1,18 +1,15 @@
-//! Puts definitions in and carries derivatives out, so that only names, numbers, operators and
-//! primitive calls remain.
+//! Substitution of definitions, and evaluation of derivatives.
 
 use std::collections::BTreeMap;
 
 use super::derivative::derivative;
 use super::{Definition, Formula};
 
-/// Definitions nest at most this deep; deeper ones go round in a circle.
+/// The greatest nesting of definitions; deeper nesting means a cycle.
 const DEEPEST: usize = 64;
 
-/// The formula with every definition put in and every `d(E, v)` carried out.
-///
-/// # Errors
-/// A definition that uses itself, a wrong number of arguments, a derivative that cannot be taken.
+/// Substitutes all definitions and evaluates all `d(E, v)`. Fails for a definition that uses
+/// itself, a wrong number of arguments, or an unknown derivative.
 pub(crate) fn inline(
     formula: &Formula,
     definitions: &BTreeMap<String, Definition>,
@@ -22,8 +19,7 @@ pub(crate) fn inline(
 
 struct Scope<'a> {
     definitions: &'a BTreeMap<String, Definition>,
-    /// The parameters of the definition whose body this is, with what is put in for them (inlined
-    /// already).
+    /// The inlined arguments of the current definition's parameters.
     locals: BTreeMap<String, Formula>,
     depth: usize,
 }

@@ -9,10 +9,10 @@ use kahan_latex::Latex;
 use super::{Formula, Item, Relation, Statement, parse};
 use call::{FUNCTIONS, OPEN_ENDED, call};
 
-/// One item of a statement in LaTeX: a definition or a relation.
+/// An item of a statement in LaTeX: a definition or a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LatexItem {
-    /// The left-hand side: what is defined, or one side of a relation.
+    /// The left-hand side.
     pub left: String,
     /// `\coloneqq`, `=`, `\neq` or `\approx`.
     pub sign: &'static str,
@@ -20,16 +20,13 @@ pub struct LatexItem {
     pub right: String,
 }
 
-/// A statement in LaTeX, item by item, so that a table can show the right-hand side of a definition
-/// alone.
-///
-/// # Errors
-/// What is wrong with the text.
+/// Returns a statement in LaTeX, item by item, so that tables can show the right-hand sides of
+/// definitions. Fails with a message if the text is no statement.
 pub fn latex_of(text: &str) -> Result<Vec<LatexItem>, String> {
     Ok(parse(text)?.items.iter().map(item).collect())
 }
 
-/// Every item of a statement as one formula.
+/// Returns each item of a statement as one formula.
 pub(crate) fn statement_latex(statement: &Statement) -> Vec<String> {
     let written = statement.items.iter().map(item);
     written.map(|LatexItem { left, sign, right }| format!("{left} {sign} {right}")).collect()
@@ -59,7 +56,7 @@ fn item(item: &Item) -> LatexItem {
     }
 }
 
-/// A number in decimals, as it was written: `digit` is the unit of its last place.
+/// Writes a number with the decimals of the source; `digit` is the unit of the last place.
 fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     let places = digit.denominator().to_string().len() - 1;
     let units = value.checked_div(digit).filter(|_| places > 0)?;
@@ -68,7 +65,7 @@ fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     Some(format!("{}{whole}.{fraction}", if units.is_negative() { "-" } else { "" }))
 }
 
-/// A name; `H_eps` is H(ε), `H_hat` Ĥ, `P12` has indices, `detA` is det A, a word stands upright.
+/// Writes a name: `H_eps` as H(ε), `H_hat` as Ĥ, `P12` with indices, `detA` as det A.
 fn name(text: &str) -> String {
     let written = |stem| Latex.name(stem);
     match (text.strip_suffix("_eps"), text.strip_suffix("_hat"), text.strip_prefix("det")) {
@@ -76,7 +73,7 @@ fn name(text: &str) -> String {
         (_, Some(stem), _) => format!("\\widehat{{{}}}", written(stem)),
         (.., Some(matrix @ ("A" | "J"))) => format!("\\det {matrix}"),
         _ => match text.split_once('_') {
-            // What is said of one system: `C1_e7`.
+            // A quantity of one system: `C1_e7`.
             Some((stem, system)) if stem.ends_with(|c: char| c.is_ascii_digit()) => {
                 format!("{{{}}}^{{\\text{{{system}}}}}", name(stem))
             }
@@ -86,7 +83,7 @@ fn name(text: &str) -> String {
     }
 }
 
-/// In parentheses, as high as what is inside.
+/// Encloses a formula in parentheses that grow with its height.
 fn enclosed(text: &str) -> String {
     let is_high = ["\\frac", "\\sum", "\\left", "\\begin"].iter().any(|high| text.contains(high));
     if is_high { format!("\\left({text}\\right)") } else { format!("({text})") }
@@ -128,7 +125,7 @@ fn write(formula: &Formula) -> (String, Level) {
                     .filter(|(divides, _)| *divides == wanted)
                     .map(|(_, factor)| factor)
                     .collect();
-                // 1/2*a is a/2.
+                // Writes 1/2*a as a/2.
                 if chosen.len() > 1 {
                     chosen.retain(|factor| !factor.is_number(1));
                 }
@@ -154,11 +151,11 @@ fn write(formula: &Formula) -> (String, Level) {
             (joined(written.collect()), level)
         }
         Formula::Power(base, exponent) => match &**base {
-            // sin²θ rather than (sin θ)².
+            // sin²θ instead of (sin θ)².
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
                 (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Level::Power)
             }
-            // N(n)² needs no parentheses, nor has x̃² any.
+            // N(n)² and x̃² need no parentheses.
             Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => {
                 (format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0), Level::Power)
             }
@@ -168,7 +165,7 @@ fn write(formula: &Formula) -> (String, Level) {
     }
 }
 
-/// A product; a point where two numbers would run together.
+/// Joins factors, with a dot between adjacent numbers.
 fn joined(factors: Vec<String>) -> String {
     let mut text = String::new();
     for factor in factors {
@@ -178,7 +175,6 @@ fn joined(factors: Vec<String>) -> String {
             let word = ["\\text", "{\\operatorname"].iter().any(|start| factor.starts_with(start));
             text.push_str(match (two_numbers, word) {
                 (true, _) => " \\cdot ",
-                // A word keeps its distance.
                 (false, true) => " \\, ",
                 (false, false) => " ",
             });

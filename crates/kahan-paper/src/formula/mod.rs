@@ -1,10 +1,7 @@
-//! The language in which the paper's formulas are written down, and what is done to a formula
-//! before it is evaluated.
-//!
-//! A [`Statement`] is a list of items between semicolons: definitions `name := expr` and `name(a,
-//! b) := expr`, equations `left = right`, inequations `left != right` (they differ as functions),
-//! and measured equations `left ~ right` (they agree in the digits that are written). Expressions
-//! have the operators of `kahan!`, any exponent, and calls:
+//! The language of the paper's formulas. A [`Statement`] is a list of items between semicolons:
+//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations
+//! `left != right` (different functions), and measured equations `left ~ right` (equal in the written
+//! digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
 //!
 //! | call | meaning |
 //! |---|---|
@@ -16,9 +13,8 @@
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
 //! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
 //!
-//! `f`, `A`, `b`, `J` and `next` take the name of another system as a first argument. The text of a
-//! statement is the one source of what is shown, of what is checked, and of the mutations that must
-//! fail.
+//! `f`, `A`, `b`, `J` and `next` accept another system's name as first argument. The text of a
+//! statement is the only source for display, checks and mutations.
 
 mod atoms;
 mod derivative;
@@ -45,11 +41,11 @@ use kahan_algebra::rational::Rational;
 pub enum Formula {
     /// An exact number.
     Number(Rational),
-    /// A state, a parameter, `eps`, a defined or a free name.
+    /// A state, a parameter, `eps`, or a defined or free name.
     Name(String),
-    /// A sum of terms; `true` marks one that is subtracted.
+    /// A sum; `true` marks subtracted terms.
     Sum(Vec<(bool, Formula)>),
-    /// A product of factors; `true` marks one that divides.
+    /// A product; `true` marks divisors.
     Product(Vec<(bool, Formula)>),
     /// −a
     Negation(Box<Formula>),
@@ -59,18 +55,18 @@ pub enum Formula {
     Call(String, Vec<Formula>),
 }
 
-/// How the two sides of a relation compare.
+/// The relation between two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// Equal wherever both have a value.
+    /// Equal wherever both sides have a value.
     Equal,
     /// Different as functions.
     Different,
-    /// Equal in the digits that are written on the right.
+    /// Equal in the digits written on the right.
     Approximate,
 }
 
-/// One item of a statement.
+/// An item of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// `name(parameters) := body`
@@ -79,11 +75,11 @@ pub enum Item {
     Relation {
         /// The left-hand side.
         left: Formula,
-        /// How they compare.
+        /// The relation.
         relation: Relation,
         /// The right-hand side.
         right: Formula,
-        /// The unit of the last digit written on the right, where the right is one number.
+        /// The unit of the last written digit, if the right-hand side is a number.
         digit: Option<Rational>,
     },
 }
@@ -91,49 +87,43 @@ pub enum Item {
 /// A named formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// Its parameters; formulas are put in for them.
+    /// The parameters, for which formulas are substituted.
     pub parameters: Vec<String>,
-    /// What it stands for.
+    /// The formula.
     pub body: Formula,
 }
 
 /// A parsed statement.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statement {
-    /// Its items in order.
+    /// The items in order.
     pub items: Vec<Item>,
 }
 
 impl Formula {
-    /// The integer n.
     pub(crate) fn integer(n: i64) -> Self {
         Formula::Number(Rational::from(n))
     }
 
-    /// name(arguments)
     pub(crate) fn call(name: &str, arguments: Vec<Formula>) -> Self {
         Formula::Call(name.to_owned(), arguments)
     }
 
-    /// a·b
     pub(crate) fn times(self, other: Formula) -> Self {
         Formula::Product(vec![(false, self), (false, other)])
     }
 
-    /// a/b
     pub(crate) fn over(self, other: Formula) -> Self {
         Formula::Product(vec![(false, self), (true, other)])
     }
 
-    /// a^n
     pub(crate) fn raised_to(self, exponent: i64) -> Self {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// The formula with some names and calls replaced by numbers; `number` gets a name and its
-    /// arguments.
+    /// Replaces names and calls by the numbers that `number` returns for a name and its arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,
@@ -146,7 +136,7 @@ impl Formula {
         value.map_or_else(|| self.of_parts(&|part| part.replaced(number)), |value| Ok(Formula::Number(value)))
     }
 
-    /// Its terms, factors, base and exponent, or arguments.
+    /// Returns the operands: terms, factors, base and exponent, or arguments.
     pub(crate) fn parts(&self) -> Vec<&Formula> {
         match self {
             Formula::Number(_) | Formula::Name(_) => Vec::new(),
@@ -157,7 +147,7 @@ impl Formula {
         }
     }
 
-    /// The formula with what `new` makes of each of its parts in that part's place.
+    /// Rebuilds the formula from the images of its operands under `new`.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {
@@ -175,12 +165,11 @@ impl Formula {
         })
     }
 
-    /// Whether this is the number n.
     pub(crate) fn is_number(&self, n: i64) -> bool {
         matches!(self, Formula::Number(value) if *value == Rational::from(n))
     }
 
-    /// The value as an exact number, where the formula contains nothing but numbers.
+    /// Evaluates a formula that contains only numbers.
     pub(crate) fn as_number(&self) -> Option<Rational> {
         match self {
             Formula::Number(value) => Some(value.clone()),

@@ -1,15 +1,13 @@
-//! Mutations: a statement with one coefficient or one sign changed.
-//!
-//! They are made on the text, so that they need no knowledge of what the text says, and apply to
-//! blocks of `kahan!` as well as to statements.
+//! Mutations: texts with one coefficient or sign changed. They work on tokens, so they apply to
+//! statements and to `kahan!` blocks.
 
 use std::ops::Range;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// The text with one number made larger by one, one sign turned, one right-hand side doubled, or
-/// the sign of one exponent turned (`*` for `/`); in that order.
+/// Returns all mutations: a number increased by one in its last place, a sign flipped, a right-hand
+/// side doubled, or `*` and `/` exchanged; in this order.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);
@@ -52,8 +50,7 @@ fn follows_bang(tokens: &[Token], index: usize) -> bool {
     index > 0 && tokens[index - 1].text == "!"
 }
 
-/// The literal with one added to its last digit's place: `3` to `4`, `14.05` to `14.06`, `1e-3` to
-/// `2e-3`.
+/// Increases the last digit of a literal: `3` to `4`, `14.05` to `14.06`, `1e-3` to `2e-3`.
 fn raised(literal: &str) -> Option<String> {
     let (mantissa, exponent) = match literal.split_once('e') {
         Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),

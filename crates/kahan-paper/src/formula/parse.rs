@@ -1,4 +1,4 @@
-//! Text to statements: the sides of their items are formulas, which the parser of `kahan!` reads.
+//! Parsing of statements; the parser of `kahan!` reads their formulas.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse_formula;
@@ -8,10 +8,7 @@ use kahan_algebra::token::{Token, TokenKind};
 
 use super::{Definition, Formula, Item, Relation, Statement};
 
-/// Reads a statement.
-///
-/// # Errors
-/// What is wrong, with the place in words.
+/// Parses a statement. Fails with the mistake and the text.
 pub(crate) fn parse(text: &str) -> Result<Statement, String> {
     let tokens = lex(text).tokens;
     let items = tokens.split(|token| token.kind == TokenKind::Punctuation(';'));
@@ -20,7 +17,7 @@ pub(crate) fn parse(text: &str) -> Result<Statement, String> {
 }
 
 fn item(tokens: &[Token]) -> Result<Item, String> {
-    // No formula holds one of these.
+    // Formulas contain none of these signs.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
     let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);
@@ -44,7 +41,7 @@ fn formula(tokens: &[Token]) -> Result<Formula, String> {
     parse_formula(tokens).map(Formula::from).map_err(|mistake| mistake.message)
 }
 
-/// The formula without its places.
+/// Converts an expression, without its source positions.
 impl From<Expr<InFormula>> for Formula {
     fn from(expr: Expr<InFormula>) -> Self {
         match expr.kind {
@@ -69,7 +66,7 @@ impl From<Expr<InFormula>> for Formula {
     }
 }
 
-/// The left-hand side of a definition.
+/// Reads the left-hand side of a definition.
 fn signature(left: Formula) -> Result<(String, Vec<String>), String> {
     let wrong =
         || Err("a definition needs a name, or a name with names in parentheses, before `:=`".to_owned());
@@ -87,7 +84,7 @@ fn signature(left: Formula) -> Result<(String, Vec<String>), String> {
     }
 }
 
-/// The unit of the last written digit: 1/100 for `3.14`, 1 for `3`.
+/// Returns the unit of the last written digit: 1/100 for `3.14`, 1 for `3`.
 fn last_digit(literal: &str) -> Option<Rational> {
     let (mantissa, exponent) = literal.split_once(['e', 'E']).unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());

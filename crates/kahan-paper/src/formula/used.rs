@@ -1,18 +1,17 @@
-//! Which of many definitions a statement needs.
+//! Selection of the definitions that a statement needs.
 
 use std::collections::BTreeSet;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::TokenKind;
 
-/// The statement behind those of the `definitions` that it uses, directly or through others, in
-/// their order.
+/// Prefixes a statement with the `definitions` that it uses, directly or indirectly.
 pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let pieces: Vec<&str> = definitions.split(';').map(str::trim).filter(|piece| !piece.is_empty()).collect();
     let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();
     let mut used = identifiers(statement);
     let mut kept = vec![false; pieces.len()];
-    // Each round can only add names; it ends when none is new.
+    // Every pass but the last adds names, so the loop ends.
     loop {
         let before = used.len();
         for (piece, kept) in pieces.iter().zip(&mut kept) {
@@ -29,7 +28,7 @@ pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     kept.chain([statement]).collect::<Vec<_>>().join("; ")
 }
 
-/// The name that a piece defines, if it is a definition.
+/// Returns the name that a piece of text defines, if any.
 fn defined(piece: &str) -> Option<String> {
     let (left, _) = piece.split_once(":=")?;
     identifier_tokens(left).into_iter().next()

@@ -1,5 +1,4 @@
-//! Does a relation hold? By normal forms over ℚ, modulo primes, at exact points, or in 256-bit
-//! arithmetic.
+//! Checks of a relation: over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
 
 mod names;
 mod numerical;
@@ -18,22 +17,22 @@ use super::model::Model;
 use super::numeric::Decimals;
 use numerical::{agreement, decimal};
 
-/// How often a point is drawn again where a formula has no value.
+/// The number of draws of a point before a formula counts as undefined.
 const MOST_DRAWS: usize = 16;
 
-/// The decimals in which both sides must agree, relative to the larger of them and 1.
+/// The number of decimals to which both sides must agree, relative to the larger side and 1.
 pub(super) const DECIMALS: u32 = 40;
 
-/// How a relation was established.
+/// The evidence for a relation.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Evidence {
-    /// Both sides agree expanded over ℚ, and modulo primes.
+    /// Both sides have equal expansions over ℚ, and agree modulo primes.
     NormalForm,
-    /// Both sides agree at so many random points modulo primes, with an error below 2⁻¹⁰⁰.
+    /// Both sides agree at this number of points modulo primes; error probability below 2⁻¹⁰⁰.
     Modular(u32),
-    /// Both sides agree at so many exact points.
+    /// Both sides agree at this number of exact points.
     Exact(u32),
-    /// Both sides agree in so many decimals at random points.
+    /// Both sides agree to this number of decimals at random points.
     Numerical(u32),
 }
 
@@ -51,20 +50,16 @@ pub(super) struct Identity<'a> {
     pub(super) right: &'a Formula,
     /// The unit of the last digit of an approximate value.
     pub(super) digit: Option<&'a Rational>,
-    /// Where names are drawn from for a numerical test; (1/5, 4/5) for those not listed.
+    /// The intervals of names for numerical tests; (1/5, 4/5) for other names.
     pub(super) domain: &'a [(String, Rational, Rational)],
     pub(super) seed: u64,
 }
 
 impl Identity<'_> {
-    /// Whether the relation holds, and how that is known.
-    ///
-    /// # Errors
-    /// Why it does not.
+    /// Checks the relation and returns the evidence. Fails with the reason.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Functions become names that need not be independent: names that differ then say nothing
-        // of the functions.
+        // Fresh names may be dependent, so different names don't prove different functions.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -81,11 +76,8 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// The values of both sides at given exact values of the names, and whether the relation holds
-    /// there.
-    ///
-    /// # Errors
-    /// Where a side has no value.
+    /// Evaluates both sides at exact values of the names, and says whether the relation holds
+    /// there. Fails if a side has no value.
     pub(super) fn at_point(
         &self,
         point: &BTreeMap<String, Rational>,

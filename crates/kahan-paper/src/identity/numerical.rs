@@ -1,4 +1,4 @@
-//! Relations in 256-bit arithmetic, at random points.
+//! Relations at random points in 256-bit arithmetic.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -10,7 +10,6 @@ use super::super::formula::Relation;
 use super::super::numeric::Decimals;
 use super::{DECIMALS, Evidence, Identity, MOST_DRAWS, words};
 
-/// The points of a numerical test.
 const NUMERICAL_POINTS: usize = 3;
 
 impl Identity<'_> {
@@ -75,7 +74,7 @@ pub(super) fn decimal(value: &Rational) -> Precise {
     Real::from_rational(&value.to_big())
 }
 
-/// The decimals in which two numbers agree, relative to the larger of them and 1; at most 70.
+/// Returns the number of equal decimals, relative to the larger number and 1; at most 70.
 pub(super) fn agreement(left: &Precise, right: &Precise) -> u32 {
     let one = Precise::from(1);
     let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });
@@ -90,7 +89,7 @@ pub(super) fn agreement(left: &Precise, right: &Precise) -> u32 {
     decimals
 }
 
-/// The decimals of a power of ten: 2 for 1/100.
+/// Returns k for the unit 10⁻ᵏ.
 fn decimals_of(unit: &Rational) -> u32 {
     let digits = unit.denominator().to_string().len();
     u32::try_from(digits).expect("a unit has few digits") - 1

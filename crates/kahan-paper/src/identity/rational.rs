@@ -1,5 +1,4 @@
-//! Rational relations: modulo primes, then by normal forms; at exact points where both are too
-//! large.
+//! Rational relations: modulo primes, then by normal forms, or at exact points if too large.
 
 use std::collections::BTreeMap;
 
@@ -14,21 +13,19 @@ use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
 
-/// What an expansion over ℚ may cost: terms of any result, products of terms in all (about a second
-/// at worst).
+/// Limits of an expansion over ℚ (about a second): terms of a result, products of terms.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 2_000_000;
 
-/// The exact points at which a relation is tested that is too large for a proof.
+/// The number of exact points for relations too large to be proved.
 const EXACT_POINTS: u32 = 12;
 
-/// The values of all names.
 type Point = BTreeMap<String, Rational>;
 
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        // Of the formulas themselves, so that none is written for the points it is tested at.
+        // The seed depends on the formulas, so that no formula can be fitted to the points.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
         let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
@@ -44,7 +41,7 @@ impl Identity<'_> {
                 Relation::Equal if left != right => {
                     return Err(self.refutation(left, right, &names, &mut random));
                 }
-                // One point where they differ shows that they are not the same function.
+                // One point of difference proves that the functions differ.
                 Relation::Different if left != right => return Ok(Evidence::NormalForm),
                 _ => {}
             }
@@ -80,7 +77,7 @@ impl Identity<'_> {
     }
 
     fn normal_form(&self, left: &Formula, right: &Formula, names: &[String]) -> Option<bool> {
-        // A map that is not expanded cannot be composed with anything.
+        // An unexpanded map cannot be composed with formulas.
         if !self.model.is_expanded() && (uses_map(left) || uses_map(right)) {
             return None;
         }
@@ -109,7 +106,7 @@ impl Identity<'_> {
         Ok(Evidence::Exact(EXACT_POINTS))
     }
 
-    /// Both sides at a point of small rationals.
+    /// Evaluates both sides at a point of small rationals.
     fn exact_point(
         &self,
         left: &Formula,
@@ -127,7 +124,7 @@ impl Identity<'_> {
         Err("it divides by zero".to_owned())
     }
 
-    /// An exact point at which both sides differ, in words.
+    /// Describes an exact point at which both sides differ.
     fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut dyn Random) -> String {
         if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
             for _ in 0..MOST_DRAWS {

@@ -1,5 +1,4 @@
-//! A line a claim, and what is wrong in full; or every claim with its statement, where it is from,
-//! and its time.
+//! Verdicts as text: one line for each claim, or each claim with statement, source and time.
 
 use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;
@@ -7,12 +6,12 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{Open, Verdict, Verdicts};
 
-/// A statement is left out where it would have fewer characters than these.
+/// The shortest useful statement, in characters; shorter excerpts are omitted.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {
-    /// Writes a line of at most `width` characters a claim, the totals, and how to see more. Claims
-    /// that failed have their statements in full.
+    /// Writes one line of at most `width` characters for each claim, the totals, and a hint. Failed
+    /// claims follow with their full statements.
     #[must_use]
     pub fn lines(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {
@@ -28,7 +27,7 @@ impl Verdicts {
         let mut is_whole = true;
         for (row, mut cells) in self.claims.iter().zip(cells) {
             let is_failed = row.outcome == Outcome::Failed;
-            // What failed is said in full below.
+            // The lines below show failures in full.
             let statement = if is_failed { "" } else { &row.statement };
             let whole = if row.source.is_empty() { statement } else { &row.source };
             let about = if room < LEAST_SEEN { String::new() } else { shorten(whole, room) };
@@ -46,8 +45,8 @@ impl Verdicts {
         text.join("\n") + "\n"
     }
 
-    /// Writes every claim with its statement, its source and its time, by system; what the paper
-    /// leaves open; and the totals. Headings have at most `width` characters a line.
+    /// Writes all claims by system with statement, source and time, then the open questions and the
+    /// totals. Headings have at most `width` characters on a line.
     #[must_use]
     pub fn in_full(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {
@@ -91,7 +90,6 @@ impl Verdicts {
     }
 }
 
-/// The heading of a system's claims, in lines of at most `width` characters.
 fn title(system: &str, width: usize) -> Vec<String> {
     let title = match find(system) {
         Some(entry) if entry.command == system => format!("{system}: {}", entry.title),

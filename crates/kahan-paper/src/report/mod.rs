@@ -1,4 +1,4 @@
-//! Verdicts as plain text: all of the paper on one screen, a line a claim, or every claim in full.
+//! Verdicts as plain text: a summary on one screen, one line for each claim, or all in full.
 
 mod claims;
 mod summary;
@@ -7,7 +7,7 @@ use super::claim::Outcome;
 use super::verdict::Verdicts;
 
 impl Verdicts {
-    /// Counts the claims by outcome, in one line without its end.
+    /// Counts the claims by outcome, in one line without newline.
     #[must_use]
     pub fn totals(&self) -> String {
         let words = ["proved over Q", "proved mod p", "exact at points", "numerical", "misprinted"];

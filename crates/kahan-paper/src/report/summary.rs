@@ -1,4 +1,4 @@
-//! All claims of the paper on one screen.
+//! The summary of all claims on one screen.
 
 use kahan_algebra::render::{aligned, lines, shorten, widths};
 
@@ -6,10 +6,10 @@ use crate::claim::{Claim, Outcome};
 use crate::section::Section;
 use crate::verdict::{Verdict, Verdicts};
 
-/// The most lines of the screen.
+/// The height of the screen.
 const MOST_LINES: usize = 40;
 
-/// The headings of the outcomes, in the order in which they are counted.
+/// The column headings, in the order of [`Outcome::place`].
 const OUTCOMES: [&str; Outcome::KINDS] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
 
 const MORE: &str = "\
@@ -18,8 +18,8 @@ kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
 impl Verdicts {
-    /// Writes a line a section, what failed or else the misprints, and how to see more: at most 40
-    /// lines of at most `width` characters, as far as words and tables of this width go.
+    /// Writes one line for each section, then failures or misprints, and a hint: at most 40 lines
+    /// of about `width` characters.
     #[must_use]
     pub fn summary(&self, width: usize) -> String {
         let mut text = sections(self);
@@ -32,7 +32,7 @@ impl Verdicts {
     }
 }
 
-/// The counts by section and outcome; nobody misses a column of failures where there are none.
+/// Counts claims by section and outcome. The column of failures is omitted if all its counts are 0.
 fn sections(verdicts: &Verdicts) -> Vec<String> {
     let count = |keep: &dyn Fn(&Claim) -> bool| {
         let kept = verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep));
@@ -54,7 +54,7 @@ fn sections(verdicts: &Verdicts) -> Vec<String> {
     aligned(&[vec![headings.collect()], Section::ALL.map(of_section).to_vec(), vec![all]].concat())
 }
 
-/// What failed, in full as far as there is room for it.
+/// Describes the failures that fit.
 fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     let mut text = vec!["What failed".to_owned()];
     let failed = verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -63,7 +63,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
         let said = [format!("{}: {}", row.source, row.statement), row.detail.clone()];
         let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
         let full: Vec<String> = std::iter::once(row.id.clone()).chain(said).collect();
-        // One line is kept for how many there are besides.
+        // The last line is reserved for the number of further failures.
         if text.len() + full.len() + 1 > room {
             text.push(format!("and {} more, which --all shows", failed.len() - index));
             break;
@@ -73,7 +73,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     text
 }
 
-/// The misprints by their numbers, a line each: what is printed and what is right.
+/// Describes the misprints, sorted by erratum: printed and correct form on one line.
 fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
@@ -91,14 +91,13 @@ fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
-/// `printed → right` in at most `room` characters: where that is too long, without the words that
-/// both have in common.
+/// Writes `printed → right` in at most `room` characters, omitting common words if necessary.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();
     let least = printed.len().min(right.len()) - first;
     let last = printed.iter().rev().zip(right.iter().rev()).take(least).take_while(|(a, b)| a == b).count();
-    // What both define or equate need not be said twice.
+    // A common left-hand side is written once.
     let left_side = printed[..first]
         .iter()
         .rposition(|word| [":=", "=", "~", "!="].contains(word))
@@ -123,7 +122,7 @@ mod tests {
     use super::{MOST_LINES, replaced};
     use crate::{Claim, Outcome, Paper, Verdict, Verdicts};
 
-    /// The screen when the claims of the paper come out so.
+    /// Returns the summary for given outcomes.
     fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
         let claims = paper.claims().iter().map(|claim| Verdict {
             id: claim.id.to_string(),

@@ -1,4 +1,4 @@
-//! Section 6: dE7 and dE8, solved with gamma and digamma functions, and the quadrature of E9.
+//! Section 6: dE7 and dE8 with gamma and digamma functions, and the quadrature of E9.
 
 mod e7;
 mod e8;
@@ -6,7 +6,6 @@ mod e9;
 
 use super::super::claim::Claim;
 
-/// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     [e7::claims(), e8::claims(), e9::claims()].concat()
 }

@@ -7,12 +7,12 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// One row of Table 5, with T = t + α.
+/// A row of Table 5, with T = t + α.
 struct Row {
     system: &'static str,
-    /// x, y and z as functions of T.
+    /// The components x, y and z as functions of T.
     solution: [&'static str; 3],
-    /// The values of H and K on it.
+    /// The values of H and K along the solution.
     values: [&'static str; 2],
 }
 
@@ -60,12 +60,11 @@ const ROWS: [Row; 7] = [
 
 const STATES: [&str; 3] = ["x", "y", "z"];
 
-/// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     ROWS.iter().flat_map(row).chain(other_tops()).collect()
 }
 
-/// The cells of one row: each component solves its equation, H and K have the stated values.
+/// Makes the claims of a row: each component solves its equation; H and K have the stated values.
 fn row(row: &Row) -> Vec<Claim> {
     let Row { system, solution, values } = row;
     let orbit: String =
@@ -85,7 +84,7 @@ fn row(row: &Row) -> Vec<Claim> {
     components.chain(integrals).collect()
 }
 
-/// E6 and the Euler top by the solution of E4.
+/// E6 and the Euler top in terms of E4's solution.
 const OTHER_TOPS: &str = "
 table5.e6.solution | Table 5, addition: E6 is E4 with the time reversed, by two Euler tops |
     x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;

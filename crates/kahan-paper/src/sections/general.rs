@@ -1,12 +1,10 @@
-//! Section 1: what holds for Kahan's map of every quadratic field; section 2: brackets in three
-//! dimensions.
+//! Section 1 for the maps of all quadratic fields, and Section 2 for brackets in three dimensions.
 
 use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Φᵢ(u,v,w): component i at another point; Qᵢ and Bᵢ: its quadratic and linear part;
-/// δᵢⱼ: the identity matrix.
+/// Component i at a point, Fᵢ(u,v,w), with its parts Qᵢ, Bᵢ, Cᵢ of degrees 2, 1, 0; δᵢⱼ.
 const PARTS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
@@ -20,8 +18,8 @@ const PARTS: &str = "
     delta31 := 0; delta32 := 0; delta33 := 1;
 ";
 
-/// Of fields with generic coefficients: equations with the row i, the state x_i and the next one,
-/// for each of the three; with the column j as well, for each of the nine entries.
+/// Identities for generic fields. `{i}`, `{x}` and `{X}` are a row, its state and its next state,
+/// three statements in all; with the column `{j}` there are nine.
 const METHOD: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2
@@ -43,7 +41,7 @@ jacobian | A(x,eps) J = A(x~,-eps) |
 det_jacobian | det J | detA*detJ = on(at(detA, eps, -eps), X, Y, Z)
 ";
 
-/// Of homogeneous fields.
+/// Identities for homogeneous fields.
 const HOMOGENEOUS: &str = "
 homogeneous | homogeneous fields: A x~ = x | A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}
 reversed | (df56), homogeneous fields: x~ = A(x~,-eps) x |
@@ -53,7 +51,7 @@ scaling | scaling, homogeneous fields |
     at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}
 ";
 
-/// An integral and a volume give a bracket.
+/// A bracket from an integral and a volume form.
 const CONSTRUCTION: &str = "
 proposition |
     proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket;
@@ -74,7 +72,7 @@ bracket.compatible | brackets with one phi are compatible |
     jacobi(P12 + lambda*phi*d(L, z), P23 + lambda*phi*d(L, x), P31 + lambda*phi*d(L, y)) = 0
 ";
 
-/// A statement for each row and column that it names.
+/// Repeats a statement for each row and column that its placeholders mention.
 fn each(pattern: &str) -> String {
     let row = |i: usize| {
         let (x, next) = [("x", "X"), ("y", "Y"), ("z", "Z")][i];
@@ -86,7 +84,7 @@ fn each(pattern: &str) -> String {
     (0..columns).flat_map(column).collect::<Vec<_>>().join("; ")
 }
 
-/// A generic quadratic function with coefficients `name`0 … `name`9.
+/// Returns a generic quadratic function with coefficients `name`0 … `name`9.
 fn generic_function(name: &str) -> String {
     let monomials = ["1", "x", "y", "z", "x^2", "y^2", "z^2", "x*y", "y*z", "z*x"];
     let terms: Vec<String> =
@@ -94,7 +92,6 @@ fn generic_function(name: &str) -> String {
     terms.join(" + ")
 }
 
-/// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     let of = |section: Section, number: &'static str, system: &'static str, given: &str| {
         let given = given.to_owned();

@@ -4,22 +4,21 @@ use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// What the map preserves at ε = ±1, and the function that changes its sign there.
+/// The map's integral at ε = ±1, and a function that changes its sign there.
 const INTEGRAL: &str = "
     H_hat := x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y);
     I := (x - y)*(x + y - 2)/(x*y);
 ";
 
-/// The recurrence at ε = 1 and six iterates after (x₀, x₋₁) = (x, y).
+/// The recurrence at ε = 1, and six iterates after (x₀, x₋₁) = (x, y).
 const ITERATES: &str = "
     r(a, b) := a*(2 - a)/b;
     x1 := r(x, y); x2 := r(x1, x); x3 := r(x2, x1); x4 := r(x3, x2); x5 := r(x4, x3); x6 := r(x5, x4);
 ";
 
-/// The flow; the map; the map at ε = ±1.
-///
-/// That Ĥ is an integral for no other ε: its increments at two points have no common zero but 0, 1
-/// and −1, as u a + v b = 48 for their other factors a and b.
+/// The flow, the map, and the map at ε = ±1. For other ε, Ĥ is not an integral: its increments at
+/// two points have only the zeros 0, 1 and −1 in common, as u a + v b = 48 for their other factors
+/// a, b.
 const CLAIMS: &str = "
 field | the Lotka-Volterra flow | f1 = x*(1 - y); f2 = y*(x - 1)
 hamilton | Hamilton's equations with {x,y} = x y |
@@ -53,7 +52,6 @@ no_other_step | H is an integral for no other eps |
 linear | the linear recurrence of order six | x6 - x = (1 - H_hat)*(x4 - x2)
 ";
 
-/// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     read(CLAIMS, |id, place, statement| {
         Claim::new(Section::Method, ["section1", "lv", id], "lv", format!("Section 1, {place}"), statement)

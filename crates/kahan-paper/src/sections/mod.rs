@@ -26,7 +26,7 @@ use kahan_systems::registry::{FURTHER, SYSTEMS};
 
 pub use structures::{Structure, structure};
 
-/// Definitions that every statement about a system with states x, y, z may use.
+/// Definitions available to every statement about a system with states x, y, z.
 pub(super) const DEFINITIONS: &str = "
     dot(F) := f1*d(F, x) + f2*d(F, y) + f3*d(F, z);
     divergence(F) := d(F*f1, x) + d(F*f2, y) + d(F*f3, z);
@@ -42,14 +42,14 @@ pub(super) const GENERAL_FIELD: &str = "
     zdot = c1*x^2 + c2*x*y + c3*x*z + c4*y^2 + c5*y*z + c6*z^2 + c7*x + c8*y + c9*z + c0;
 ";
 
-/// The same without linear and constant terms.
+/// A homogeneous quadratic field in three dimensions with generic coefficients.
 pub(super) const HOMOGENEOUS_FIELD: &str = "
     xdot = a1*x^2 + a2*x*y + a3*x*z + a4*y^2 + a5*y*z + a6*z^2;
     ydot = b1*x^2 + b2*x*y + b3*x*z + b4*y^2 + b5*y*z + b6*z^2;
     zdot = c1*x^2 + c2*x*y + c3*x*z + c4*y^2 + c5*y*z + c6*z^2;
 ";
 
-/// What the paper leaves open.
+/// Questions that the paper leaves open.
 pub const OPEN: &[Open] = &[
     Open {
         statement: "Lax pairs",
@@ -71,7 +71,7 @@ pub const OPEN: &[Open] = &[
     },
 ];
 
-/// Every claim, in the order of the paper; last those of systems that are not in it.
+/// Returns all claims in the order of the paper, then those of further systems.
 pub(super) fn claims(models: &Models) -> Vec<Claim> {
     [
         general::claims(),
@@ -89,7 +89,7 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
     .concat()
 }
 
-/// The systems whose maps the paper treats as a whole in one section.
+/// Systems with a section of their own.
 const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
     ("lv", Section::Method),
     ("euler", Section::Brackets),
@@ -98,7 +98,7 @@ const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
     ("e9", Section::Transcendental),
 ];
 
-/// Where the paper states what a system's block claims.
+/// Returns the section that states the claims of a system's block.
 fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
     let whole = TREATED_AS_A_WHOLE.iter().find(|(treated, _)| *treated == system);
     whole.map_or_else(
@@ -107,7 +107,7 @@ fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
     )
 }
 
-/// The claims of the systems' own blocks.
+/// Returns the claims of the systems' own blocks.
 fn block_claims(
     models: &Models,
     systems: &[Entry],

@@ -1,4 +1,4 @@
-//! Theorem 3: the solutions of the maps dE1 to dE5, and what follows for dE6 and the Euler top.
+//! Theorem 3: the solutions of the maps dE1 to dE5, with consequences for dE6 and the Euler top.
 
 mod branches;
 mod initial_data;
@@ -10,11 +10,11 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// A solution of a map: one step is n → n + 1.
+/// A solution of a map; one step increases n by 1.
 pub(super) struct Solution {
-    /// The system: `e1`.
+    /// The command name of the system, such as `e1`.
     system: &'static str,
-    /// Abbreviations.
+    /// Abbreviations, as definitions.
     given: &'static str,
     /// x_n, y_n and z_n.
     components: [&'static str; 3],
@@ -81,7 +81,6 @@ static SOLUTIONS: [Solution; 5] = [
 const STATES: [&str; 3] = ["x", "y", "z"];
 const FUNCTIONS: [&str; 3] = ["X", "Y", "Z"];
 
-/// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     let theorem = SOLUTIONS.iter().flat_map(|solution| solution.claims("", "", ["", "", ""]));
     [
@@ -96,7 +95,7 @@ pub(super) fn claims() -> Vec<Claim> {
 }
 
 impl Solution {
-    /// x_n, y_n, z_n and the integrals of the map as definitions.
+    /// Returns x_n, y_n, z_n and the map's integrals as definitions.
     fn definitions(&self) -> String {
         let components = FUNCTIONS.iter().zip(self.components);
         let components: String = components.map(|(name, value)| format!("{name}(n) := {value}; ")).collect();
@@ -104,8 +103,8 @@ impl Solution {
         format!("{}{components}{integrals}", self.given)
     }
 
-    /// Each component solves its equation, the integrals have the stated values. A sign `-` says
-    /// that a component changes its sign in each step besides.
+    /// Makes the claims: each component solves its equation, and the integrals have the stated
+    /// values. The sign `-` marks components with an additional factor (−1)ⁿ.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
         let claim = |cell: &str, statement: String| {
@@ -126,7 +125,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // From an odd n to an even one.
+            // From odd n to even n + 1.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });
@@ -138,7 +137,7 @@ impl Solution {
     }
 }
 
-/// What the proof says besides.
+/// Further claims of the proof.
 const PROOF: &str = "
 theorem3.e3.proof.K | Theorem 3, proof, i = 3, value of K(eps) |
     delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
@@ -154,14 +153,14 @@ theorem3.e4.symmetries | Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (
     on(next(x), y, x, -z) = next(y); on(next(y), y, x, -z) = next(x); on(next(z), y, x, -z) = -next(z)
 ";
 
-/// The coordinates of an Euler top on an orbit of dE4.
+/// Coordinates of an Euler top on an orbit of dE4.
 const ELLIPTIC: &str = "
     v(n) := 2*delta*n + kappa;
     p(n) := k*sn(delta, k)*cn(v(n), k)/(eps*dn(delta, k));
     q(n) := sn(delta, k)*dn(v(n), k)/(eps*cn(delta, k));
     r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
 
-/// dE6 and the map of the Euler top by the solution of dE4.
+/// dE6 and the map of the Euler top in terms of dE4's solution.
 const OTHER_TOPS: &str = "
 theorem3.euler.scaling |
     Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4 |
@@ -183,13 +182,13 @@ theorem3.e6.solution | Theorem 3, addition: the solution of dE6 |
     step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)
 ";
 
-/// A claim about the system that its name names.
+/// Makes a claim about the system named in its identifier.
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
     let system = id.split('.').find_map(find).expect("a system in the name").command;
     Claim::new(Section::MapSolutions, [id], system, place, statement)
 }
 
-/// A claim that may use the solution of the map.
+/// Makes a claim that may use the map's solution.
 fn solved(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);

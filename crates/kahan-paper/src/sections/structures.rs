@@ -1,25 +1,23 @@
-//! The rows of Tables 1 to 4: the Lie-Poisson pairs of the flows, the integrals and the Poisson
-//! pairs of the maps.
+//! Rows of Tables 1 to 4: Lie-Poisson pairs of the flows, integrals and Poisson pairs of the maps.
 
-/// One row of Tables 1 to 4.
+/// A row of Tables 1 to 4.
 #[derive(Clone, Copy, Debug)]
 pub struct Structure {
-    /// The system: `e1`.
+    /// The command name of the system, such as `e1`.
     pub system: &'static str,
     /// The Lie algebras of P and Q.
     pub algebras: [Algebra; 2],
-    /// H, K, c and the tensors P and Q of Table 1 as definitions. Where those of the map are
-    /// rational, H(ε), K(ε), P(ε) and Q(ε) of Tables 2, 3 and 4 follow, row 3 of Table 4 corrected.
-    ///
-    /// A tensor is defined by its entries {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`; an object of
-    /// the map has `_eps` behind its name.
+    /// The definitions of H, K, c and the tensors P and Q of Table 1. If the map has rational H(ε),
+    /// K(ε), P(ε), Q(ε), those of Tables 2, 3 and 4 follow, with row 3 of Table 4 corrected.
+    /// Tensors are given by {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`. Names for the map end in
+    /// `_eps`.
     pub definitions: &'static str,
 }
 
-/// A Lie algebra by the brackets {e,f}, {f,g}, {g,e} of a basis e, f, g of linear functions.
+/// A Lie algebra: the brackets {e,f}, {f,g}, {g,e} of a basis e, f, g of linear functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Algebra {
-    /// Its name.
+    /// The name of the algebra.
     pub name: &'static str,
     pub(super) basis: (&'static str, &'static str, &'static str),
     pub(super) brackets: [&'static str; 3],
@@ -35,7 +33,6 @@ const A32: Algebra = Algebra { name: "A(3,2)", basis: ("x", "y", "z"), brackets:
 const A3XI: Algebra =
     Algebra { name: "A(3,5) with parameter xi", basis: ("x", "y", "z"), brackets: ["0", "xi*y", "-x"] };
 
-/// The rows.
 pub(super) const STRUCTURES: [Structure; 9] = [
     Structure {
         system: "e1",
@@ -126,26 +123,26 @@ pub(super) const STRUCTURES: [Structure; 9] = [
     },
 ];
 
-/// The Lie-Poisson pair of a system E1 to E9, and what is known of its map.
+/// Returns the Lie-Poisson pair and the map's structures for a system E1 to E9.
 #[must_use]
 pub fn structure(system: &str) -> Option<&'static Structure> {
     STRUCTURES.iter().find(|structure| structure.system == system)
 }
 
 impl Structure {
-    /// Whether the integrals and the pair of the map are rational, so that Tables 2 to 4 have them.
+    /// Says whether the map's integrals and pair are rational, and therefore in Tables 2 to 4.
     #[must_use]
     pub fn has_map(&self) -> bool {
         self.value("H_eps").is_some()
     }
 
-    /// What the definition of this name says.
+    /// Returns the definition of a name.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<&'static str> {
         self.pairs().find(|(defined, _)| *defined == name).map(|(_, value)| value)
     }
 
-    /// The names that are defined, with what they stand for.
+    /// Iterates over names and their definitions.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let pairs = self.definitions.split(';').filter_map(|definition| definition.split_once(":="));
         pairs.map(|(name, value)| (name.trim(), value.trim()))

@@ -1,7 +1,6 @@
-//! Tables 1 to 4 and Theorems 1 and 2, cell by cell.
-//!
-//! Every row makes the same claims. `{P12}` stands for the definition of `P12` in the row, so that
-//! a cell is shown, checked and changed with its claim; `{e}` is the system, `{i}` its number.
+//! Tables 1 to 4 and Theorems 1 and 2, cell by cell, with equal claims for all rows. `{P12}` stands
+//! for the row's definition of `P12`, so that a cell is shown, checked and mutated with its claim;
+//! `{e}` is the system, `{i}` its number.
 
 use super::super::claim::Claim;
 use super::super::id::Id;
@@ -9,7 +8,7 @@ use super::super::section::Section;
 use super::structures::{Algebra, STRUCTURES, Structure};
 use super::text::{Written, read};
 
-/// What Table 1 and section 3 say of a flow, section 6 for E7 to E9.
+/// Claims about a flow: Table 1 and Section 3, or Section 6 for E7 to E9.
 const FLOW: &str = "
 table1.{e}.P | {table}, P |
     {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
@@ -44,7 +43,7 @@ section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
     bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
 ";
 
-/// What Tables 2 to 4 and Theorems 1 and 2 say of a map.
+/// Claims about a map: Tables 2 to 4 and Theorems 1 and 2.
 const MAP: &str = "
 table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
 theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0
@@ -75,7 +74,7 @@ theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
     bracket(P12_eps, P23_eps, P31_eps, H_eps, K_eps) = 0; bracket(Q12_eps, Q23_eps, Q31_eps, H_eps, K_eps) = 0
 ";
 
-/// Where c is not constant, the map keeps Q(ε)/c and not Q(ε).
+/// For nonconstant c the map preserves Q(ε)/c instead of Q(ε).
 const FACTOR: &str = "
 theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
     Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
@@ -84,10 +83,8 @@ theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not i
         + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)))/c = next(Q12_eps/c)
 ";
 
-/// The cells that are printed wrongly.
-///
-/// Without its sign, c of E8 does not link the two forms of the field. As printed, the tensor Q of
-/// E3 is Poisson, but the map does not keep it.
+/// Misprinted cells. Without its sign, c of E8 does not link the two forms of the field. The
+/// printed tensor Q of E3 is Poisson, but not invariant.
 const MISPRINTS: &str = "
 table1.e8.c
     misprint A2: c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c
@@ -157,7 +154,7 @@ fn row(s: &Structure) -> Vec<Claim> {
     read(&text, claim)
 }
 
-/// A text on an algebra, its basis and brackets filled in.
+/// Fills an algebra's basis and brackets into a text.
 fn of_algebra(tensor: &str, algebra: Algebra, text: &str) -> String {
     let (basis, brackets) = (algebra.basis, algebra.brackets);
     let values =

@@ -1,5 +1,4 @@
-//! Claims as they are written down: one line each, where it fits.
-//!
+//! The text form of claims, one line each where possible:
 //! ```text
 //! NAME | PLACE | STATEMENT
 //! NAME | PLACE |
@@ -11,23 +10,23 @@
 //!     within q: 1/50, 1/4
 //! ```
 //!
-//! Behind a statement stand notes: the erratum that the claim corrects or explains, and intervals
-//! from which a numerical test draws a name.
+//! Notes after a statement give the erratum that the claim corrects or explains, and intervals for
+//! the random values of names in numerical tests.
 
 use kahan_algebra::rational::Rational;
 
 use super::super::claim::Claim;
 use super::super::erratum::Erratum;
 
-/// What stands together: a line that is not indented, and its notes.
+/// A claim's text: a line without indentation, and its notes.
 pub(super) struct Written {
-    /// The line with all that continues it.
+    /// The line with its continuations.
     pub(super) head: String,
     notes: Vec<String>,
 }
 
 impl Written {
-    /// All that a text lists.
+    /// Splits a text into claims.
     pub(super) fn all(text: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
@@ -47,11 +46,7 @@ impl Written {
         all
     }
 
-    /// The claim with the notes.
-    ///
-    /// # Panics
-    /// If a note is not of the form above. The notes are constants of this crate, which its tests
-    /// read.
+    /// Adds the notes to a claim. Panics if a note, a constant read by tests, is malformed.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;
@@ -73,11 +68,8 @@ impl Written {
     }
 }
 
-/// Reads claims; `claim` makes one of a name, a place and a statement.
-///
-/// # Panics
-/// If a line has not these three parts. The claims are constants of this crate, which its tests
-/// read.
+/// Reads claims; `claim` makes one of a name, a place and a statement. Panics if a line lacks one
+/// of these parts; lines are constants, which tests read.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
     let one = |written: Written| {
         let mut parts = written.head.splitn(3, " | ");

@@ -1,4 +1,4 @@
-//! The registry of claims: complete, established, and none of it vacuous.
+//! Tests that the registry is complete, established and not vacuous.
 
 use std::collections::BTreeSet;
 
@@ -95,7 +95,7 @@ fn every_erratum_of_a_formula_is_refuted_as_printed() {
     }
 }
 
-/// The printed item and the one in its place, of the first claim that corrects an erratum.
+/// Checks the misprinted item and its correction for the first claim on each erratum.
 #[test]
 fn a_correction_sets_what_is_printed_beside_what_is_right() {
     let paper = paper();
@@ -104,8 +104,7 @@ fn a_correction_sets_what_is_printed_beside_what_is_right() {
         paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
     };
     let pair = |printed: &str, right: &str| (printed.to_owned(), right.to_owned());
-    // The definition of the same name; the equation that differs in one number; the same number at
-    // the end.
+    // Paired by the defined name, by the least difference, and by the common end.
     assert_eq!(correction(Erratum::A(3)), pair("Z(n) := solution(n, 2)", "Z(n) := solution(n, 4)"));
     assert_eq!(
         correction(Erratum::A(6)),
@@ -137,16 +136,16 @@ fn what_is_false_fails() {
         assert_eq!(established.outcome, Outcome::Failed, "{statement}");
         established.detail
     };
-    // Equal at no generic point, equal at one point only, equal as functions though told to differ.
+    // Different at generic points, equal at one point only, or equal despite `!=`.
     assert!(fails("field.e1", "f1 = x^2").contains("on the left"));
     fails("field.e1", "f1 = -x^2 + eps*x");
     fails("field.e1", "f1 != -x^2");
-    // Not rational: exponentials, and functions that are compared in 256 bits.
+    // Transcendental: exponentials, and functions compared in 256-bit arithmetic.
     fails("table1.e8.H", "exp(x + y) = exp(x)*exp(2*y)");
     fails("table1.e8.H", "gamma(x + 1) = gamma(x)");
     // Measured: the last digit counts.
     fails("table1.e8.H", "sqrt(2) ~ 1.416");
-    // Nothing is said, or not in this language.
+    // Vacuous or malformed statements.
     assert!(fails("field.e1", "u := 1").contains("says nothing"));
     assert!(fails("field.e1", "f1 + = 1").contains("operand"));
     assert!(fails("field.e1", "f1 - frobnicate(x) = f1").contains("frobnicate"));

@@ -1,4 +1,4 @@
-//! The heights along the orbits of the figures, against exact values that were computed elsewhere.
+//! Tests of heights along the figures' orbits, against exact values from an independent program.
 
 use kahan_algebra::rational::Rational;
 use kahan_paper::figures::Figure;
@@ -7,8 +7,7 @@ use serde_json::Value;
 
 use crate::paper;
 
-/// How the heights of the figures grow, and the factor by which each step multiplies them in the
-/// end.
+/// The growth of heights, and the limit of their ratio from step to step.
 const GROWTH: [(&str, Growth, f64); 7] = [
     ("lv", Growth::Exponential, 2.0),
     ("e3", Growth::Linear, 1.0),
@@ -25,7 +24,7 @@ fn expected() -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// Numbers written as texts, each an entry of a list or of an object.
+/// Returns numbers written as strings, from a list or an object.
 fn texts(value: &Value) -> Vec<&str> {
     let values: Vec<&Value> = match value {
         Value::Object(entries) => entries.values().collect(),
@@ -34,7 +33,7 @@ fn texts(value: &Value) -> Vec<&str> {
     values.into_iter().filter_map(Value::as_str).collect()
 }
 
-/// The figure of a system that has these data.
+/// Returns the figure with the system and data of the file.
 fn figure(system: &str, data: &Value) -> &'static Figure {
     let are = |numbers: &[(i64, i64)], texts: &[&str]| {
         let numbers = numbers.iter().map(|&(p, q)| Rational::new(p, q));
@@ -50,12 +49,12 @@ fn figure(system: &str, data: &Value) -> &'static Figure {
     Figure::all().find(has_data).unwrap_or_else(|| panic!("no figure has the data of {system}"))
 }
 
-/// One unit of the fifteenth significant digit of a decimal as it is written.
+/// Returns one unit of the fifteenth significant digit.
 fn fifteenth_digit(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { 10_f64.powi(value.abs().log10().floor() as i32 - 14) }
 }
 
-/// Compares one orbit with the file: every height that is listed, and the digits of the last.
+/// Compares all listed heights of an orbit, and the digits of the last.
 fn check(system: &str, data: &Value) {
     let figure = figure(system, data);
     let name = figure.name;
@@ -68,7 +67,7 @@ fn check(system: &str, data: &Value) {
         for (n, text) in listed.zip(texts(&data["h"][variable])) {
             let wanted: f64 = text.parse().expect("a number");
             let found = survey.heights[n as usize].logarithms[component];
-            // Half a unit for the rounding of the file, and an ulp for that of the double.
+            // Half a unit for the file's rounding, and an ulp for the double's.
             let tolerance = 0.5 * fifteenth_digit(wanted) + wanted * f64::EPSILON;
             assert!((found - wanted).abs() <= tolerance, "{name}: h({variable}_{n}) = {found:e}, not {text}");
             compared += 1;

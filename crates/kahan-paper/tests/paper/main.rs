@@ -1,4 +1,4 @@
-//! The claims of the paper, and the heights of its figures beside those of another program.
+//! Tests of the paper's claims, and of the heights of its figures.
 
 mod claims;
 mod heights;
@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use kahan_paper::Paper;
 
-/// One for all tests, since it measures each orbit once.
+/// Returns one instance for all tests, which measures each orbit once.
 fn paper() -> &'static Paper {
     static PAPER: LazyLock<Paper> = LazyLock::new(Paper::new);
     &PAPER

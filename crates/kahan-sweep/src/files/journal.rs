@@ -1,8 +1,7 @@
-//! What is done of a part that is under way, so that a process that ends loses little.
-//!
-//! Records are appended: kind, first row, rows, bytes, checksum, and the bytes of the rows. What a
-//! killed process wrote by halves is passed over. Each process has files of its own, and all go
-//! when the part is there. Records of another plan, version or kind of floats are passed over, too.
+//! The finished rows of an unfinished part, so that an interrupted process loses little work. Each
+//! process appends records to a file of its own: kind, first row, number of rows, number of bytes,
+//! checksum and rows. Readers skip incomplete records, and records of another plan, version or
+//! floating-point mode. The files are deleted when the part exists.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -14,28 +13,26 @@ use sha2::{Digest, Sha256};
 use super::Part;
 use super::part::{FLOATS, VERSION, files, fresh};
 
-/// The record file of one process for one part.
 pub(crate) struct Journal {
     folder: PathBuf,
     file: Option<File>,
     kind: [u8; 8],
 }
 
-/// How the names of such files begin and end.
+/// The prefix and suffix of file names.
 const BEGIN: &str = "notes-";
 const END: &str = ".bin";
 
 impl Journal {
-    /// For a part.
     pub(crate) fn of(part: &Part<'_>) -> Self {
         Self { folder: part.under_way(), file: None, kind: kind(part) }
     }
 
-    /// What processes before have noted of a part: first rows and rows, in no order.
+    /// Reads the records of earlier processes, unordered: first rows with tables.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
-            // What cannot be read is computed again.
+            // Rows of unreadable files are computed again.
             let bytes = std::fs::read(path).unwrap_or_default();
             let mut rest = Bytes(&bytes);
             while let Some(record) = rest.record(kind(part), &part.plan.empty) {
@@ -45,14 +42,13 @@ impl Journal {
         noted
     }
 
-    /// Notes rows, each from a first one on, on the disk when this returns. Where that fails,
-    /// nothing of what was noted before is lost, and it can be tried again.
+    /// Appends tables, each with its first row, and syncs them to the disk. After an error, earlier
+    /// records remain valid and the call may be repeated.
     pub(crate) fn note(&mut self, done: &[(u64, Table)]) -> io::Result<()> {
-        // Behind half a record none is found: after a failure there is another file.
+        // Readers stop at an incomplete record, so a new file follows a failure.
         let mut file = match self.file.take() {
             Some(file) => file,
-            // Its name is random: processes on other machines, or in containers, may share a
-            // number.
+            // The name is random, because processes in containers may share an id.
             None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {
@@ -70,14 +66,13 @@ impl Journal {
     }
 }
 
-/// What tells records that belong together from others: the plan's hash, the version of this
-/// program and how it computes with floats.
+/// Returns the kind of a part's records: a hash of plan, version and floating-point mode.
 fn kind(part: &Part<'_>) -> [u8; 8] {
     let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])
 }
 
-/// The CRC-32 of a record: of what stands before it, and of the rows behind it.
+/// Returns the CRC-32 of a record's head and body.
 fn checksum(head: &[u8], body: &[u8]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(head);
@@ -103,7 +98,7 @@ fn encode(rows: &Table) -> Vec<u8> {
     bytes
 }
 
-/// What is left of bytes that are read from their beginning; `None` where there are not so many.
+/// The unread rest of a file; reads return `None` at its end.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -126,7 +121,7 @@ impl<'a> Bytes<'a> {
         String::from_utf8(self.take(length)?.to_vec()).ok()
     }
 
-    /// The next record, if all of it is there: its rows, if they are of this kind.
+    /// Reads the next record if it is complete; the inner value is `None` for another kind.
     fn record(&mut self, kind: [u8; 8], empty: &Table) -> Option<Option<(u64, Table)>> {
         let record = self.0;
         let is_of_kind = self.take(8)? == kind;
@@ -138,7 +133,7 @@ impl<'a> Bytes<'a> {
         is_whole.then(|| if is_of_kind { rows() } else { None })
     }
 
-    /// Rows of a table that has these columns, to the last byte.
+    /// Decodes a table with the columns of `empty`, which must use all bytes.
     fn table(mut self, count: usize, empty: &Table) -> Option<Table> {
         let mut values = Vec::new();
         for kept in &empty.values {

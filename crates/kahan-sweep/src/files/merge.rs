@@ -1,4 +1,4 @@
-//! All parts as one file: row groups are copied as they are.
+//! Merging all parts into one file, by copying their row groups unchanged.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -12,14 +12,13 @@ use parquet::file::writer::SerializedFileWriter;
 use super::part::{Part, files, fresh, of_disk, writer};
 use crate::plan::Plan;
 
-/// How the names begin of what becomes the merged file.
+/// The prefix of the temporary file's name.
 const WRITING: &str = ".results-";
 
-/// The name of the merged file.
 pub(crate) const RESULTS: &str = "results.parquet";
 
-/// Joins all parts in a folder into one file there; refused, with a sentence for each reason, where
-/// one is missing, damaged, or belongs elsewhere. `each` hears of every part that is copied.
+/// Merges all parts of a folder into one file there, and returns its size. `each` runs after every
+/// part. Fails with one reason for each missing, damaged or foreign part.
 pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
     let parts = || (0..plan.parts()).map(|index| Part::of(plan, index, folder));
     let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();
@@ -35,7 +34,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     let mut reasons = Vec::new();
     for part in parts() {
         match part.checked() {
-            // All that is wrong is said, up to what one reads.
+            // After the first unusable part, only reasons are collected.
             Ok(_) if !reasons.is_empty() => {}
             Ok(reader) => copy(&part, &reader, &mut to).map_err(failed)?,
             Err(why) => reasons.push(why.to_string()),
@@ -51,11 +50,11 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     let results = folder.join(RESULTS);
     match file.persist(&results) {
         Ok(_) => {}
-        // Another process merged the same meanwhile, and tidied up.
+        // Another process has merged the same parts and cleaned up.
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Those of processes that were killed; who still merges finds that all is done.
+    // Temporary files of killed processes; a process that still merges will find the result.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }
@@ -64,7 +63,6 @@ fn failed(error: impl Into<ParquetError>) -> Vec<String> {
     vec![format!("{RESULTS} cannot be written: {}", of_disk(error.into()))]
 }
 
-/// Copies the row groups of a part.
 fn copy(
     part: &Part<'_>,
     reader: &SerializedFileReader<File>,

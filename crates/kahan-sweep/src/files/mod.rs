@@ -1,8 +1,7 @@
-//! The files of a sweep: parts, what is under way, and the merged result.
-//!
-//! A part holds the rows of a fixed range of indices as one row group of Parquet, and appears whole
-//! or not at all. Nothing else decides its bytes but the plan, the version of this program and how
-//! floats are computed; all three stand in it, with a checksum.
+//! The files of a sweep: parts, journals and the merged result. A part holds the rows of a fixed
+//! range of indices as one Parquet row group. Parts are complete or absent. The plan, the program's
+//! version and the floating-point mode determine a part's bytes; its metadata state them, with a
+//! checksum.
 
 mod journal;
 mod merge;

@@ -1,4 +1,4 @@
-//! One part: written whole or not at all, and checked before it is used.
+//! Writing a part atomically, and checking it before use.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Display};
@@ -20,7 +20,6 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::plan::Plan;
 
-/// What stands in the metadata of every file of a sweep.
 mod keys {
     pub(super) const PLAN: &str = "kahan.plan";
     pub(super) const HASH: &str = "kahan.plan.sha256";
@@ -28,32 +27,30 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// These two in those of parts alone.
+    /// Keys that only parts have.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
 
-/// The version of this program, whose results belong together.
+/// The version of this program; results of different versions are never mixed.
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// How this program computes with floats, where that may differ from machine to machine: results
-/// with other words differ in last digits.
+/// The floating-point mode of this program, which may change the last digits of results.
 pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
     (true, false) => "x86-64, products rounded",
     (true, true) => "x86-64, products fused",
     (false, _) => "on another processor",
 };
 
-/// Why a part that is there cannot be used.
+/// A reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum Unusable {
-    /// It is not whole: its shard can write it anew.
+    /// The file is incomplete, altered or another part; its shard can write it again.
     Damaged(String),
-    /// It is of another plan, version or kind of machine, and in its place here by mistake.
+    /// The file has another plan, version or floating-point mode.
     Foreign(String),
 }
 
-/// The reason in words, and what to do.
 impl Display for Unusable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -63,7 +60,6 @@ impl Display for Unusable {
     }
 }
 
-/// A part of a sweep.
 #[derive(Clone, Debug)]
 pub(crate) struct Part<'a> {
     pub(super) plan: &'a Plan,
@@ -72,15 +68,15 @@ pub(crate) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The part with this index, in a folder.
+    /// Names the part with this index in a folder.
     pub(crate) fn of(plan: &'a Plan, index: u64, folder: &Path) -> Self {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
 
-    /// Writes all its rows; the file appears when it is complete.
+    /// Writes the part's rows; the file appears once it is complete.
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows).map_err(of_disk) {
-            // Another process wrote the part meanwhile, and tidied up.
+            // Another process has written the part and cleaned up.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
             result => result,
         }
@@ -103,34 +99,32 @@ impl<'a> Part<'a> {
         file.write_all(sum.found.as_bytes())?;
         file.as_file().sync_all()?;
         file.persist(&self.path).map_err(io::Error::from)?.sync_all()?;
-        // The name is on the disk when the folder is; where a folder cannot be opened, nothing more
-        // can be done.
+        // Syncs the name of the file, where the folder can be opened.
         let _ = File::open(folder).and_then(|folder| folder.sync_all());
         Ok(())
     }
 
-    /// The folder of what processes leave before the part is there. It is the part's own, as
-    /// folders of many parts take long to look through.
+    /// Returns the folder for the part's unfinished files. Each part has its own, because listing a
+    /// folder of many parts is slow.
     pub(super) fn under_way(&self) -> PathBuf {
         self.path.with_extension("under-way")
     }
 
-    /// Removes that folder, of whatever process.
+    /// Removes the unfinished files of all processes.
     pub(crate) fn tidy(&self) {
-        // What stays is passed over, as the part is there.
+        // Leftovers are ignored, as the part exists.
         let _ = std::fs::remove_dir_all(self.under_way());
     }
 
-    /// Whether the file is there.
     pub(crate) fn exists(&self) -> bool {
         self.path.exists()
     }
 
-    /// Opens the file if all of it is what this plan has there; else why not.
+    /// Opens the file after checking its checksum, and that plan, version and place are right.
     pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
         let name = self.path.file_name().unwrap_or_default().display();
         let damaged = |why: &dyn Display| Unusable::Damaged(format!("{name} is damaged ({why})"));
-        // Before anything is believed that stands in it.
+        // The checksum is verified before any metadata are trusted.
         let summed = File::open(&self.path).and_then(|mut file| Ok((Checksum::of(&mut file)?, file)));
         let (sum, file) = summed.map_err(|error| damaged(&error))?;
         if sum.found.as_bytes() != sum.stated {
@@ -166,15 +160,14 @@ impl<'a> Part<'a> {
     }
 }
 
-/// What the metadata say under a key.
 fn says(key: &str, value: impl Into<String>) -> KeyValue {
     KeyValue::new(key.to_owned(), value.into())
 }
 
-/// A writer of a file of the plan, whose metadata say what every file says.
+/// Makes a writer with the metadata common to all files of the plan.
 pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFileWriter<W>, ParquetError> {
     let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
-    // In the order of the alphabet.
+    // Sorted by name.
     let meanings: BTreeMap<&str, &str> = meanings.collect();
     let said = vec![
         says(keys::PLAN, plan.canonical()),
@@ -210,7 +203,6 @@ fn schema(empty: &Table) -> Result<Type, ParquetError> {
     Type::group_type_builder("sweep").with_fields(fields.collect::<Result<_, ParquetError>>()?).build()
 }
 
-/// Writes a column of a row group.
 fn put<W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     column: &Kept,
@@ -228,15 +220,14 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// What stands for the checksum while it is computed.
+/// The digits that stand for the checksum while it is computed.
 const NO_DIGITS: &str = "00000000";
 
-/// The CRC-32 of all of a file, footer and all; its own digits, which stand in the footer, count as
-/// zeros.
+/// The CRC-32 of a whole file, including the footer. The checksum's own digits count as zeros.
 struct Checksum {
     found: String,
     stated: Vec<u8>,
-    /// Where its digits stand.
+    /// The offset of the digits in the file.
     place: u64,
 }
 
@@ -244,7 +235,7 @@ impl Checksum {
     fn of(file: &mut File) -> io::Result<Self> {
         let broken = |what: &str| io::Error::new(io::ErrorKind::InvalidData, what);
         let length = file.seek(SeekFrom::End(0))?;
-        // A file of Parquet ends with its footer, the footer's length and four letters.
+        // A Parquet file ends with its footer, the footer's length and four letters.
         let mut end = [0; 4];
         file.seek(SeekFrom::Start(length.saturating_sub(8)))?;
         file.read_exact(&mut end)?;
@@ -266,8 +257,7 @@ impl Checksum {
         file.read_to_end(&mut footer)?;
         let key = keys::CHECKSUM.as_bytes();
         let key_at = footer.windows(key.len()).rposition(|window| window == key);
-        // Between a key and its value stand two bytes, of Thrift: which field this is, and its
-        // length.
+        // Thrift puts two bytes between a key and its value: the field's id and the value's length.
         let at = key_at.map(|at| at + key.len() + 2).filter(|at| at + NO_DIGITS.len() <= footer.len());
         let at = at.ok_or_else(|| broken("it has no checksum"))?;
         let digits = at..at + NO_DIGITS.len();
@@ -278,16 +268,16 @@ impl Checksum {
     }
 }
 
-/// Makes the folder where it is missing, and sees that files can be written into it.
+/// Creates the folder if it is missing, and checks that files can be written into it.
 pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
-    // Nobody needs the empty file, and who was killed here could not remove it.
+    // Removes probes of processes that were killed here.
     files(folder, PROBE, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     fresh(folder, PROBE, "").map(drop)
 }
 
 const PROBE: &str = ".probe-";
 
-/// The files in a folder whose names begin and end so.
+/// Lists the files of a folder by prefix and suffix.
 pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let named = entries.filter(|entry| {
@@ -298,15 +288,14 @@ pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
     named.map(|entry| entry.path()).collect()
 }
 
-/// A new file with a name that no other has, and with the rights that this user's files have; its
-/// folder is made where it is missing.
+/// Creates a file with a unique name and the user's default permissions. Creates the folder, too.
 pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<NamedTempFile> {
     std::fs::create_dir_all(folder)?;
     let open = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);
     Builder::new().prefix(prefix).suffix(suffix).make_in(folder, open)
 }
 
-/// What went wrong on the disk, if it did there.
+/// Returns the I/O error within a Parquet error, if any.
 pub(super) fn of_disk(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => inner.downcast().map_or_else(io::Error::other, |inner| *inner),

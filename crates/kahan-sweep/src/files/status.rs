@@ -1,4 +1,4 @@
-//! What is there of a sweep, and what is missing.
+//! The finished, missing and unusable parts of a sweep.
 
 use std::path::Path;
 
@@ -6,18 +6,17 @@ use crate::plan::Plan;
 
 use super::Part;
 
-/// What is there.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Status {
-    /// Parts that are whole.
+    /// The number of valid parts.
     pub(crate) done: u64,
-    /// Parts that are not there.
+    /// The indices of missing parts.
     pub(crate) missing: Vec<u64>,
-    /// Why each part that is there cannot be used.
+    /// The reasons against the unusable parts.
     pub(crate) refused: Vec<String>,
 }
 
-/// Looks at every part.
+/// Checks every part, and runs `each` after each one.
 pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Status {
     let mut status = Status::default();
     for index in 0..plan.parts() {
@@ -32,7 +31,7 @@ pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Stat
     status
 }
 
-/// Numbers as ranges: 0-3, 7, 9-12.
+/// Writes sorted numbers as ranges: 0-3, 7, 9-12.
 pub(crate) fn ranges(numbers: &[u64]) -> String {
     let text = |run: &[u64]| match run {
         [first, .., last] => format!("{first}-{last}"),

@@ -1,5 +1,4 @@
-//! A file of Parquet read: a result as text, commas between the entries and names above them, or
-//! columns as exact numbers.
+//! Reading Parquet files: results as CSV text, and columns of exact numbers.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -14,17 +13,17 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use parquet::schema::types::Type;
 
-/// Why there is no table.
+/// A reason for a failed table.
 #[derive(Debug)]
 pub(crate) enum NoTable {
-    /// The file is no result, or has no such column.
+    /// The file is invalid, or lacks a column.
     Unreadable(String),
-    /// It could not be written.
+    /// The output failed.
     Unwritten(io::Error),
 }
 
-/// Writes columns of a file of Parquet in this order, all of them where none is named: numbers as
-/// short as they can be read back, what is not a number as NaN, texts in quotes.
+/// Writes the named columns, or all without names, as CSV: numbers in their shortest form that
+/// reads back exactly, NaN for other values, and text in quotes.
 pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), NoTable> {
     let unreadable = |why: String| NoTable::Unreadable(format!("{} {why}", path.display()));
     let (names, rows) = rows(path, columns).map_err(unreadable)?;
@@ -38,8 +37,7 @@ pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Res
     to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)
 }
 
-/// The numbers of columns of a file of Parquet, exactly as they stand there, or what is wrong with
-/// the file.
+/// Reads columns as exact numbers. Fails with a sentence about the file.
 pub(crate) fn numbers(path: &Path, columns: &[String]) -> Result<Numbers<Option<Rational>>, String> {
     let (names, rows) = rows(path, columns)?;
     let mut values = Vec::new();
@@ -52,7 +50,7 @@ pub(crate) fn numbers(path: &Path, columns: &[String]) -> Result<Numbers<Option<
 
 type Row = Result<Vec<Field>, String>;
 
-/// The names of these columns, or of all where none is named, and their entries row by row.
+/// Returns the names of the columns (all columns for an empty list), and an iterator over rows.
 fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
     let broken = |error: ParquetError| format!("cannot be read: {error}");
     let file = File::open(path).map_err(|error| format!("cannot be read: {error}"))?;
@@ -63,7 +61,7 @@ fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<I
     if let Some(name) = names.iter().find(|name| !known.contains(name)) {
         return Err(format!("has no column `{name}`; it has {}", known.join(", ")));
     }
-    // Rows hold what is asked for, in the order of the file.
+    // A projected row follows the order of the file.
     let read: Vec<_> =
         schema.get_fields().iter().filter(|field| names.iter().any(|name| name == field.name())).collect();
     let place = |name: &String| read.iter().position(|field| field.name() == name).unwrap_or_default();

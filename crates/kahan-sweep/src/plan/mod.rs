@@ -1,7 +1,6 @@
-//! A plan: a question over axes, of which field, and what of its rows is written where.
-//!
-//! In: a text in TOML, and before anything runs all that is wrong with it. Out: a number of points,
-//! and the rows of any of them.
+//! Plans: a question over axes, the field that it concerns, and the columns to write. Takes a TOML
+//! text and reports all its mistakes before anything runs. Returns the number of points, and the
+//! rows of any range of points.
 
 mod read;
 
@@ -14,23 +13,23 @@ use kahan_study::{Observe, Over, Question, Study, Table, Watch};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
-/// A plan that can be run.
+/// A valid plan.
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// What is asked over the axes; the last runs fastest, but for the draws.
+    /// The question over the axes. The last axis varies fastest, except for drawn points.
     question: Question,
     points: u64,
-    /// Rows of a part, but for the last.
+    /// The rows of a part; the last part may have fewer.
     rows_per_part: u64,
-    /// The places of the columns that are written among all, `None` for all.
+    /// The indices of the columns to write; `None` for all.
     places: Option<Vec<usize>>,
-    /// A table that has them, and no rows.
+    /// An empty table with these columns.
     pub(crate) empty: Table,
     canonical: OnceLock<String>,
 }
 
-/// The columns at these places, or all.
+/// Selects the columns at these indices, or all.
 fn choose(table: Table, places: Option<&[usize]>) -> Table {
     let Some(places) = places else { return table };
     let columns = places.iter().map(|&place| table.columns[place].clone()).collect();
@@ -38,11 +37,8 @@ fn choose(table: Table, places: Option<&[usize]>) -> Table {
 }
 
 impl Plan {
-    /// Reads a plan; `origin` is the name of its file, for reports and to find the file of first
-    /// points beside it.
-    ///
-    /// # Errors
-    /// All that is wrong with it: each mistake with its line, and what to write instead.
+    /// Reads a plan. `origin` is the path of the plan's file, for messages and for files named
+    /// relative to it. Fails with a list of all mistakes: line, reason and remedy.
     pub fn read(text: &str, origin: &str) -> Result<Self, String> {
         read::plan(text, origin)
     }
@@ -52,26 +48,26 @@ impl Plan {
         over
     }
 
-    /// How many points it has.
+    /// Returns the number of points.
     #[must_use]
     pub fn points(&self) -> u64 {
         self.points
     }
 
-    /// How many parts it is written in.
+    /// Returns the number of parts.
     #[must_use]
     pub fn parts(&self) -> u64 {
         self.points().div_ceil(self.rows_per_part)
     }
 
-    /// The points of a part.
     pub(crate) fn part(&self, part: u64) -> Range<u64> {
         let first = part * self.rows_per_part;
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// The fewest and the most rows that a thread should take at once: orbits fill registers,
-    /// unless they are so long that too much would be lost with a process that ends.
+    /// Returns the least and greatest number of rows for a thread's turn. Groups fill vector
+    /// registers; orbits above 2²⁰ steps run singly, because an interruption loses an unfinished
+    /// group.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {
             Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],
@@ -80,7 +76,7 @@ impl Plan {
         }
     }
 
-    /// The rows of these points, as far as they were made before the watch ended it.
+    /// Returns the rows of these points, as many as finished before `watch` stopped the work.
     pub(crate) fn rows(&self, indices: Range<u64>, watch: &dyn Watch) -> Table {
         let mut all = Table::default();
         let end = self.study.rows(&self.question, indices, &mut all, watch);
@@ -88,7 +84,7 @@ impl Plan {
         choose(all, self.places.as_deref())
     }
 
-    /// Returns the plan as JSON in one form, however it was written.
+    /// Returns the plan as canonical JSON, independent of its formatting.
     pub fn canonical(&self) -> &str {
         self.canonical.get_or_init(|| self.to_json().to_string())
     }
@@ -96,7 +92,7 @@ impl Plan {
     fn to_json(&self) -> Value {
         let mut question = json!(self.question);
         let starts: Vec<String> = self.over().starts.iter().flatten().map(ToString::to_string).collect();
-        // A million points would stand in every part.
+        // Initial states are hashed, because every part repeats this text.
         let count = self.over().starts.len();
         question["starts"] = match count {
             0 => json!([]),
@@ -112,20 +108,19 @@ impl Plan {
         })
     }
 
-    /// What tells this plan from others: SHA-256 of its [one form](Self::canonical).
+    /// Returns the SHA-256 of the [canonical form](Self::canonical), which identifies the plan.
     #[must_use]
     pub fn hash(&self) -> String {
         sha256(self.canonical())
     }
 
-    /// The seed of what is drawn.
+    /// Returns the seed of random draws.
     #[must_use]
     pub fn seed(&self) -> u64 {
         self.over().seed
     }
 }
 
-/// SHA-256 of a text, in hexadecimal digits.
 fn sha256(text: &str) -> String {
     Sha256::digest(text).iter().fold(String::new(), |mut digits, byte| {
         let _ = write!(digits, "{byte:02x}");

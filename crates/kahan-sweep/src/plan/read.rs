@@ -1,4 +1,4 @@
-//! A plan from its text.
+//! Reading plans, and collecting their mistakes.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -16,16 +16,15 @@ use serde_json::{Map, Value};
 use super::{Plan, choose};
 use crate::files::numbers;
 
-/// Rows of a part where the plan does not say.
+/// The default number of rows in a part.
 const ROWS: u64 = 100_000;
-/// Numbers that a part may hold in memory.
+/// The largest number of values in a part, which must fit in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
-/// Parts of a sweep: a file of Parquet numbers its row groups with 15 bits.
+/// The largest number of parts: Parquet counts row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
 
-/// The keys of a plan.
 const KEYS: [&str; 6] = ["seed", "draws", "starts", "subject", "question", "output"];
-/// Names of plans before, and their names now.
+/// Old names of tables with their present names.
 const RENAMED: [(&str, &str); 3] =
     [("system", "[subject]"), ("task", "[question]"), ("axes", "[question.over]")];
 
@@ -44,16 +43,15 @@ pub(super) fn plan(text: &str, origin: &str) -> Result<Plan, String> {
     Err(lines.into_iter().map(at_line).collect::<Vec<_>>().join("\n"))
 }
 
-/// A mistake at a path of names.
 fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
     Misread { path: path.iter().map(|&name| name.to_owned()).collect(), why: why.into() }
 }
 
-/// Takes what was read, or notes the mistake with its path from a table of the plan.
+/// Returns the value, or records the mistake with its path from a table of the plan.
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // Keys of the plan itself have no table before them.
+        // The plan's own keys stand outside of tables.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
@@ -83,7 +81,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let has_draws = root.contains_key("draws");
     let file = root.remove("starts");
     let question = question(root, mistakes);
-    // A table under its name before is not missing besides.
+    // A table under its old name does not count as missing.
     if RENAMED.iter().any(|(before, _)| root.contains_key(*before)) {
         mistakes.retain(|mistake| !mistake.path.is_empty());
     }
@@ -102,7 +100,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let (points, drifts) = (over.cells(&study), over.has_integrals(&study));
     let question = Question::Over(over);
     let mut empty = Table::default();
-    // No rows, and so their columns alone.
+    // An empty range returns the columns only.
     let asked = drifts.and_then(|()| study.rows(&question, 0..0, &mut empty, &Unwatched));
     let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
     let places = output.places(&empty, mistakes);
@@ -113,7 +111,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     Some(plan)
 }
 
-/// Reads the question, with the seed and the number of draws that stand at the top of the plan.
+/// Reads the question, with the seed and number of draws from the top level.
 fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Option<Over> {
     let mut question = match root.remove("question") {
         Some(Value::Object(question)) => question,
@@ -165,8 +163,7 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
     }
 }
 
-/// Notes parameters that the `written` subject gives values, too, and draws without a drawn axis or
-/// the other way round.
+/// Records parameters with a value and an axis, and draws without a drawn axis or vice versa.
 fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
     for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
         if over.over.iter().any(|axis| axis.name == *name) {
@@ -187,7 +184,7 @@ fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &
     }
 }
 
-/// Returns the mistake of a subject that cannot be studied, at the value that is at fault.
+/// Returns the mistake of an invalid subject, at the offending key.
 fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
     let said = said.trim_start_matches("error: ").trim_end();
@@ -198,7 +195,7 @@ fn of_subject(why: &StudyError, written: &Value) -> Misread {
     }
 }
 
-/// Returns the mistake of a question without rows, at the value that is at fault.
+/// Returns the mistake of an invalid question, at the offending key.
 fn of_question(why: &StudyError) -> Misread {
     match why {
         StudyError::UnknownAxis { name, .. }
@@ -209,7 +206,7 @@ fn of_question(why: &StudyError) -> Misread {
     }
 }
 
-/// The first points of a file, which lies where the plan says, seen from its own folder.
+/// Reads the initial states from a file whose path is relative to the plan's folder.
 fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result<Vec<Vec<Rational>>, String> {
     if matches!(asked, Question::Discover(_)) {
         return Err("starts: \"discover\" has none; leave `starts` out".to_owned());
@@ -226,13 +223,12 @@ fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result
         }
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
-    // Parameters and ε have their values in the plan, whatever columns the results of another have.
+    // Columns of parameters and ε, as in earlier results, are ignored: the plan gives their values.
     let wanted = Wanted::new(variables, study.parameters(), Others::Ignored);
     let points = read.and_then(|numbers| numbers.points(&wanted));
     points.map_err(|why| format!("starts: {} {why}", path.display()))
 }
 
-/// The rows of a part, and the columns that are written.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Output {
@@ -247,7 +243,7 @@ impl Default for Output {
 }
 
 impl Output {
-    /// The places of the columns that are written, `None` for all.
+    /// Returns the indices of the columns to write, or `None` for all.
     fn places(&self, all: &Table, mistakes: &mut Vec<Misread>) -> Option<Vec<usize>> {
         let columns = self.columns.as_ref()?;
         if columns.is_empty() {
@@ -269,8 +265,7 @@ impl Output {
     }
 }
 
-/// Returns the mistake of a part that would not fit into memory, or of parts that would not fit into
-/// a file.
+/// Returns a mistake if a part exceeds the memory limit, or a file the limit on parts.
 fn too_large(plan: &Plan) -> Option<Misread> {
     let columns = plan.empty.columns.len() as u64;
     let most = MOST_NUMBERS / columns.max(1);

@@ -1,4 +1,4 @@
-//! Sweeps as a user runs them: the same bytes however they are cut, and nothing wrong ever merged.
+//! Results are independent of shards and interruptions, and wrong parts are refused.
 
 mod plans;
 mod rows;
@@ -40,7 +40,7 @@ fn sweep(folder: &Path, arguments: &[&str]) -> Output {
     command.arg("plan.toml").args(arguments).current_dir(folder).output().expect("the command runs")
 }
 
-/// Runs a sweep that must succeed; what it says.
+/// Runs a sweep that must succeed, and returns its output.
 fn done(folder: &Path, arguments: &[&str]) -> String {
     let output = sweep(folder, arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -51,14 +51,13 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// A folder with a plan.
 fn folder(plan: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("plan.toml"), plan).expect("the plan");
     folder
 }
 
-/// The merged file of an undisturbed run.
+/// Returns the merged file of an uninterrupted run.
 fn undisturbed(plan: &str) -> Vec<u8> {
     let folder = folder(plan);
     done(folder.path(), &["--out", "results"]);

@@ -1,4 +1,4 @@
-//! Plans as they are read, their mistakes, and what is done without running them.
+//! Reading plans, their mistakes, and commands that run nothing.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use kahan_sweep::Plan;
 
 use super::{PLAN, done, folder, sweep, text};
 
-/// The hash of a plan tells whose results they are: it does not change with names in the code.
+/// The hash of a plan identifies its results, so it must not change with names in the code.
 #[test]
 fn a_plan_has_one_form_in_its_own_words() {
     let question = |text: &str| {

@@ -1,4 +1,4 @@
-//! The contents of rows, and the first points of their orbits.
+//! The contents of rows, and initial states from files.
 
 use std::fs;
 use std::path::Path;
@@ -77,7 +77,7 @@ fn exact_tasks_are_swept() {
     assert_eq!(column(discover.path(), "independent_integrals"), vec![Field::Long(1); 3]);
 }
 
-/// Two first points as NumPy writes them.
+/// Encodes two initial states as a NumPy file.
 fn array(numbers: [f64; 6]) -> Vec<u8> {
     let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n";
     let numbers: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
@@ -101,7 +101,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     let folder = folder(OF_FILE);
     let here = |name: &str| folder.path().join(name);
     fs::create_dir(here("points")).expect("a folder");
-    // The plan is found from another folder, and its file beside it.
+    // The command runs in another folder than the plan.
     let written = |name: &str, bytes: &[u8]| {
         fs::write(here("points").join(name), bytes).expect("points");
         fs::write(here("plan.toml"), OF_FILE.replace("F.csv", name)).expect("the plan");
@@ -117,7 +117,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
         text(&read.output().expect("the command runs").stdout),
         "index,x,y,z,eps\n0,1.0,2.0,0.5,0.125\n1,1.0,2.0,0.5,0.25\n2,0.5,0.001,-0.75,0.125\n3,0.5,0.001,-0.75,0.25\n"
     );
-    // A plan with equal numbers is accepted, and one with others refused: 0.001 is no double.
+    // Equal numbers in another format are accepted; the double nearest to 0.001 differs from it.
     let foreign = |output: Output| {
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(1) && said.contains("belongs to another plan"), "{said}");
@@ -127,7 +127,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     fs::remove_dir_all(here("r")).expect("the results");
     same(written("F.csv", b"1,2,0.5\n1/2,1/8,-3/4\n"));
     same(written("F.npy", &array([1.0, 2.0, 0.5, 0.5, 0.125, -0.75])));
-    // A result is a file of points, too: each stands there once for each eps.
+    // Results serve as initial states, too: each occurs once for each ε.
     let swept = fs::read(here("r/results.parquet")).expect("results");
     foreign(written("F.parquet", &swept));
     fs::remove_dir_all(here("r")).expect("the results");

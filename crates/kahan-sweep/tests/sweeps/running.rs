@@ -1,4 +1,4 @@
-//! Parts, shards and processes: killed, interrupted, launched, merged.
+//! Killing, interrupting, launching and merging processes.
 
 use std::fs;
 use std::process::Command;
@@ -28,8 +28,7 @@ fn bytes_do_not_depend_on_shards_threads_and_order() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so that kills meet the first parts and later
-    // ones.
+    // A part takes about as long as the longer waits, so kills hit early and late parts.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);
@@ -56,14 +55,14 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
         );
     }
     assert!(kills > 0);
-    // Files left by programs that were killed while they looked, wrote a part, or merged.
+    // Leftovers of processes killed during a probe, a part and a merge.
     fs::create_dir_all(folder.path().join("r/part-000000000003.under-way")).expect("a folder");
     for name in [".probe-1", ".results-1", "part-000000000003.under-way/rows-1.parquet"] {
         fs::write(folder.path().join("r").join(name), "by halves").expect("a file");
     }
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
-    // Nothing is left of those that were killed.
+    // No leftovers remain.
     let all =
         fs::read_dir(folder.path().join("r")).expect("the folder").map(|entry| entry.expect("an entry"));
     let names: Vec<String> = all.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
@@ -108,7 +107,6 @@ fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("the same command goes on"));
-    // The finished rows of the part are noted.
     assert!(noted());
 }
 
@@ -127,7 +125,7 @@ fn what_does_not_belong_together_is_refused() {
     let [first, second] = &parts(&folder.path().join("r"))[..2] else { panic!("two parts") };
     let whole = fs::read(first).expect("a part");
 
-    // A bit that flips anywhere, many of them in the footer, and a file that ends early.
+    // Flips a bit in many places, most of them in the footer, and truncates the file.
     let footer = (1..60).map(|place| whole.len() - 61 * place);
     for place in [10, whole.len() / 2, whole.len() - 20].into_iter().chain(footer) {
         let mut damaged = whole.clone();
@@ -140,10 +138,10 @@ fn what_does_not_belong_together_is_refused() {
     }
     fs::write(first, &whole[..whole.len() - 100]).expect("a part");
     assert!(said(&["--out", "r", "--status"], 1).contains("damaged"));
-    // A part under the name of another.
+    // A part under another part's name.
     fs::copy(second, first).expect("a part");
     assert!(said(&["--out", "r", "--merge"], 1).contains("another part under this name"));
-    // A second run of the command mends it.
+    // Running the command again repairs it.
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
 
@@ -151,7 +149,7 @@ fn what_does_not_belong_together_is_refused() {
     fs::write(folder.path().join("plan.toml"), PLAN.replace("steps = 50", "steps = 51")).expect("a plan");
     assert!(said(&["--out", "r", "--merge"], 1).contains("belongs to another plan"));
     assert!(said(&["--out", "r"], 1).contains("belongs to another plan"));
-    // An equal plan, written otherwise.
+    // An equal plan with different formatting.
     let other = PLAN.replace("\"1/2\"", "0.5").replace("seed = 3", "# The seed.\nseed=3");
     fs::write(folder.path().join("plan.toml"), other).expect("a plan");
     done(folder.path(), &["--out", "r", "--merge"]);

@@ -1,4 +1,4 @@
-//! The orbits and trajectories of E1: rational functions of time.
+//! Orbits and trajectories of E1, rational functions of time.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
@@ -6,9 +6,9 @@ use kahan_core::{Scalar, vector};
 use super::E1;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals: with N = n + τ and β = Ĥ = y/x,
+/// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals. With N = n + τ and β = Ĥ = y/x:
 ///
-/// x = 1/(2εN), y = β/(2εN), z = 2γεN − (β²/ε + γε)/(2N).
+///   x = 1/(2εN), y = β/(2εN), z = 2γεN − (β²/ε + γε)/(2N).
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -35,8 +35,9 @@ impl<T: Scalar> ReciprocalMap<T> for E1 {
     }
 }
 
-/// A trajectory of E1 (Table 5, i = 1), exact over big rationals: with T = t + α and β = H = y/x,
-/// x = 1/T, y = β/T, z = γT − β²/T.
+/// A trajectory of E1 (Table 5, i = 1), exact over big rationals. With T = t + α and β = H = y/x:
+///
+///   x = 1/T, y = β/T, z = γT − β²/T.
 pub type FlowSolution<T> = ReciprocalTrajectory<E1, T>;
 
 impl<T: Scalar> ReciprocalFlow<T> for E1 {

@@ -1,4 +1,4 @@
-//! The orbits and trajectories of E2: rational functions of time.
+//! Orbits and trajectories of E2, rational functions of time.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
@@ -6,10 +6,10 @@ use kahan_core::{Scalar, vector};
 use super::E2;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of dE2 (Theorem 3, i = 2), exact over big rationals: with N = n + τ and β = Ĥ =
-/// xy/(1 − ε²x²),
+/// An orbit of dE2 (Theorem 3, i = 2), exact over big rationals. With N = n + τ and β = Ĥ = xy/(1 −
+/// ε²x²):
 ///
-/// x = 1/(2εN), y = 2βε(N − 1/(4N)), z = ε(2N − 1/(2N))(γ − β²ε²(4N² − 1)).
+///   x = 1/(2εN), y = 2βε(N − 1/(4N)), z = ε(2N − 1/(2N))(γ − β²ε²(4N² − 1)).
 pub type Solution<T> = ReciprocalOrbit<E2, T>;
 
 impl<T: Scalar> ReciprocalMap<T> for E2 {
@@ -29,8 +29,9 @@ impl<T: Scalar> ReciprocalMap<T> for E2 {
     }
 }
 
-/// A trajectory of E2 (Table 5, i = 2), exact over big rationals: with T = t + α and β = H = xy,
-/// x = 1/T, y = βT, z = T(γ − β²T²).
+/// A trajectory of E2 (Table 5, i = 2), exact over big rationals. With T = t + α and β = H = xy:
+///
+///   x = 1/T, y = βT, z = T(γ − β²T²).
 pub type FlowSolution<T> = ReciprocalTrajectory<E2, T>;
 
 impl<T: Scalar> ReciprocalFlow<T> for E2 {

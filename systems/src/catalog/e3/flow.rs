@@ -1,4 +1,4 @@
-//! The trajectories of E3: hyperbolic functions.
+//! Trajectories of E3, by hyperbolic functions.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,23 +6,21 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E3 (Table 5, i = 3): x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT
-/// with T = t + α.
+/// A trajectory of E3 (Table 5, i = 3). With T = t + α:
+///
+///   x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// α, the shift of time.
+    /// The time shift α.
     pub alpha: T,
-    /// λ = √(x² + y² + z²) > 0; K = λ²/2.
+    /// λ = √(x² + y² + z²) > 0, so K = λ²/2.
     pub lambda: T,
-    /// θ, the angle of (x, y); H = tan θ.
+    /// The angle θ of (x, y), so H = tan θ.
     pub theta: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory with this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless x² + y² > 0: a point (0, 0, z) is a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
@@ -32,7 +30,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda, theta: y.atan2(&x), lambda })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, theta } = self;
         let phase = *lambda * (*t + *alpha);

@@ -1,4 +1,4 @@
-//! The orbits of dE3: hyperbolic functions, on two real branches.
+//! Orbits of dE3, by hyperbolic functions on two real branches.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,35 +6,33 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of dE3 (Theorem 3, i = 3): with T = 2δn + κ,
+/// An orbit of dE3 (Theorem 3, i = 3). With T = 2δn + κ:
 ///
 /// * inner branch, |εz| < 1: (x, y) = (cos θ, sin θ) sinh δ/(ε cosh T), z = tanh δ tanh T/ε, with
 ///   K̂ = tanh² δ/(2ε²);
 /// * outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh T),
 ///   z = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
 ///
-/// In both Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the
-/// point's norm times (1 + |T|) max(1, |ε| norm), the condition of the formula.
+/// On both branches Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of
+/// the point's norm times (1 + |T|) max(1, |ε| norm), the condition of the formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// δ, half the advance of T in a step.
+    /// δ, half the increase of T in a step.
     pub delta: T,
     /// κ, the value of T at n = 0.
     pub kappa: T,
     /// θ, the direction of ±(x, y).
     pub theta: T,
-    /// Whether |εz| is below or above 1.
+    /// The branch: inner for |εz| < 1, outer for |εz| > 1.
     pub branch: Branch,
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: the step from εz = 1 ends in
-    /// the fixed point (0, 0, 1/ε), and at εz = −1 det A vanishes.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x² + y² = 0 (a fixed point) or
+    /// ε²z² = 1: the step from εz = 1 ends in the fixed point (0, 0, 1/ε), and det A = 0 for εz =
+    /// −1.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
@@ -71,7 +69,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// The point n steps on, or back for n < 0; not finite where T = 0 on the outer branch, a pole.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

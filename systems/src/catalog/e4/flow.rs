@@ -1,4 +1,4 @@
-//! The trajectories of E4: Jacobi's elliptic functions.
+//! Trajectories of E4, by Jacobi's elliptic functions.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,28 +6,26 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{OutOfDomain, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// A trajectory of E4 (Table 5, i = 4): with T = t + α and sn, cn, dn at λT, modulus k,
+/// A trajectory of E4 (Table 5, i = 4). With T = t + α, and sn, cn, dn at λT with modulus k:
 ///
-/// x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn, up to the signs of x and y and the swap
-/// (x, y, z) → (y, x, −z), all symmetries of the field. With xy > 0: H = λ²(1 − k²)/4, K = λ²(1 +
-/// k²)/4.
+///   x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn,
+///
+/// up to the field's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). For xy > 0,
+/// H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// α, the shift of time.
+    /// The time shift α.
     pub alpha: T,
     /// λ > 0, the rate; λ² = (|x| + |y|)² + z².
     pub lambda: T,
-    /// The modulus k; 1 where xy = 0.
+    /// The modulus k; k = 1 if xy = 0.
     pub modulus: Modulus<T>,
-    /// What leads from the formula to the trajectory.
+    /// The symmetry that maps the formula to the trajectory.
     pub symmetry: Symmetry,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory with this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless x² + y² > 0: a point (0, 0, z) is a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
         let (NormalForm { sum, difference, height, product }, symmetry) = NormalForm::same_signs(point);
@@ -46,7 +44,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha, lambda, modulus, symmetry })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, modulus, symmetry } = self;
         let Jacobi { sn, cn, dn } = jacobi(&(*lambda * (*t + *alpha)), modulus);

@@ -1,39 +1,36 @@
-//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z).
-//!
-//! In: any point. Out: the point in the quarter where the elliptic functions are real, in the
-//! coordinates s = x + y and d = x − y, and the way back.
+//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z). They move any
+//! point to the quarter where the elliptic functions are real, in the coordinates s = x + y and d =
+//! x − y, and back.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point in s = x + y, d = x − y, z, moved by a [`Symmetry`] so that x and y have the signs asked
-/// for.
+/// A point in s = x + y, d = x − y, z, after a [`Symmetry`] has given x and y the required signs.
 pub(super) struct NormalForm<T> {
     /// s = x + y.
     pub(super) sum: T,
     /// d = x − y.
     pub(super) difference: T,
-    /// z.
     pub(super) height: T,
     /// |xy|.
     pub(super) product: T,
 }
 
-/// A symmetry of E4, of its field and of its map alike.
+/// A symmetry of E4's field and map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symmetry {
     /// Whether x changes its sign.
     pub flip_x: bool,
     /// Whether y changes its sign.
     pub flip_y: bool,
-    /// Whether (x, y, z) becomes (y, x, −z), before the signs change: where x = 0.
+    /// Whether (x, y, z) becomes (y, x, −z), before signs change; used if x = 0.
     pub swap: bool,
 }
 
 impl Symmetry {
-    /// The point with these s, d, z, moved by the symmetry.
+    /// Returns the image of the point with these s, d, z.
     pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
         let x = (sum + difference) * T::half();
         let y = (sum - difference) * T::half();
@@ -43,12 +40,12 @@ impl Symmetry {
 }
 
 impl<T: Real> NormalForm<T> {
-    /// The point with x, y ≥ 0.
+    /// Moves a point to x, y ≥ 0.
     pub(super) fn same_signs(point: &SVector<T, 3>) -> (Self, Symmetry) {
         Self::with_signs(point, |_| (false, false))
     }
 
-    /// The point with x of the sign of εz and y of the other.
+    /// Moves a point so that x has the sign of εz, and y the opposite sign.
     pub(super) fn opposite_signs(point: &SVector<T, 3>, eps: &T) -> (Self, Symmetry) {
         Self::with_signs(point, |height| {
             let negative = height.is_negative() != eps.is_negative();
@@ -56,8 +53,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// The point with x and y negative or not as asked for, which may depend on z; a coordinate
-    /// that is zero becomes y, since at modulus 1 the curve has no point with x = 0.
+    /// Moves a point so that x and y are negative as `wanted` says for z. A zero coordinate becomes
+    /// y, because at modulus 1 the curve has no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();
@@ -69,7 +66,7 @@ impl<T: Real> NormalForm<T> {
         let second = if flip_second { -second } else { second };
         let form =
             Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
-        // After the swap back, the first coordinate is y.
+        // After swapping back, the first coordinate is y.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })
     }

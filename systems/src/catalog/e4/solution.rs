@@ -1,4 +1,4 @@
-//! The orbits of dE4: Jacobi's elliptic functions, on two real branches.
+//! Orbits of dE4, by Jacobi's elliptic functions on two real branches.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,16 +6,15 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// An orbit of dE4 (Theorem 3, i = 4): with v = 2δn + κ, modulus k, s = x + y and d = x − y,
+/// An orbit of dE4 (Theorem 3, i = 4). With v = 2δn + κ, modulus k, s = x + y and d = x − y:
 ///
 /// * inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn v/ε;
 /// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′):
 ///   s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
-/// Both up to the signs of x and y and the swap (x, y, z) → (y, x, −z), which are symmetries of the
-/// map: the inner formula has xy > 0, the outer one xy < 0. Where xy = 0, k is 1 and the functions
-/// are hyperbolic. Together they cover every orbit but those through fixed points (0, 0, z) and
-/// through |εz| = 1.
+/// Both hold up to the map's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). The
+/// inner formula has xy > 0, the outer one xy < 0. If xy = 0, k is 1 and the functions are
+/// hyperbolic. Only orbits through fixed points (0, 0, z) or through |εz| = 1 have neither form.
 ///
 /// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm),
 /// the condition of the formula. On the inner branch with xy > 0:
@@ -25,26 +24,23 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 pub struct Solution<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// δ, half the advance of v in a step; it has the sign of ε and |δ| < K(k).
+    /// δ, half the increase of v in a step; it has the sign of ε, and |δ| < K(k).
     pub delta: T,
     /// κ, the value of v at n = 0.
     pub kappa: T,
     /// The modulus k, 0 ≤ k ≤ 1.
     pub modulus: Modulus<T>,
-    /// What leads from the formula to the orbit.
+    /// The symmetry that maps the formula to the orbit.
     pub symmetry: Symmetry,
-    /// Whether |εz| is below or above 1.
+    /// The branch: inner for |εz| < 1, outer for |εz| > 1.
     pub branch: Branch,
-    /// sn, cn and dn of δ, from algebra alone.
+    /// sn, cn and dn of δ, computed algebraically.
     advance: Jacobi<T>,
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: there det A vanishes for one
-    /// sign of ε, or the step ends in a fixed point.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x² + y² = 0 (a fixed point) or
+    /// ε²z² = 1: then det A = 0 for one sign of ε, or the step ends in a fixed point.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
@@ -98,8 +94,8 @@ impl<T: Real> Solution<T> {
         Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// The point n steps on, or back for n < 0; not finite where sn v = 0 on the outer branch, a
-    /// pole.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (sn v = 0, outer
+    /// branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;
@@ -121,7 +117,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// The positive sums that all parameters are made of.
+/// The positive sums in terms of which all parameters are expressed.
 struct Squares<T> {
     /// 1 + ε²s²
     sum: T,
@@ -145,7 +141,8 @@ impl<T: Real> Squares<T> {
     }
 }
 
-/// k² = (d² + z²)(1 + ε²s²)/((s² + z²)(1 + ε²d²)), 1 − k² = 4|xy| |1 − ε²z²|/((s² + z²)(1 + ε²d²)).
+/// Returns k, from k² = (d² + z²)(1 + ε²s²)/((s² + z²)(1 + ε²d²)) and 1 − k² = 4|xy| |1 −
+/// ε²z²|/((s² + z²)(1 + ε²d²)).
 fn modulus<T: Real>(form: &NormalForm<T>, eps: &T, width: &T) -> Modulus<T> {
     let Squares { sum, difference, wide, narrow } = Squares::of(form, eps);
     let divisor = wide * difference;

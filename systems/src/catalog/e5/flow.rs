@@ -1,4 +1,4 @@
-//! The trajectories of E5: hyperbolic functions.
+//! Trajectories of E5, by hyperbolic functions.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,27 +6,24 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E5 (Table 5, i = 5): with T = t + α and the sign s of x,
+/// A trajectory of E5 (Table 5, i = 5). With T = t + α and the sign s of x:
 ///
-/// x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
+///   x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// α, the shift of time.
+    /// The time shift α.
     pub alpha: T,
-    /// λ = √(x² + y²) > 0; H = λ²/2.
+    /// λ = √(x² + y²) > 0, so H = λ²/2.
     pub lambda: T,
-    /// μ; K = λ(μ + λ).
+    /// μ, from K = λ(μ + λ).
     pub mu: T,
-    /// s, the sign of x: 1 or −1. The paper's table has s = 1; (x, y, z) → (−x, y, −z) is a
-    /// symmetry.
+    /// s = ±1, the sign of x. Table 5 has s = 1; (x, y, z) → (−x, y, −z) is a symmetry.
     pub sign: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory with this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless x ≠ 0: the plane x = 0 is kept, and its solutions are not of this form.
+    /// Returns the trajectory through `point` at t = 0. Fails if x = 0: the plane x = 0 is
+    /// invariant, with solutions of another form.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
@@ -38,7 +35,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha: phase / lambda, lambda, mu, sign })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, mu, sign } = self;
         let phase = *lambda * (*t + *alpha);

@@ -1,4 +1,4 @@
-//! The orbits of dE5: hyperbolic functions, on two real branches.
+//! Orbits of dE5, by hyperbolic functions on two real branches.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,7 +6,7 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of dE5 (Theorem 3, i = 5): with T = 2δn + κ and a sign s,
+/// An orbit of dE5 (Theorem 3, i = 5). With T = 2δn + κ and a sign s:
 ///
 /// * inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T + (1/ε +
 ///   μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
@@ -15,30 +15,27 @@ use crate::special::Real;
 ///   K̂ = μ cosh δ/ε + coth² δ/ε².
 ///
 /// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times (1 +
-/// |T|) max(1,
-/// |ε| norm), the condition of the formula.
+/// |T|) max(1, |ε| norm), the condition of the formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// δ, half the advance of T in a step.
+    /// δ, half the increase of T in a step.
     pub delta: T,
     /// κ, the value of T at n = 0.
     pub kappa: T,
-    /// μ, which fixes K̂.
+    /// μ, which determines K̂.
     pub mu: T,
-    /// s, 1 or −1: the sign of x on the inner branch. The theorem has s = 1; (x, y, z) → (−x, y,
-    /// −z) is a symmetry.
+    /// s = ±1 (inner branch: sign of x). Theorem 3 has s = 1; (x, y, z) → (−x, y, −z) is a
+    /// symmetry.
     pub sign: T,
-    /// Whether |εy| is below or above 1.
+    /// The branch: inner for |εy| < 1, outer for |εy| > 1.
     pub branch: Branch,
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless ε ≠ 0, x ≠ 0 and ε²y² ≠ 1: there det A vanishes for one sign of ε.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x = 0 or ε²y² = 1, where det A =
+    /// 0 for one sign of ε.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!eps.is_zero(), "eps != 0")?;
@@ -77,7 +74,7 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// The point n steps on, or back for n < 0; not finite where T = 0 on the outer branch, a pole.
+    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

@@ -1,9 +1,7 @@
-//! The orbits and trajectories of E6: an Euler top in other coordinates, so E4 in others again.
-//!
-//! E6 in (x − z, x + z, y) is the Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3
-//! (x − z), x + z), a swap of axes and the scaling (√3, √3, 1), the map of E6 is that of E4 with ε
-//! → −ε. The reduction used here has −(x + z) in the third place instead, and the same ε: (x, ε) →
-//! (−x, −ε) is a symmetry of homogeneous fields.
+//! Orbits and trajectories of E6, an Euler top in other coordinates, and therefore E4 in others. In
+//! (x − z, x + z, y), E6 is the Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3
+//! (x − z), x + z), the map of E6 is that of E4 with ε → −ε. The code uses −(x + z) in the third
+//! place and an unchanged ε, because (x, ε) → (−x, −ε) is a symmetry of homogeneous fields.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -12,9 +10,9 @@ use crate::euler;
 use crate::solution::OutOfDomain;
 use crate::special::Real;
 
-/// An orbit of dE6, by Jacobi's elliptic functions (not in the paper, which says that it follows
-/// from dE4). In `f64` the error at n is at most 6 ulp of the point's norm times its condition, as
-/// for [`e4::Solution`](crate::e4::Solution).
+/// An orbit of dE6 by Jacobi's elliptic functions. The paper only states that it follows from dE4.
+/// In `f64` the error at n is at most 6 ulp of the point's norm times the condition given for
+/// [`e4::Solution`](crate::e4::Solution).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// The orbit of the Euler top with α = (1, −3, 1), in (x − z, x + z, y).
@@ -22,25 +20,21 @@ pub struct Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Where [`e4::Solution::through`](crate::e4::Solution::through) has one for the point in the
-    /// coordinates of E4: unless ε ≠ 0, (x, y, z) is not a multiple of (1, 0, 1), and ε²(x + z)² ≠
-    /// 1.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, (x, y, z) is a multiple of (1,
+    /// 0, 1), or ε²(x + z)² = 1: the cases of
+    /// [`e4::Solution::through`](crate::e4::Solution::through) in the coordinates of E4.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let top = euler::Solution::through(&coefficients(), &to_top(point), eps)?;
         Ok(Self { top })
     }
 
-    /// The point n steps on, or back for n < 0.
+    /// Returns the point after n steps, also for n < 0.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         from_top(&self.top.at(n))
     }
 }
 
-/// A trajectory of E6, by Jacobi's elliptic functions (missing in Table 5, which says that it
-/// follows from E4).
+/// A trajectory of E6 by Jacobi's elliptic functions. Table 5 only states that it follows from E4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The trajectory of the Euler top with α = (1, −3, 1), in (x − z, x + z, y).
@@ -48,15 +42,13 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory with this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless (x, y, z) is not a multiple of (1, 0, 1), a fixed point.
+    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), fixed
+    /// points.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         from_top(&self.top.at(t))
     }

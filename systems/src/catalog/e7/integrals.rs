@@ -1,4 +1,4 @@
-//! The transcendental integrals of dE7, and the bracket with digamma functions.
+//! The transcendental integrals of dE7, and its bracket with digamma functions.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
@@ -7,21 +7,19 @@ use crate::special::{
     Real, asymptotic_start, centered_digamma_difference, centered_gamma_ratio, gamma_product_tail,
 };
 
-/// u = 1/(2εx), which one step raises by 1.
+/// Returns u = 1/(2εx), which increases by 1 in each step.
 fn level<T: Real>(x: &T, eps: &T) -> T {
     T::one() / (T::from_int(2) * *eps * *x)
 }
 
-/// σ = (ξ − 1)/2, so that Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is centred.
+/// Returns σ = (ξ − 1)/2, which centres the ratio Γ(u + ξ/2)/Γ(u + 1 − ξ/2).
 fn sigma<T: Real>(xi: &T) -> T {
     (*xi - T::one()) * T::half()
 }
 
-/// Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (section 6.1); ε is
-/// half the time step.
-///
-/// It is y/x at ξ = 1 and 4ε²xy/(1 − ε²x²) at ξ = −1. Real for every x ≠ 0 (not a number at x = 0),
-/// zero or not finite where a Γ has a pole.
+/// Returns Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (Section 6.1).
+/// Equals y/x at ξ = 1, and 4ε²xy/(1 − ε²x²) at ξ = −1. NaN for x = 0; zero or infinite at poles of
+/// Γ.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -38,17 +36,15 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
     point[1] / point[0] * ratio
 }
 
-/// K̂₇, the second integral of dE7, for ξ > 0 (not in the paper as a function of the point, see
-/// erratum B7): with N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2),
+/// Returns K̂₇, the second integral of dE7, for ξ > 0. The paper doesn't state it as a function of
+/// the point (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2):
 ///
-/// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
+///   ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// At ξ = 1 it is (xz + y²)/(1 − ε²x²). The series is summed term by term up to N + j of about 22 +
-/// 4ξ (78 + 4ξ for [`Precise`](crate::special::Precise)) and then by its asymptotic expansion: full
-/// precision, at a cost of about 1/(2ε|x|) terms for x < 0.
-///
-/// # Errors
-/// Unless ξ > 0 (for ξ ≤ 0 the series diverges) and εx ≠ 0.
+/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ (78 + 4ξ for
+/// [`Precise`](crate::special::Precise)) are summed; an asymptotic expansion gives the rest in full
+/// precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if ξ ≤ 0, where the series
+/// diverges, or εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     require(xi.is_positive(), "xi > 0")?;
@@ -69,10 +65,12 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
     Ok((sum + integral_h.square() * gamma_product_tail(&level, xi)) / eps.square())
 }
 
-/// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),
+/// Returns the antisymmetric matrix of {x_i, x_j} for the invariant bracket of dE7 with the Casimir
+/// function Ĥ₇ (Section 6.1). With u = 1/(2εx):
 ///
-/// {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1], u = 1/(2εx), as the antisymmetric
-/// matrix of {x_i, x_j}. At ξ = 1 it is minus `P` of dE1, at ξ = −1 minus that of dE2.
+///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
+///
+/// At ξ = 1, −1 it equals −`P` of dE1, dE2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = (*point).into();
     let scaled = *eps * x;

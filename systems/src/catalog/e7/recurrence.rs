@@ -1,20 +1,20 @@
-//! The orbits of dE7 by rational recurrences: exact over big rationals.
+//! Orbits of dE7 by rational recurrences, exact over big rationals.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
 
 use crate::solution::{OutOfDomain, integer, require};
 
-/// An orbit of dE7 in Y = y/x and Z = z/x (section 6): with N = n + τ, x = 1/(2εN) and
+/// An orbit of dE7 in Y = y/x and Z = z/x (Section 6). With N = n + τ and x = 1/(2εN):
 ///
-/// Y_{n+1} = Y_n (N + 1 − ξ/2)/(N + ξ/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + 2ξ Y_n Y_{n+1}.
+///   Y_{n+1} = Y_n (N + 1 − ξ/2)/(N + ξ/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + 2ξ Y_n Y_{n+1}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recurrence<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// ξ, the parameter of the system.
+    /// The parameter ξ of the system.
     pub xi: T,
-    /// τ = 1/(2εx₀), the shift of n.
+    /// The shift τ = 1/(2εx₀) of n.
     pub tau: T,
     /// Y₀ = y₀/x₀.
     pub slope_y: T,
@@ -23,10 +23,7 @@ pub struct Recurrence<T> {
 }
 
 impl<T: Scalar> Recurrence<T> {
-    /// The orbit of dE7 with this ξ that has this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless εx ≠ 0.
+    /// Returns the orbit through `point` at n = 0. Fails if εx = 0.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
         let scaled = eps.clone() * x.clone();
@@ -35,14 +32,14 @@ impl<T: Scalar> Recurrence<T> {
         Ok(Self { eps: eps.clone(), xi: xi.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
     }
 
-    /// The point n steps on, or back for n < 0; |n| steps of the recurrences. At a pole on the way:
-    /// a panic for exact scalars, a result that is not finite for floats.
+    /// Returns the point after n steps, also for n < 0, by |n| steps of the recurrences. At a pole
+    /// on the way, exact scalars panic and floats become infinite or NaN.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let half = T::one() / integer(2);
         let half_xi = self.xi.clone() * half.clone();
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
         for j in if n < 0 { n..0 } else { 0..n } {
-            // Backwards, from the last step to the first.
+            // Backwards, the last step comes first.
             let index = if n < 0 { n - 1 - j } else { j };
             let shifted = integer::<T>(index) + self.tau.clone();
             let top = shifted.clone() + T::one() - half_xi.clone();

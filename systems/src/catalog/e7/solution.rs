@@ -1,4 +1,4 @@
-//! The orbits of dE7 by the Gamma function.
+//! Orbits of dE7, by the Gamma function.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,21 +6,22 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
-/// An orbit of dE7 (section 6.1, equations for x, y and z): with N = n + τ, β = 2εy₀, γ = 2εz₀,
-/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2) and G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2),
+/// An orbit of dE7 (Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀, g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2) and
+/// G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2):
 ///
-/// x = 1/(2εN), y = τβ g_n G₀/(2εN), z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
+///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
+///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
 ///
-/// β and γ are not the values of integrals; those are [`integral_h`](super::integral_h) and
+/// The integrals have other values than β and γ: [`integral_h`](super::integral_h) and
 /// [`integral_k`](super::integral_k). In `f64` the error is at most 16(1 + |n|) ulp of the point's
-/// norm times max(1, |ε| norm). The recurrences of [`Recurrence`](super::Recurrence) need no Γ.
+/// norm times max(1, |ε| norm). [`Recurrence`](super::Recurrence) avoids Γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// ξ, the parameter of the system.
+    /// The parameter ξ of the system.
     pub xi: T,
-    /// τ = 1/(2εx₀), the shift of n.
+    /// The shift τ = 1/(2εx₀) of n.
     pub tau: T,
     /// β = 2εy₀.
     pub beta: T,
@@ -29,10 +30,7 @@ pub struct Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit of dE7 with this ξ that has this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless εx ≠ 0 and ε²x² ≠ 1 (4τ² ≠ 1).
+    /// Returns the orbit through `point` at n = 0. Fails if εx = 0 or ε²x² = 1 (4τ² = 1).
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
@@ -40,7 +38,8 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
-    /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.
+    /// Returns the point after n steps, also for n < 0, by |n| terms of a sum; not finite at a
+    /// pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;
         let shifted = T::from_int(n) + *tau;
@@ -52,15 +51,16 @@ impl<T: Real> Solution<T> {
         vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
-    /// g G₀ at N: the quotient Y/Y₀ of y/x, by two ratios of Γ.
+    /// Returns g G₀ at N, the quotient Y/Y₀ for Y = y/x, by two ratios of Γ.
     fn gamma_quotient(&self, shifted: &T) -> T {
         let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
-    /// G₀² W_n with W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), M = j +
-    /// τ; for n < 0 minus the sum over n ≤ j < 0. The quotients of Γ follow from each other, so
-    /// that nothing overflows.
+    /// Returns G₀² W_n, where with M = j + τ
+    ///   W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²).
+    /// For n < 0 the sum over n ≤ j < 0 is subtracted. A recurrence gives the quotients of Γ
+    /// without overflow.
     fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };

@@ -1,4 +1,4 @@
-//! The trajectories of E8: powers and logarithms of t.
+//! Trajectories of E8, by powers and logarithms of t.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -7,11 +7,12 @@ use super::E8;
 use crate::solution::{ReciprocalFlow, ReciprocalTrajectory};
 use crate::special::Real;
 
-/// A trajectory of E8 (Table 5, i = 8): with T = t + α, β = y/x + ln|T| and L = β − ln|T|,
-/// x = 1/T, y = L/T, z = γT − L²/T. The integral H = x e^(−y/x) is ±e^(−β).
+/// A trajectory of E8 (Table 5, i = 8). With T = t + α, β = y/x + ln|T| and L = β − ln|T|:
 ///
-/// The paper has T > 0; the absolute value extends it to x < 0. Beyond the pole, where no
-/// trajectory leads, all but x is not a number.
+///   x = 1/T, y = L/T, z = γT − L²/T, with H = x e^(−y/x) = ±e^(−β).
+///
+/// The paper has T > 0; absolute values extend the formula to x < 0. Beyond the pole, where the
+/// trajectory ends, y and z are NaN.
 pub type FlowSolution<T> = ReciprocalTrajectory<E8, T>;
 
 impl<T: Real> ReciprocalFlow<T> for E8 {

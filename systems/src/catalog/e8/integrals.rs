@@ -5,26 +5,21 @@ use kahan_core::nalgebra::SVector;
 use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
-/// Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (section 6.2); ε is half the time
-/// step.
-///
-/// Real for every x ≠ 0 where 1/2 + u is not a pole of ψ; not a number there and at x = 0.
+/// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (Section 6.2). NaN for x = 0
+/// and at poles of ψ.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
     let level = T::one() / (T::from_int(2) * *eps * point[0]);
     point[1] / point[0] + digamma(&(level + T::half()))
 }
 
-/// K̂₈, the second integral of dE8 (not in the paper as a function of the point, see erratum B7):
-/// with N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2),
+/// Returns K̂₈, the second integral of dE8. The paper doesn't state it as a function of the point
+/// (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2):
 ///
-/// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
+///   ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// The series is summed term by term up to N + j of about 22 (78 for
-/// [`Precise`](crate::special::Precise)) and then by its asymptotic expansion: full precision, at a
-/// cost of about 1/(2ε|x|) terms for x < 0.
-///
-/// # Errors
-/// Unless εx ≠ 0.
+/// Terms up to N + j ≈ 22 (78 for [`Precise`](crate::special::Precise)) are summed; an asymptotic
+/// expansion gives the rest in full precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if
+/// εx = 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     let scaled = T::from_int(2) * *eps * x;

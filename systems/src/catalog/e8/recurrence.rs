@@ -1,18 +1,18 @@
-//! The orbits of dE8 by rational recurrences: exact over big rationals.
+//! Orbits of dE8 by rational recurrences, exact over big rationals.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
 
 use crate::solution::{OutOfDomain, integer, require};
 
-/// An orbit of dE8 in Y = y/x and Z = z/x (section 6): with N = n + τ, x = 1/(2εN) and
+/// An orbit of dE8 in Y = y/x and Z = z/x (Section 6). With N = n + τ and x = 1/(2εN):
 ///
-/// Y_{n+1} = Y_n − 1/(N + 1/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + Y_n + Y_{n+1} + 2Y_nY_{n+1}.
+///   Y_{n+1} = Y_n − 1/(N + 1/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + Y_n + Y_{n+1} + 2Y_nY_{n+1}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recurrence<T> {
     /// ε, half the time step.
     pub eps: T,
-    /// τ = 1/(2εx₀), the shift of n.
+    /// The shift τ = 1/(2εx₀) of n.
     pub tau: T,
     /// Y₀ = y₀/x₀.
     pub slope_y: T,
@@ -21,10 +21,7 @@ pub struct Recurrence<T> {
 }
 
 impl<T: Scalar> Recurrence<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless εx ≠ 0.
+    /// Returns the orbit through `point` at n = 0. Fails if εx = 0.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
         let scaled = eps.clone() * x.clone();
@@ -33,13 +30,13 @@ impl<T: Scalar> Recurrence<T> {
         Ok(Self { eps: eps.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
     }
 
-    /// The point n steps on, or back for n < 0; |n| steps of the recurrences. At a pole on the way:
-    /// a panic for exact scalars, a result that is not finite for floats.
+    /// Returns the point after n steps, also for n < 0, by |n| steps of the recurrences. At a pole
+    /// on the way, exact scalars panic and floats become infinite or NaN.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let half = T::one() / integer(2);
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
         for j in if n < 0 { n..0 } else { 0..n } {
-            // Backwards, from the last step to the first.
+            // Backwards, the last step comes first.
             let index = if n < 0 { n - 1 - j } else { j };
             let shifted = integer::<T>(index) + self.tau.clone();
             let step = T::one() / (shifted.clone() + half.clone());

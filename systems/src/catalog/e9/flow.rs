@@ -1,5 +1,4 @@
-//! The trajectories of E9 where they are elementary or have Jacobi's functions: ξ = 0, 1, −1, 2,
-//! 1/2.
+//! Trajectories of E9 in closed form: ξ = 0, 1, −1, 2, 1/2.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -8,12 +7,10 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form (section 6.3); for other ξ there is the
-/// [`Quadrature`](super::Quadrature).
+/// A trajectory of E9 in closed form; [`Quadrature`](super::Quadrature) covers other ξ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
-    /// ξ = 0 (erratum B9): y is constant and (x, 0, z) a trajectory of E3, x = λ sech λT, z = λ
-    /// tanh λT.
+    /// ξ = 0 (erratum B9): y is constant; x = λ sech λT, z = λ tanh λT as for E3.
     Zero {
         /// The trajectory of (x, 0, z).
         plane: e3::FlowSolution<T>,
@@ -24,37 +21,35 @@ pub enum FlowSolution<T> {
     One(e3::FlowSolution<T>),
     /// ξ = −1: E4.
     MinusOne(e4::FlowSolution<T>),
-    /// ξ = 2 (erratum A9): elementary.
+    /// ξ = 2 (erratum A9): elementary functions.
     Two(Elementary<T>),
-    /// ξ = 1/2: the trajectory of ξ = 2 through (y, x, z), in the time t/2.
+    /// ξ = 1/2: the trajectory for ξ = 2 through (y, x, z), at time t/2.
     Half(Elementary<T>),
 }
 
-/// A trajectory of E9 with ξ = 2: with w = 1/x² = 2/k² + 2b cosh(kt + φ),
+/// A trajectory of E9 for ξ = 2. With w = 1/x² = 2/k² + 2b cosh(kt + φ):
 ///
-/// x = s/√w, y = c/w, z = ẇ/(2w), where c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²), k²b² = c² +
-/// 1/k².
+///   x = s/√w, y = c/w, z = ẇ/(2w),
+///
+/// where c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²) and k²b² = c² + 1/k².
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elementary<T> {
     /// k, twice the radius of the sphere.
     pub k: T,
-    /// b > 0.
+    /// b > 0, from k²b² = c² + 1/k².
     pub b: T,
-    /// c, the value of H₉ = y x^(−2).
+    /// The value c of H₉ = y x^(−2).
     pub c: T,
-    /// φ, the phase at t = 0.
+    /// The phase φ at t = 0.
     pub phase: T,
-    /// s, the sign of x.
+    /// The sign s of x.
     pub sign: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory of E9 with this ξ that has this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless ξ is 0, 1, −1, 2 or 1/2, and the point is not a fixed point: x ≠ 0 for ξ = 0 and ξ =
-    /// 2, y ≠ 0 for ξ = 1/2 (other points of these planes move, but as points of E3's form), x² +
-    /// y² > 0 for ξ = ±1.
+    /// Returns the trajectory through `point` at t = 0. Fails if ξ is none of 0, 1, −1, 2, 1/2, or
+    /// in the planes x = 0 (ξ = 0, 2), y = 0 (ξ = 1/2) and on the line x = y = 0 (ξ = ±1). These
+    /// points are fixed, or have trajectories of another form.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let two = T::from_int(2);
@@ -74,7 +69,7 @@ impl<T: Real> FlowSolution<T> {
         }
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         match self {
             Self::Zero { plane, y } => {
@@ -93,10 +88,8 @@ impl<T: Real> FlowSolution<T> {
 }
 
 impl<T: Real> Elementary<T> {
-    /// The trajectory of E9 with ξ = 2 that has this point at t = 0.
-    ///
-    /// # Errors
-    /// Unless x ≠ 0: the plane x = 0 is kept, and its solutions are of E3's form.
+    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0: the plane x = 0
+    /// is invariant, with solutions of E3's form.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
@@ -110,7 +103,7 @@ impl<T: Real> Elementary<T> {
         Ok(Self { k, b, c, phase, sign: x.sign() })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { k, b, c, phase, sign } = self;
         let two = T::from_int(2);

@@ -1,5 +1,4 @@
-//! The orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (the heights of
-//! section 7).
+//! Orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (Section 7).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -11,7 +10,7 @@ use crate::{e3, e4};
 /// An orbit of dE9 in closed form.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solution<T> {
-    /// ξ = 0: y is constant and (x, 0, z) an orbit of dE3.
+    /// ξ = 0: y is constant, and (x, 0, z) is an orbit of dE3.
     Zero {
         /// The orbit of (x, 0, z).
         plane: e3::Solution<T>,
@@ -25,11 +24,8 @@ pub enum Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit of dE9 with this ξ that has this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless ξ is 0, 1 or −1, and where [`e3::Solution::through`] or [`e4::Solution::through`] has
-    /// one.
+    /// Returns the orbit through `point` at n = 0. Fails if ξ is none of 0, 1, −1, or
+    /// [`e3::Solution::through`] or [`e4::Solution::through`] fails.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {
             let [x, y, z] = (*point).into();
@@ -44,7 +40,7 @@ impl<T: Real> Solution<T> {
         }
     }
 
-    /// The point n steps on, or back for n < 0.
+    /// Returns the point after n steps, also for n < 0.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         match self {
             Self::Zero { plane, y } => {

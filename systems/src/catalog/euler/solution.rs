@@ -1,8 +1,6 @@
-//! The orbits and trajectories of the Euler top: those of E4 in other coordinates.
-//!
-//! E4 in (x − y, x + y, z) is the Euler top with α = (−1, −1, 1). Linear changes of variables
-//! commute with Kahan's map, so a scaling xᵢ = cᵢXᵢ carries any α that it brings to this form,
-//! together with a permutation of the axes.
+//! Orbits and trajectories of the Euler top, from those of E4. In (x − y, x + y, z), E4 is the
+//! Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of variables, so
+//! permutations and scalings of the axes carry the solutions over.
 
 use kahan_core::nalgebra::SVector;
 
@@ -10,26 +8,21 @@ use crate::e4;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// The linear change of variables that makes an Euler top E4: a permutation and a scaling of the
-/// axes.
-///
-/// With rᵢ = βᵢ/αᵢ, β = (−1, −1, 1), the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ when cⱼcₖ/cᵢ = rᵢ, so
-/// cᵢ² = rⱼrₖ: real when the rᵢ have one sign. The permutation puts the axis whose α has a sign of
-/// its own in the third place.
+/// The linear change of variables from an Euler top to E4: a permutation and a scaling of the axes.
+/// With β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. So
+/// cᵢ² = rⱼrₖ, which is positive if all rᵢ have one sign. The permutation moves the axis whose α
+/// differs in sign to the third place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
-    /// The axis of the top that stands in the first, second and third place.
+    /// The axes of the top in the first, second and third place.
     pub axes: [usize; 3],
     /// The scalings c of the axes in these places.
     pub scaling: [T; 3],
 }
 
 impl<T: Real> Reduction<T> {
-    /// The change of variables for the coefficients α₁, α₂, α₃.
-    ///
-    /// # Errors
-    /// Unless no coefficient is zero and not all have the same sign: such tops are not E4 over the
-    /// real numbers.
+    /// Returns the change of variables for α₁, α₂, α₃. Fails if a coefficient is zero, or all have
+    /// one sign; such tops differ from E4 over the reals.
     pub fn of(coefficients: &[T; 3]) -> Result<Self, OutOfDomain> {
         let nonzero = coefficients.iter().all(|a| a.is_positive() || a.is_negative());
         require(nonzero, "a1, a2, a3 != 0")?;
@@ -48,7 +41,7 @@ impl<T: Real> Reduction<T> {
         Ok(Self { axes, scaling })
     }
 
-    /// A point of the top in the coordinates of E4.
+    /// Converts a point of the top to E4's coordinates.
     fn to_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
         let [difference, sum, height] =
             core::array::from_fn(|place| point[self.axes[place]] / self.scaling[place]);
@@ -56,7 +49,7 @@ impl<T: Real> Reduction<T> {
         SVector::from([(sum + difference) * half, (sum - difference) * half, height])
     }
 
-    /// A point of E4 in the coordinates of the top.
+    /// Converts a point of E4 to the top's coordinates.
     fn back_from_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
         let [x, y, z] = (*point).into();
         let mut result = SVector::from([T::zero(), T::zero(), T::zero()]);
@@ -67,11 +60,9 @@ impl<T: Real> Reduction<T> {
     }
 }
 
-/// An orbit of the Euler top's map, for coefficients that are not all of one sign (sections 2 and
-/// 5; derived here).
-///
-/// In `f64` the error at n is at most 16 ulp of the point's norm times its condition, as for
-/// [`e4::Solution`].
+/// An orbit of the Euler top's map, for coefficients of different signs (derived here; see Sections
+/// 2 and 5). In `f64` the error at n is at most 16 ulp of the point's norm times the condition
+/// given for [`e4::Solution`].
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -87,50 +78,44 @@ impl<T: Real> Reduction<T> {
 pub struct Solution<T> {
     /// The change of variables.
     pub reduction: Reduction<T>,
-    /// The orbit of dE4, with the same ε and n.
+    /// The orbit of dE4, with equal ε and n.
     pub orbit: e4::Solution<T>,
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit of the top with coefficients α₁, α₂, α₃ that has this point at n = 0; ε is half
-    /// the time step.
-    ///
-    /// # Errors
-    /// Where [`Reduction::of`] or [`e4::Solution::through`] has one.
+    /// Returns the orbit through `point` at n = 0 for the coefficients α₁, α₂, α₃. Fails if
+    /// [`Reduction::of`] or [`e4::Solution::through`] fails.
     pub fn through(coefficients: &[T; 3], point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let reduction = Reduction::of(coefficients)?;
         let orbit = e4::Solution::through(&reduction.to_e4(point), eps)?;
         Ok(Self { reduction, orbit })
     }
 
-    /// The point n steps on, or back for n < 0.
+    /// Returns the point after n steps, also for n < 0.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         self.reduction.back_from_e4(&self.orbit.at(n))
     }
 }
 
-/// A trajectory of the Euler top, for coefficients that are not all of one sign (section 3; derived
-/// here).
+/// A trajectory of the Euler top with coefficients of different signs (derived here).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The change of variables.
     pub reduction: Reduction<T>,
-    /// The trajectory of E4, in the same time.
+    /// The trajectory of E4, with equal time.
     pub trajectory: e4::FlowSolution<T>,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// The trajectory of the top with coefficients α₁, α₂, α₃ that has this point at t = 0.
-    ///
-    /// # Errors
-    /// Where [`Reduction::of`] or [`e4::FlowSolution::through`] has one.
+    /// Returns the trajectory through `point` at t = 0 for the coefficients α₁, α₂, α₃. Fails if
+    /// [`Reduction::of`] or [`e4::FlowSolution::through`] fails.
     pub fn through(coefficients: &[T; 3], point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let reduction = Reduction::of(coefficients)?;
         let trajectory = e4::FlowSolution::through(&reduction.to_e4(point))?;
         Ok(Self { reduction, trajectory })
     }
 
-    /// The point at time t, any real number.
+    /// Returns the point at time t, for any real t.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         self.reduction.back_from_e4(&self.trajectory.at(t))
     }

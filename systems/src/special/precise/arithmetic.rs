@@ -1,4 +1,4 @@
-//! The operators of a [`Precise`], and its part in Kahan maps.
+//! Operators of [`Precise`], and its traits for Kahan maps.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -64,7 +64,7 @@ impl Scalar for Precise {
         Self::from_rational(&c.to_ratio())
     }
 
-    /// As for the machine's floats, the larger magnitude; what is undefined is never better.
+    /// Compares magnitudes, as for floats; an undefined value is never better.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.magnitude_exceeds(than)
     }

@@ -1,5 +1,4 @@
-//! The elementary functions of a [`Precise`], each rounded once by the library, and its special
-//! functions.
+//! Elementary functions of [`Precise`], rounded once by the library, and special functions.
 
 use std::sync::OnceLock;
 
@@ -84,7 +83,7 @@ impl Real for Precise {
         if repr.exponent() >= 0 {
             return *self;
         }
-        // A shift to the right of a negative integer rounds towards minus infinity.
+        // Right shifts of negative integers round towards minus infinity.
         Self::from_repr(Repr::new(repr.significand() >> repr.exponent().unsigned_abs(), 0))
     }
 

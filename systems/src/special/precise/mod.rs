@@ -1,9 +1,7 @@
-//! A real number of 256 bits, 77 decimal digits, every operation rounded once to nearest.
-//!
-//! In: arithmetic and correctly rounded elementary functions of `dashu-float`. Out: a number type
-//! of one fixed precision that runs through Kahan maps and formulas, and that never panics: what
-//! has no finite real value is undefined, and stays so. Deliberately absent: infinities and signed
-//! zeros.
+//! Real numbers of 256 bits (77 decimal digits); every operation rounds once to nearest.
+//! `dashu-float` supplies arithmetic and correctly rounded elementary functions. [`Precise`] has a
+//! fixed precision, runs through Kahan maps and formulas, and never panics: without a finite real
+//! value a result is undefined. Infinities and signed zeros are deliberately absent.
 
 mod arithmetic;
 mod elementary;
@@ -22,13 +20,11 @@ pub use text::ParsePreciseError;
 
 /// A real number of 256 bits (77 decimal digits), or undefined.
 ///
-/// The four operations, the square root, conversions and the elementary functions round once, to
-/// nearest. A result that is infinite or not real (1/0, ln 0, √−1) is *undefined*, the one value
-/// unequal to itself, as NaN is; so is everything computed from it. As text:
-/// [`Display`](core::fmt::Display) gives 60 significant digits, `{:.n}` gives n, and
+/// Arithmetic, square roots, conversions and elementary functions round once, to nearest. Infinite
+/// and complex results (1/0, ln 0, √−1) are *undefined*: like NaN, they propagate, and differ from
+/// themselves. [`Display`](core::fmt::Display) writes 60 significant digits, `{:.n}` writes n, and
 /// [`FromStr`](core::str::FromStr) reads decimals (`-1.5e-3`) and fractions (`3/7`), rounded once.
-///
-/// Cost: an elementary function takes as long as some hundred sums or products.
+/// An elementary function costs about a hundred sums or products.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real};
@@ -41,16 +37,16 @@ pub use text::ParsePreciseError;
 #[derive(Clone, Copy)]
 pub struct Precise(Option<Number>);
 
-/// ±significand·2^exponent, the significand odd or, with the exponent 0, 0.
+/// ±significand·2^exponent; the significand is odd, or zero with exponent 0.
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The lowest first. What the library rounds to so many bits can be some bits longer.
+    /// The words from the lowest. The library's rounded results may be a few bits longer than
+    /// `BITS`.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
 }
 
-/// The bits of a [`Precise`].
 const BITS: usize = 256;
 
 const CONTEXT: Context<HalfEven> = Context::new(BITS);
@@ -58,23 +54,23 @@ const CONTEXT: Context<HalfEven> = Context::new(BITS);
 type Outcome = Result<Rounded<FBig<HalfEven, 2>>, FpError>;
 
 thread_local! {
-    /// π and ln 2, computed once a thread.
+    /// π and ln 2, computed once in each thread.
     static CACHE: RefCell<ConstCache> = const { RefCell::new(ConstCache::new()) };
 }
 
 impl Precise {
-    /// What has no finite real value.
+    /// The value of results that are not finite and real.
     pub const UNDEFINED: Self = Self(None);
 
-    /// The bits of the significand.
+    /// The number of bits of the significand.
     pub const BITS: usize = BITS;
 
-    /// Whether there is a value.
+    /// Says whether the number is defined.
     pub fn is_defined(&self) -> bool {
         self.0.is_some()
     }
 
-    /// The number nearest to a rational.
+    /// Rounds a rational to the nearest number.
     ///
     /// ```
     /// use kahan_core::num_rational::BigRational;
@@ -88,7 +84,7 @@ impl Precise {
         quotient(&integer(q.numer().to_signed_bytes_le()), &integer(q.denom().to_signed_bytes_le()))
     }
 
-    /// The nearest `f64`; not a number where there is no value.
+    /// Returns the nearest `f64`; NaN if undefined.
     pub fn to_f64(&self) -> f64 {
         self.repr().map_or(f64::NAN, |repr| repr.to_f64().value())
     }
@@ -98,7 +94,7 @@ impl Precise {
         Some(Repr::new(IBig::from_parts(sign, UBig::from_words(&words)), exponent))
     }
 
-    /// A finite result of the library, or undefined.
+    /// Converts a result of the library.
     fn from_outcome(outcome: Outcome) -> Self {
         match outcome {
             Ok(value) => Self::from_repr(value.value().into_repr()),
@@ -115,12 +111,12 @@ impl Precise {
         let (sign, digits) = significand.as_sign_words();
         let mut words = [0; _];
         words[..digits.len()].copy_from_slice(digits);
-        // One zero only, so that equal numbers are equal everywhere.
+        // A single zero, so that equal numbers have equal representations.
         Self(Some(Number { sign, words, exponent: if significand.is_zero() { 0 } else { exponent } }))
     }
 }
 
-/// p/q rounded once to nearest; undefined for q = 0.
+/// Returns p/q, rounded once to nearest; undefined for q = 0.
 fn quotient(p: &IBig, q: &IBig) -> Precise {
     use dashu_int::ops::{Abs, BitTest, DivRem};
 
@@ -131,8 +127,7 @@ fn quotient(p: &IBig, q: &IBig) -> Precise {
         return Precise::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // Two bits more than asked for, and a sticky bit for the remainder: the rounding below is then
-    // the only one.
+    // Two extra bits and a sticky bit for the remainder make the rounding below the only one.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();
     let (whole, rest) = (p.abs() << shift).div_rem(q.abs());
@@ -163,7 +158,7 @@ impl From<i64> for Precise {
 }
 
 impl From<f64> for Precise {
-    /// The number that `x` is; undefined where `x` is not finite.
+    /// Converts exactly; undefined for infinite x and NaN.
     fn from(x: f64) -> Self {
         Repr::try_from(x).map_or(Self::UNDEFINED, Self::from_repr)
     }

@@ -1,4 +1,4 @@
-//! A [`Precise`] as text: decimals of any length, rounded once each way.
+//! [`Precise`] as text: decimals of any length, rounded once in each direction.
 
 use core::fmt;
 use core::str::FromStr;
@@ -9,7 +9,7 @@ use dashu_int::IBig;
 
 use super::{Precise, quotient};
 
-/// Text that is neither a decimal number nor a fraction of two integers.
+/// The error for text that is neither a decimal nor a fraction of integers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParsePreciseError(String);
 
@@ -21,7 +21,7 @@ impl fmt::Display for ParsePreciseError {
 
 impl core::error::Error for ParsePreciseError {}
 
-/// The largest decimal exponent that is read: beyond it the exact number would fill the memory.
+/// The largest decimal exponent accepted; larger ones would exhaust the memory.
 const EXPONENT_LIMIT: isize = 100_000;
 
 impl FromStr for Precise {
@@ -49,8 +49,8 @@ impl FromStr for Precise {
 }
 
 impl Precise {
-    /// The number with so many significant decimal digits (at least one), rounded to nearest: plain
-    /// between 10⁻⁵ and 10ⁿ, with an exponent elsewhere.
+    /// Writes `digits` significant decimal digits (at least one), rounded to nearest. Uses an
+    /// exponent below 10⁻⁵ and from 10ⁿ on, where n is `digits`.
     pub fn to_digits(&self, digits: usize) -> String {
         let Some(repr) = self.repr() else { return "undefined".to_owned() };
         if repr.significand().is_zero() {
@@ -62,8 +62,7 @@ impl Precise {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // Written as d.ddd × 10^scale; trailing zeros that the base conversion drops are given
-        // back.
+        // The number is d.ddd × 10^scale; restores trailing zeros that the base conversion dropped.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {
@@ -81,7 +80,7 @@ impl Precise {
     }
 }
 
-/// 60 significant digits, or as many as the format's precision says.
+/// Writes 60 significant digits, or the format's precision.
 impl fmt::Display for Precise {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.to_digits(f.precision().unwrap_or(60)))

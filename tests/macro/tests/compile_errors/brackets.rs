@@ -26,7 +26,7 @@ kahan! {
     bracket P { {x,y} = 1 }
 }
 
-// A bracket that says nothing.
+// An empty bracket.
 kahan! {
     pub struct NoEntries;
     xdot = y;
@@ -34,7 +34,7 @@ kahan! {
     bracket P { }
 }
 
-// A parameter does not move.
+// A bracket has entries for states only, not for parameters.
 kahan! {
     pub struct Parameter { w }
     xdot = w*y;

@@ -11,7 +11,7 @@ kahan! {
     integral H = P*(x^2 + y^2);
 }
 
-// Claims are rational.
+// Claims are rational functions.
 kahan! {
     pub struct FunctionCall;
     xdot = y;
@@ -19,7 +19,7 @@ kahan! {
     integral H = sqrt(x^2 + y^2);
 }
 
-// A name means one thing.
+// A name has one meaning.
 kahan! {
     pub struct NamedLikeAParameter { w }
     xdot = w*y;
@@ -27,7 +27,7 @@ kahan! {
     integral w = x^2 + y^2;
 }
 
-// A name means one thing.
+// A name has one meaning.
 kahan! {
     pub struct NamedLikeAState;
     xdot = y;
@@ -43,7 +43,7 @@ kahan! {
     integral eps = x^2 + y^2;
 }
 
-// A name means one thing.
+// A name has one meaning.
 kahan! {
     pub struct NamedTwice;
     xdot = y;
@@ -52,7 +52,7 @@ kahan! {
     integral H = 2*x^2 + 2*y^2;
 }
 
-// The second density is an integral in disguise.
+// The quotient of two densities is an integral, so the second density is refused.
 kahan! {
     pub struct TwoDensities;
     xdot = y;
@@ -61,7 +61,7 @@ kahan! {
     density sigma = x^2 + y^2;
 }
 
-// A claim speaks of states, parameters, `eps` and earlier claims.
+// A claim may use states, parameters, `eps` and earlier claims.
 kahan! {
     pub struct UnknownName;
     xdot = y;
@@ -69,7 +69,7 @@ kahan! {
     integral H = x^2 + y^2 + z^2;
 }
 
-// Claims are read in order.
+// A claim may use earlier claims only.
 kahan! {
     pub struct UsedTooEarly;
     xdot = y;
@@ -78,7 +78,7 @@ kahan! {
     integral H = x^2 + y^2;
 }
 
-// A claim is called by its name.
+// A claim needs a name.
 kahan! {
     pub struct WithoutAName;
     xdot = y;
@@ -86,7 +86,7 @@ kahan! {
     integral = x^2 + y^2;
 }
 
-// A claim says something.
+// A claim needs a value.
 kahan! {
     pub struct WithoutAValue;
     xdot = y;
@@ -94,7 +94,7 @@ kahan! {
     integral H = ;
 }
 
-// Zero, in figures.
+// The divisor is the literal 0.
 kahan! {
     pub struct ZeroDivisor;
     xdot = y;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// `when` fixes a value, it does not test one.
+// `when` fixes a value and cannot test one.
 kahan! {
     pub struct Comparison { k }
     xdot = k*y;
@@ -10,7 +10,7 @@ kahan! {
     integral H = x^2 + y^2 when k > 0;
 }
 
-// Which of the two?
+// Two different values for one name.
 kahan! {
     pub struct Contradiction { k }
     xdot = k*y;
@@ -26,7 +26,7 @@ kahan! {
     integral H = x^2 + y^2 when k = 2*l;
 }
 
-// The third relation says nothing that the first two do not.
+// The third relation follows from the first two.
 kahan! {
     pub struct Follows { k, l, m }
     xdot = k*y;
@@ -35,7 +35,7 @@ kahan! {
     integral H = x^2 + y^2 when k = m, m = l, k*m = l*m;
 }
 
-// A relation behind `when` is solved for one of its names.
+// A relation after `when` must be solved for one of its names.
 kahan! {
     pub struct NoLinearName { k, l }
     xdot = k*y;
@@ -51,7 +51,7 @@ kahan! {
     integral H = x^2 + y^2 when;
 }
 
-// States move.
+// A condition cannot fix a state.
 kahan! {
     pub struct OnAState;
     xdot = y;
@@ -59,7 +59,7 @@ kahan! {
     integral H = x^2 + y^2 when x = 1;
 }
 
-// A slip in the name of the parameter.
+// A misspelt name of a parameter.
 kahan! {
     pub struct OnNothing { omega }
     xdot = omega*y;
@@ -67,7 +67,7 @@ kahan! {
     integral H = x^2 + y^2 when omgea = 1;
 }
 
-// Which of the two is 0?
+// A product is 0, but the vanishing factor is not determined.
 kahan! {
     pub struct Product { k, l }
     xdot = k*y;
@@ -75,7 +75,7 @@ kahan! {
     integral H = y when k*l = 0;
 }
 
-// The field itself divides by zero there.
+// The field divides by zero under this condition.
 kahan! {
     pub struct SingularSpecialisation { k }
     xdot = y/k;
@@ -83,7 +83,7 @@ kahan! {
     integral H = x^2 + y^2 when k = 0;
 }
 
-// Without a step everything is conserved.
+// For eps = 0 every function is conserved.
 kahan! {
     pub struct StepZero;
     xdot = y;

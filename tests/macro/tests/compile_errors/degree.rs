@@ -2,14 +2,14 @@
 
 use kahan_core::prelude::*;
 
-// The sum cancels the squares, not the cubes.
+// The squares cancel, the cubes remain.
 kahan! {
     pub struct AfterExpansion;
     xdot = (x + y)*(x - y)*y - x^2 + y^2;
     ydot = x;
 }
 
-// Parameters do not count, states do.
+// The degree counts states, not parameters.
 kahan! {
     pub struct BehindAParameter { mu }
     xdot = y;
@@ -22,7 +22,7 @@ kahan! {
     xdot = x^3 - x;
 }
 
-// Quadratic, squared.
+// The square of a quadratic term.
 kahan! {
     pub struct PowerOfASum;
     xdot = 1 + (x^2 + y)^2;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A quotient of states is not polynomial.
+// A quotient of states is no polynomial.
 kahan! {
     pub struct State;
     xdot = y/x;
@@ -15,20 +15,20 @@ kahan! {
     xdot = -x/(k + x);
 }
 
-// Zero, in figures.
+// The divisor is the literal 0.
 kahan! {
     pub struct Zero;
     xdot = -x/0;
 }
 
-// Zero, by a constant.
+// A constant that makes the divisor 0.
 kahan! {
     pub struct ZeroConstant;
     const c = 1/2 - 0.5;
     xdot = -x/c;
 }
 
-// Zero, after expansion.
+// A divisor that expands to 0.
 kahan! {
     pub struct ZeroInLetters { k }
     xdot = -x/(k*(k + 1) - k^2 - k);

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// A density is no function of F.
+// The next value must be a function of F; a density is not.
 kahan! {
     pub struct ByADensity;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     drift F = x^2 + y^2 by rho*F;
 }
 
-// A state is no function of F.
+// The next value must be a function of F; a state is not.
 kahan! {
     pub struct ByAState;
     xdot = x^2;
@@ -39,7 +39,7 @@ kahan! {
     drift F = 1/x by 1/((F + 1)^2 - F^2 - 2*F - 1);
 }
 
-// The sign is that of F = -1/x.
+// F = -1/x has the opposite sign.
 kahan! {
     pub struct ByTheWrongSign;
     xdot = x^2;
@@ -53,28 +53,28 @@ kahan! {
     drift F = eps by F;
 }
 
-// The name of a drift stands for its function only behind `by`.
+// The name of a drift denotes its function only after `by`.
 kahan! {
     pub struct InItsOwnFunction;
     xdot = x^2;
     drift F = 1/F by F - 2*eps;
 }
 
-// A state and a drift of one name.
+// A state and a drift with one name.
 kahan! {
     pub struct NamedLikeAState;
     xdot = x^2;
     drift x = 1/x by x - 2*eps;
 }
 
-// Nothing behind `by`.
+// The next value after `by` is missing.
 kahan! {
     pub struct NothingBehindBy;
     xdot = x^2;
     drift F = 1/x by;
 }
 
-// `by` belongs to drifts.
+// `by` is part of drifts only.
 kahan! {
     pub struct IntegralWithBy;
     xdot = x^2;
@@ -88,7 +88,7 @@ kahan! {
     drift F = 1/x;
 }
 
-// The name of the claim is missing.
+// The name of the drift is missing.
 kahan! {
     pub struct WithoutAName;
     xdot = x^2;

@@ -22,13 +22,13 @@ kahan! {
     xdot = x^(1+1);
 }
 
-// `^` wants a number.
+// `^` needs a number.
 kahan! {
     pub struct Missing;
     xdot = x^;
 }
 
-// In an equation a quotient is written as one.
+// An equation needs a quotient instead of a negative exponent.
 kahan! {
     pub struct Negative { k }
     xdot = -k^-1*x;
@@ -40,13 +40,13 @@ kahan! {
     xdot = -k^65*x;
 }
 
-// The degree is known while compiling, so an exponent is a number.
+// The degree must be known at compile time, so exponents are numbers.
 kahan! {
     pub struct Symbolic { n }
     xdot = x^n;
 }
 
-// Calculators disagree about `a^b^c`.
+// `a^b^c` is ambiguous.
 kahan! {
     pub struct Tower { a }
     xdot = a^2^3*x;

@@ -1,8 +1,8 @@
-//! Claims that do not hold.
+//! False claims.
 
 use kahan_core::prelude::*;
 
-// Zero modulo 2^61 - 1, and false.
+// False, but zero modulo 2^61 - 1.
 kahan! {
     pub struct APrimeTimesAState;
     xdot = -x^2;
@@ -11,7 +11,7 @@ kahan! {
     integral H = 2305843009213693951*x;
 }
 
-// Poisson, and not invariant.
+// A Poisson bracket that is not invariant.
 kahan! {
     pub struct BracketNotCarried;
     xdot = -x^2;
@@ -20,7 +20,7 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-// Invariant under a linear rotation, and no Poisson bracket.
+// Invariant under a linear rotation, but no Poisson bracket.
 kahan! {
     pub struct BracketWithoutJacobi;
     xdot = 0;
@@ -29,7 +29,7 @@ kahan! {
     bracket P { {x,y} = y; {y,z} = y; {z,x} = x; }
 }
 
-// True, and says nothing.
+// A trivial claim.
 kahan! {
     pub struct Constant;
     xdot = -x^2;
@@ -38,7 +38,7 @@ kahan! {
     integral H = 3;
 }
 
-// 1, after cancellation.
+// Equal to 1 after cancellation.
 kahan! {
     pub struct ConstantInDisguise;
     xdot = -x^2;
@@ -47,7 +47,7 @@ kahan! {
     integral H = (x + y)^2/(x^2 + 2*x*y + y^2);
 }
 
-// Lebesgue measure is invariant under the flow, not under the map.
+// Lebesgue measure is invariant under the flow, but not under the map.
 kahan! {
     pub struct DensityOfTheFlow;
     xdot = y*(2*z - x);
@@ -56,7 +56,7 @@ kahan! {
     density rho = 1;
 }
 
-// Without a value at any point, which only evaluation shows.
+// A claim without a value at any point, as its evaluation shows.
 kahan! {
     pub struct DivisionByZeroAfterExpansion;
     xdot = -x^2;
@@ -65,7 +65,7 @@ kahan! {
     integral H = x/((x + y)^2 - x^2 - 2*x*y - y^2);
 }
 
-// Without a value at any point.
+// A claim without a value at any point.
 kahan! {
     pub struct DivisionByZeroIdentically;
     xdot = -x^2;
@@ -74,7 +74,7 @@ kahan! {
     integral H = x/(y - y);
 }
 
-// True at xi = 1 only.
+// True for xi = 1 only.
 kahan! {
     pub struct GenericParameters { xi }
     xdot = -x^2;
@@ -83,7 +83,7 @@ kahan! {
     integral H = y/x;
 }
 
-// An integral modulo 2^61 - 1, and false.
+// False, but an integral modulo 2^61 - 1.
 kahan! {
     pub struct IntegralAndAMultipleOfAPrime;
     xdot = -x^2;
@@ -92,7 +92,7 @@ kahan! {
     integral H = y/x + 2305843009213693951*z;
 }
 
-// The flow keeps it, the map a deformation of it.
+// An integral of the flow, but not of the map.
 kahan! {
     pub struct IntegralOfTheFlow;
     xdot = y*(2*z - x);
@@ -110,7 +110,7 @@ kahan! {
     integral H = y/x*z^60;
 }
 
-// The misprint: the paper has `z` for `z^2`.
+// A misprint of the paper: `z` instead of `z^2`.
 kahan! {
     pub struct Table4Row3AsPrinted;
     xdot = x*z;
@@ -122,7 +122,7 @@ kahan! {
     }
 }
 
-// True, and says nothing.
+// A trivial claim.
 kahan! {
     pub struct TheHalfStep;
     xdot = -x^2;
@@ -131,7 +131,7 @@ kahan! {
     integral H = eps;
 }
 
-// With h = 2 eps for eps.
+// The whole step h = 2 eps instead of eps.
 kahan! {
     pub struct TheWholeStepForTheHalf;
     xdot = -x^2;
@@ -140,7 +140,7 @@ kahan! {
     integral K = (x*z + y^2)/(1 - 4*eps^2*x^2);
 }
 
-// True at xi = 1, claimed at xi = -1.
+// True for xi = 1, claimed for xi = -1.
 kahan! {
     pub struct WhenAParameterIsSpecial { xi }
     xdot = -x^2;
@@ -149,7 +149,7 @@ kahan! {
     integral H = y/x when xi = -1;
 }
 
-// True at eps = 1, claimed at eps = 2.
+// True for eps = 1, claimed for eps = 2.
 kahan! {
     pub struct WhenTheConditionDoesNotHelp;
     xdot = x*(1 - y);
@@ -157,7 +157,7 @@ kahan! {
     integral H = x + y when eps = 2;
 }
 
-// No bracket.
+// No Poisson bracket.
 kahan! {
     pub struct ZeroBracket;
     xdot = -x^2;
@@ -166,7 +166,7 @@ kahan! {
     bracket P { {x,y} = 0*x; {y,z} = z - z; }
 }
 
-// No measure.
+// No invariant measure.
 kahan! {
     pub struct ZeroDensity;
     xdot = -x^2;

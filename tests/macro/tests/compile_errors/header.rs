@@ -44,7 +44,7 @@ kahan! {
     xdot = -k*x;
 }
 
-// A value is given where the system is built.
+// Values are given where the system is constructed.
 kahan! {
     pub struct ParameterWithAValue { k = 2 }
     xdot = -k*x;
@@ -56,7 +56,7 @@ kahan! {
     xdot = -k*x;
 }
 
-// Parameters have names.
+// Parameters need names.
 kahan! {
     pub struct Tuple(k);
     xdot = -k*x;
@@ -68,7 +68,7 @@ kahan! {
     xdot = -k*x;
 }
 
-// A parameter without effect is a slip.
+// An unused parameter is an error.
 kahan! {
     pub struct UnusedParameter { k, l }
     xdot = -k*x;

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Another word for an integral; what uses it is no second mistake.
+// Another word for an integral; claims that use it give no second error.
 kahan! {
     pub struct Invariant;
     xdot = y;
@@ -20,7 +20,7 @@ kahan! {
     integral H = x^2 + y^2;
 }
 
-// A slip.
+// A misspelt keyword.
 kahan! {
     pub struct Slip;
     xdot = y;

@@ -2,27 +2,27 @@
 
 use kahan_core::prelude::*;
 
-// A claim is about a field.
+// A claim needs a field.
 kahan! {
     pub struct ClaimWithoutAField;
     integral H = 1;
 }
 
-// A name means one thing.
+// A name has one meaning.
 kahan! {
     pub struct ConstantLikeAState;
     const x = 2;
     xdot = x;
 }
 
-// Constants are known while compiling.
+// Constants must be known at compile time.
 kahan! {
     pub struct ConstantThatVaries { k }
     const c = 2*k;
     xdot = c*k*x;
 }
 
-// A name means one thing.
+// A name has one meaning.
 kahan! {
     pub struct ConstantTwice;
     const c = 2;
@@ -30,7 +30,7 @@ kahan! {
     xdot = c*x;
 }
 
-// One equation a state.
+// Every state has one equation.
 kahan! {
     pub struct DuplicateEquation;
     xdot = y;
@@ -38,7 +38,7 @@ kahan! {
     xdot = -y;
 }
 
-// The lunate epsilon is another letter.
+// The lunate epsilon is a different letter.
 kahan! {
     pub struct GreekHalfStep;
     xdot = y;
@@ -46,13 +46,13 @@ kahan! {
     integral H = (x^2 + y^2)*(1 + ϵ^2);
 }
 
-// `eps` is the half time step in every claim.
+// `eps` denotes the half time step in every claim.
 kahan! {
     pub struct HalfStepAsAState;
     epsdot = -eps;
 }
 
-// Coefficients have even powers of the half step, and a value where it is 0.
+// Coefficients are even in the half step and finite at 0.
 kahan! {
     pub struct OddPowersOfTheHalfStep;
     xdot = y - eps^2*x;
@@ -64,45 +64,45 @@ kahan! {
     xdot = x/eps^2;
 }
 
-// Keywords are no parameters.
+// Keywords cannot be parameters.
 kahan! {
     pub struct Keyword { k }
     xdot = k*y;
     ydot = -k*super;
 }
 
-// The left-hand side is the derivative.
+// The left-hand side must be a derivative.
 kahan! {
     pub struct MissingDot;
     x = y;
     ydot = -x;
 }
 
-// One slip in a left-hand side, one error: the uses of `x` are right.
+// A misspelt left-hand side gives one error; the uses of `x` are right.
 kahan! {
     pub struct MisspeltDot;
     xdto = y;
     ydot = -x;
 }
 
-// Every state has an equation.
+// Every state needs an equation.
 kahan! {
     pub struct NoEquation;
     xdot = x*(1 - z);
 }
 
-// A field has at least one equation.
+// A field needs an equation.
 kahan! {
     pub struct NothingInTheBlock;
 }
 
-// `dot` of what?
+// `dot` without a state.
 kahan! {
     pub struct OnlyDot;
     dot = 1;
 }
 
-// The nearest name is suggested.
+// A similar name is suggested.
 kahan! {
     pub struct Slip { omega }
     xdot = y;

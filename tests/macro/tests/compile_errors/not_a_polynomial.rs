@@ -2,13 +2,13 @@
 
 use kahan_core::prelude::*;
 
-// A field has one formula everywhere.
+// A field needs one formula everywhere.
 kahan! {
     pub struct Conditional;
     xdot = if x { 1 } else { 0 };
 }
 
-// Parameters are named, not reached for.
+// Parameters have plain names, without field access.
 kahan! {
     pub struct FieldOfSelf { k }
     xdot = -self.k*x;
@@ -20,13 +20,13 @@ kahan! {
     xdot = -k[0]*x;
 }
 
-// The macro reads text, not the result of another macro.
+// The macro cannot read the result of another macro.
 kahan! {
     pub struct MacroCall;
     xdot = -rate!()*x;
 }
 
-// A method is no operation on polynomials.
+// Methods are not available in fields.
 kahan! {
     pub struct Method;
     xdot = -x.abs();
@@ -38,14 +38,14 @@ kahan! {
     xdot = -physics::RATE*x;
 }
 
-// A function of the states is another field.
+// A function of the states is no polynomial.
 kahan! {
     pub struct Sine;
     xdot = y;
     ydot = -sin(x);
 }
 
-// A product in the mathematician's way, a call in Rust's.
+// A product in mathematical notation is a call in Rust.
 kahan! {
     pub struct UnknownFunction { k }
     xdot = k(x + 1);

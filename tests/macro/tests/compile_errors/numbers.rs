@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// Decimal exponents are limited, so that no literal fills the memory.
+// Decimal exponents are limited to bound the memory of literals.
 kahan! {
     pub struct Astronomical;
     xdot = -1e5000*x;
@@ -32,7 +32,7 @@ kahan! {
     xdot = -2f64*x;
 }
 
-// `2.` is a number, but before a name the point reads as the access to a field.
+// `2.` is a number, but `2.x` reads as field access.
 kahan! {
     pub struct TrailingPoint;
     xdot = 1 - 2.x;

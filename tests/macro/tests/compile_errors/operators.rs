@@ -2,43 +2,43 @@
 
 use kahan_core::prelude::*;
 
-// Only round brackets group.
+// Only round brackets group expressions.
 kahan! {
     pub struct BracketsForParentheses;
     xdot = [x - 1]*x;
 }
 
-// `==` compares.
+// `==` is a comparison.
 kahan! {
     pub struct DoubleEquals;
     xdot == x;
 }
 
-// Python's power.
+// Python's operator for powers.
 kahan! {
     pub struct DoubleStar;
     xdot = x**2;
 }
 
-// A state at rest is written `xdot = 0;`.
+// A constant state is written `xdot = 0;`.
 kahan! {
     pub struct EmptyRightHandSide;
     xdot = ;
 }
 
-// Only `-` stands before an operand.
+// Only `-` may precede an operand.
 kahan! {
     pub struct LeadingPlus;
     xdot = + x;
 }
 
-// A left-hand side, and then?
+// A left-hand side without a right-hand side.
 kahan! {
     pub struct MissingEquals;
     xdot x;
 }
 
-// The last item ends with `;` as well.
+// The last item ends with `;`, too.
 kahan! {
     pub struct MissingLastSemicolon;
     xdot = y;
@@ -51,7 +51,7 @@ kahan! {
     xdot = x + * 2;
 }
 
-// Something is to be multiplied with what?
+// A missing operand.
 kahan! {
     pub struct MissingRightOperand;
     xdot = x*;
@@ -64,7 +64,7 @@ kahan! {
     ydot = -x;
 }
 
-// A product needs its `*`, also between names.
+// A product needs `*`, even between names.
 kahan! {
     pub struct NameBeforeName { k }
     xdot = k x;
@@ -76,31 +76,31 @@ kahan! {
     xdot = k (x + 1);
 }
 
-// `3 x`, as two tokens.
+// `3 x`, two tokens.
 kahan! {
     pub struct NumberBeforeName;
     xdot = 1 + 3 x;
 }
 
-// `2x`, as one token.
+// `2x`, one token.
 kahan! {
     pub struct NumberBesideName;
     xdot = 1 + 2x;
 }
 
-// A product needs its `*`, also between parentheses.
+// A product needs `*`, even between parentheses.
 kahan! {
     pub struct ParenthesisBeforeParenthesis;
     xdot = (x - 1)(x + 1);
 }
 
-// Rust's power.
+// Rust's method for powers.
 kahan! {
     pub struct Powi;
     xdot = x.powi(2) - x;
 }
 
-// Rust's power, of a sum.
+// Rust's method for powers of a sum.
 kahan! {
     pub struct PowiOfParentheses;
     xdot = (x - 1).powi(2);
@@ -112,14 +112,14 @@ kahan! {
     xdot = x%2;
 }
 
-// One equation, two `=`.
+// One equation with two `=`.
 kahan! {
     pub struct SecondEquals;
     xdot = y = 0;
     ydot = -x;
 }
 
-// A `;` that ends nothing.
+// A `;` without an item.
 kahan! {
     pub struct StraySemicolon;
     xdot = x;;

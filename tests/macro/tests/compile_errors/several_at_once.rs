@@ -20,7 +20,7 @@ kahan! {
     bracket P { {x,x} = 1; {x,z} = 1; {y,x} = w; {x,y} = 1; }
 }
 
-// Every claim is judged.
+// Every claim is proved or refuted.
 kahan! {
     pub struct FalseClaims;
     xdot = -x^2;
@@ -47,7 +47,7 @@ kahan! {
     ydot = x + a;
 }
 
-// Each equation is read whatever happened to the ones before it.
+// Each equation is read, even after mistakes in earlier ones.
 kahan! {
     pub struct ThreeEquations { k }
     xdot = -sin(x);

@@ -1,5 +1,4 @@
-//! Lotka and Volterra's equations at ε = 1, where the map has an integral that it has at no other
-//! step.
+//! The Lotka–Volterra equations at ε = 1, where the map has an additional integral.
 
 use kahan_core::prelude::*;
 

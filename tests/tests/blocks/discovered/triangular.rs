@@ -1,4 +1,4 @@
-//! A field that can be integrated step by step, whose integrals are polynomials in the step, too.
+//! A field that can be integrated equation by equation; its integrals are also polynomials in ε.
 
 use kahan_core::prelude::*;
 

@@ -1,29 +1,23 @@
-//! The compile-error cases as data: each file's blocks of `kahan!` as text, and what rustc is
-//! expected to print.
-//!
-//! So that the front end can be asked about the very text that the macro was given. Blocks are
-//! found by their brackets; the cases hold no brackets in comments or strings.
+//! The compile-error cases as data: each file's `kahan!` blocks as text, and rustc's expected
+//! output. Blocks are found by their brackets, so comments and strings of the cases hold no
+//! brackets.
 
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Where the cases stand, relative to this package.
+/// The folder of the cases, relative to this package.
 const FOLDER: &str = "macro/tests/compile_errors";
 
-/// One case.
 pub(super) struct CompileCase {
     /// `topic`, or `topic/name`.
     pub(super) name: String,
-    /// The Rust source.
     pub(super) source: String,
-    /// The byte range between the brackets of each `kahan!`, in order.
+    /// The byte range inside the brackets of each `kahan!`, in order.
     pub(super) blocks: Vec<Range<usize>>,
-    /// The expected output of rustc.
     pub(super) expected: String,
 }
 
-/// All cases, by topic and name.
 pub(super) fn compile_cases() -> Vec<CompileCase> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
     let topics = entries(&root);
@@ -44,7 +38,7 @@ pub(super) fn compile_cases() -> Vec<CompileCase> {
 }
 
 impl CompileCase {
-    /// The line and column, from 1, of a byte of the source.
+    /// Returns the line and column of a byte, counted from 1.
     pub(super) fn line_and_column(&self, byte: usize) -> (usize, usize) {
         let before = &self.source[..byte];
         let line = before.rsplit('\n').next().unwrap_or_default();
@@ -52,13 +46,13 @@ impl CompileCase {
     }
 }
 
-/// The byte range between the brackets of each `kahan! {`.
+/// Returns the byte range inside the brackets of each `kahan! {`.
 fn blocks(source: &str) -> Vec<Range<usize>> {
     let starts = source.match_indices("kahan! {").map(|(at, opening)| at + opening.len());
     starts.map(|start| start..start + end_of_group(&source[start..])).collect()
 }
 
-/// The place of the bracket that closes a group whose opening bracket stands before `text`.
+/// Returns the offset of the bracket that closes a group opened before `text`.
 fn end_of_group(text: &str) -> usize {
     let mut depth = 1;
     for (place, c) in text.char_indices() {

@@ -1,4 +1,4 @@
-//! Drifts: functions whose next value follows from their value, and `drift` and `by` as names.
+//! Drifts, functions whose next value depends on their value only, and `drift` and `by` as names.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What may stand in a header besides a name: attributes, documentation, every visibility.
+//! Parts of a header besides the name: attributes, documentation and all visibilities.
 
 use std::fmt::Debug;
 
@@ -31,7 +31,7 @@ kahan! {
     xdot = 1 + x^2;
 }
 
-/// In a module with two blocks and a private one.
+/// A module with two blocks, one of them of limited visibility.
 pub(super) mod inner {
     use super::kahan;
 

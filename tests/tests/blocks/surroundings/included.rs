@@ -1,4 +1,4 @@
-//! Blocks in files: what stands there is what the macro would be given.
+//! Blocks in included files, equal to blocks in place.
 
 use kahan_core::prelude::*;
 
@@ -13,7 +13,7 @@ mod folder {
 #[test]
 fn a_block_in_a_file_is_that_block() {
     kahan! {
-        /// The same.
+        /// The field of the included file.
         struct Same { rate }
         xdot = rate*x*(1 - y);
         ydot = rate*y*(x - 1);

@@ -1,5 +1,4 @@
-//! Scopes in which the names that generated code relies on mean something else, and so do the names
-//! of the states.
+//! Scopes in which names used by generated code, and names of the states, have other meanings.
 
 #[allow(
     dead_code,

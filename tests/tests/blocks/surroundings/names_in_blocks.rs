@@ -1,5 +1,4 @@
-//! Blocks whose own names are those of the prelude, of keywords, and of what the macro itself would
-//! like to use.
+//! Blocks with names of the prelude, of keywords, and of items in generated code.
 
 use kahan_core::prelude::*;
 
@@ -48,7 +47,7 @@ kahan! {
     ydot = prepared*x^2;
 }
 
-/// A type with the name of an argument, beside nothing that has it.
+/// A type with the name of an argument.
 #[allow(non_camel_case_types, reason = "a name to be in the way")]
 pub(super) mod argument {
     kahan_core::kahan! {
@@ -125,7 +124,7 @@ fn claims_may_have_the_names_of_methods() {
     let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
     let claims = Claims { k: ratio(3, 2) };
     assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
-    // One by one, by their own names where these are nothing else.
+    // Claims by their own names, where no other item has that name.
     let own = [
         claims.integral_step(&x, ratio(1, 2)),
         claims.integral_VARIABLES(&x, ratio(1, 2)),
@@ -155,7 +154,7 @@ kahan! {
 
 #[test]
 fn a_state_has_a_constant_of_its_name() {
-    // None of these needs the type of the parameter said.
+    // The constants need no type argument.
     assert_eq!([Places::X, Places::Y, Places::SS], [0, 1, 6]);
     let point = vector![1, 2, 3, 4, 5, 6, 7].map(|state| ratio(state, 1));
     assert_eq!(Places { mu: ratio(3, 1) }.H(&point, ratio(1, 9)), ratio(3, 1) + point[Places::Y].pow(2));

@@ -1,10 +1,9 @@
-//! Blocks that a macro of the user's writes, with fragments of every kind that a formula can hold.
+//! Blocks written by a user's macro, with all kinds of fragments that formulas can hold.
 
 use kahan_core::prelude::*;
 
 use crate::blocks::surroundings::{assert_kahan, ratio};
 
-/// A system from pieces.
 macro_rules! system {
     ($name:ident, $parameter:ident, $factor:expr, $number:literal, $rest:tt) => {
         kahan! {
@@ -18,7 +17,7 @@ macro_rules! system {
 
 system!(FromPieces, mu, x + 1, 0.1, (x - y));
 
-/// The same system in one piece.
+/// An equal system, written by hand.
 mod in_one_piece {
     use super::kahan;
 
@@ -30,7 +29,7 @@ mod in_one_piece {
     }
 }
 
-/// A value from an expression and a name of the caller's.
+/// Steps a system made of an expression and a name of the caller.
 macro_rules! decay {
     ($rate:ident, $x:expr) => {{
         let x = $x;
@@ -38,7 +37,7 @@ macro_rules! decay {
     }};
 }
 
-/// A whole block, passed on.
+/// Passes a whole block on.
 macro_rules! pass_on {
     ($($tokens:tt)*) => { kahan! { $($tokens)* } };
 }

@@ -1,4 +1,4 @@
-//! Scopes in which not even `Option` or `Clone` has a name.
+//! Scopes without the prelude, so even `Option` and `Clone` have no names.
 
 mod bare {
     #![no_implicit_prelude]

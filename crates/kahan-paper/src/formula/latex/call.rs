@@ -1,18 +1,18 @@
-//! Calls in LaTeX: named functions, derivatives, points of the map, matrix entries.
+//! Calls in LaTeX: functions, derivatives, points of the map and matrix entries.
 
 use super::super::Formula;
 use kahan_algebra::render::Level;
 
 use super::{at_least, enclosed, name, write};
 
-/// Functions that people know by their names.
+/// Functions with a well-known name.
 pub(super) const FUNCTIONS: [&str; 14] =
     ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
 
-/// Calls that are not written as one symbol with its arguments in parentheses.
+/// Calls in other forms than name(arguments).
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
-/// A call; `power` follows the name of a function, not its arguments.
+/// Writes a call; `power` is the exponent of a function's name.
 pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String {
     let written: Vec<String> = arguments.iter().map(|argument| write(argument).0).collect();
     let list = written.join(", ");
@@ -79,8 +79,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// A named function, perhaps raised to a power. The braces keep the space before an operator out of
-/// the base of its power.
+/// Writes a function's name with an optional exponent; braces keep spaces out of its base.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

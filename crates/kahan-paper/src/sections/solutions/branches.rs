@@ -1,11 +1,10 @@
-//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1), and what
-//! separates them.
+//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1).
 
 use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::{Solution, solved};
 
-/// δ and κ of Theorem 3 moved by πi/2, with ν = iμ: (−1)ⁿ comes with some components.
+/// δ and κ of Theorem 3 shifted by πi/2, and ν = iμ; `-` marks components with a factor (−1)ⁿ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     (
         Solution {
@@ -35,7 +34,7 @@ pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     ),
 ];
 
-/// No orbit passes from one branch to the other.
+/// Orbits cannot change the branch.
 const SEPARATION: &str = "
 theorem3.e3.sides | Theorem 3, i = 3, addition: the sign of 1 - eps^2 z^2 is kept |
     1 - 2*eps^2*K_eps = (1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))
@@ -48,7 +47,6 @@ theorem3.e5.symmetry | Theorem 3, i = 5, addition: the symmetry (x,y,z) -> (-x,y
     on(next(x), -x, y, -z) = -next(x); on(next(y), -x, y, -z) = next(y); on(next(z), -x, y, -z) = -next(z)
 ";
 
-/// The second branches and the degenerate case between the two.
 pub(super) fn claims() -> Vec<Claim> {
     let branches = BRANCHES
         .iter()

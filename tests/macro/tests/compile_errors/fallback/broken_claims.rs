@@ -1,4 +1,4 @@
-//! The accessors of a claim are there although the claim could not be read.
+//! The accessors of a claim exist although the claim could not be read.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The type, its constants and its methods are there although one equation is wrong.
+//! The type, its constants and its methods exist although one equation is wrong.
 
 use kahan_core::prelude::*;
 

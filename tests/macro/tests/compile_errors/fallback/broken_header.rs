@@ -1,4 +1,4 @@
-//! The parameters are there although one of them carries a type.
+//! The parameters exist although one of them has a type.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A false claim does not take its accessor away.
+//! A false claim still has an accessor.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! At the level of a module a block needs a header; rustc alone knows that it stands there.
+//! A block at module level needs a header; only rustc knows the level.
 
 use kahan_core::prelude::*;
 

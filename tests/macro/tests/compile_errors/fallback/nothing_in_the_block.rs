@@ -1,4 +1,4 @@
-//! A block without a word, at the level of a module and as a value.
+//! An empty block, at module level and as a value.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Without a single equation there is still one error a mistake.
+//! Without a single equation, every mistake still gives one error.
 
 use kahan_core::prelude::*;
 

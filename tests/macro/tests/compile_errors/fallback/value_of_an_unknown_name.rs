@@ -1,4 +1,4 @@
-//! A free name is a value of the scope, and rustc knows the scope.
+//! A free name refers to the surrounding scope, which rustc checks.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Without a header a value is bound to a name first.
+//! A block without a header needs names instead of paths.
 
 use kahan_core::prelude::*;
 

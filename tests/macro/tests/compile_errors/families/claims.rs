@@ -1,4 +1,4 @@
-//! Sums are judged for every number of sites.
+//! Sums are proved or refuted for every number of sites.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A neighbour is `i` and an integer; the index is `i`.
+//! The index is `i`, and neighbours are `i` plus an integer.
 
 use kahan_core::prelude::*;
 

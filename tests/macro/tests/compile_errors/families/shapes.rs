@@ -1,4 +1,4 @@
-//! What stands in a family, and beside it.
+//! Items within and beside a family.
 
 use kahan_core::prelude::*;
 
@@ -79,7 +79,7 @@ kahan! {
     for i in periodic { x[i]dot = x[i+1] }
 }
 
-// Coefficients of a family are free of the half step.
+// Coefficients of a family cannot contain `eps`.
 kahan! {
     pub struct HalfStepInAFamily;
     for i in periodic {

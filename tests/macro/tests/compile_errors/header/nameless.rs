@@ -1,4 +1,4 @@
-//! A type has a name.
+//! A type needs a name.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A block is one system.
+//! A block holds one system.
 
 use kahan_core::prelude::*;
 

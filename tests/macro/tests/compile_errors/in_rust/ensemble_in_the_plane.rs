@@ -1,4 +1,4 @@
-//! Points of two entries, and a map in three dimensions.
+//! Points of dimension two for a map of dimension three.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A map without its ε.
+//! A map without ε.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A map for each trajectory, none of them at its ε.
+//! A map for each trajectory, without ε.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The big rationals are a feature.
+//! Big rationals need a feature.
 
 use kahan_core::prelude::*;
 

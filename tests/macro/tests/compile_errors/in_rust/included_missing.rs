@@ -1,4 +1,4 @@
-//! A file that is not there.
+//! A missing file.
 
 use kahan_core::prelude::*;
 

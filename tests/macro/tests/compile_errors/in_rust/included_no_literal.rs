@@ -1,4 +1,4 @@
-//! A name where a literal is wanted.
+//! A name instead of a literal.
 
 use kahan_core::prelude::*;
 

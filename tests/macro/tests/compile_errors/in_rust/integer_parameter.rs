@@ -1,4 +1,4 @@
-//! A float is meant.
+//! An integer instead of a float.
 
 use kahan_core::prelude::*;
 

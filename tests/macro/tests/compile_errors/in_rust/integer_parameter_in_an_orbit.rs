@@ -1,4 +1,4 @@
-//! A float is meant, also with a suffix.
+//! An integer instead of a float, with and without a suffix.
 
 use kahan_core::prelude::*;
 

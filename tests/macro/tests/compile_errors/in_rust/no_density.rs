@@ -1,4 +1,4 @@
-//! What holds on a relation has no accessor.
+//! Claims with a condition have no trait accessor.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! There is nothing to call.
+//! A system without integrals has no accessor.
 
 use kahan_core::prelude::*;
 

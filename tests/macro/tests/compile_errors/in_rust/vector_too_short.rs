@@ -1,4 +1,4 @@
-//! Two entries, and a map in three dimensions.
+//! A vector of two entries for a map of dimension three.
 
 use kahan_core::prelude::*;
 

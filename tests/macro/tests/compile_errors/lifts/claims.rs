@@ -1,8 +1,8 @@
-//! Claims of lifts are about their quadratic fields.
+//! Claims of lifts concern their quadratic fields.
 
 use kahan_core::prelude::*;
 
-// The energy of the flow is not that of the map.
+// The flow's energy is not preserved by the map.
 kahan! {
     lift pub struct Flow;
     xdot = v;
@@ -10,14 +10,14 @@ kahan! {
     integral E = v^2/2 - cos_x;
 }
 
-// The map keeps t2 = t^2, and nothing else makes this constant.
+// The claim holds only on the preserved relation t2 = t^2.
 kahan! {
     lift pub struct OnRelations;
     xdot = t^3;
     integral J = x*(t2 - t^2);
 }
 
-// Claims have no functions.
+// Claims contain no functions.
 kahan! {
     lift pub struct Function;
     xdot = v;
@@ -25,7 +25,7 @@ kahan! {
     integral E = v^2/2 - cos(x);
 }
 
-// A claim has the name of a new variable.
+// A claim with the name of a new variable.
 kahan! {
     lift pub struct Taken;
     xdot = v;
@@ -34,7 +34,7 @@ kahan! {
 }
 
 fn main() {
-    // The types stand in for what the blocks would be.
+    // Stand-in types replace the broken blocks.
     let start = Flow.embed(&vector![0.5, 0.0]);
     let _: SVector<f64, 4> = Flow.step(&start, 0.1);
 }

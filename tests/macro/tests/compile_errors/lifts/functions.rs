@@ -1,14 +1,14 @@
-//! What cannot be lifted.
+//! Equations that cannot be lifted.
 
 use kahan_core::prelude::*;
 
-// A corner.
+// A function with a corner.
 kahan! {
     lift pub struct Corner;
     xdot = -abs(x);
 }
 
-// A function of an unknown name.
+// An unknown function.
 kahan! {
     lift pub struct Unknown;
     xdot = -f(x);
@@ -26,14 +26,14 @@ kahan! {
     xdot = -k*sin(x) + c;
 }
 
-// Without `lift` a field has no functions.
+// Only lifts may contain functions.
 kahan! {
     pub struct NotLifted;
     xdot = v;
     vdot = -sin(x);
 }
 
-// Nothing to be lifted.
+// A field that needs no lift.
 kahan! {
     lift pub struct Nothing;
 }

@@ -1,15 +1,15 @@
-//! Where `lift` stands.
+//! The place of `lift`.
 
 use kahan_core::prelude::*;
 
-// Behind the visibility.
+// `lift` stands after the visibility.
 kahan! {
     pub lift struct Behind;
     xdot = v;
     vdot = -sin(x);
 }
 
-// Not in the middle of a block.
+// `lift` cannot stand in the middle of a block.
 kahan! {
     pub struct Middle;
     xdot = v;
@@ -17,14 +17,14 @@ kahan! {
     vdot = -x;
 }
 
-// Not twice.
+// `lift` stands once.
 kahan! {
     lift pub struct Twice;
     lift;
     xdot = sin(x);
 }
 
-// Families are not lifted.
+// Families cannot be lifted.
 kahan! {
     lift pub struct Chain;
     for i in periodic { x[i]dot = sin(x[i+1] - x[i]); }

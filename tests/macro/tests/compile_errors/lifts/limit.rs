@@ -1,4 +1,4 @@
-//! A search that ends at the macro's limit names the command that goes on.
+//! A search that reaches the macro's limit names the command that continues it.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The time is a state or a parameter that the block declares, and a derivative is no name.
+//! The time must be declared as a state or parameter, and a derivative is no name.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The edition before, the default features, nothing but the prelude.
+//! The previous edition, with default features and only the prelude.
 
 #![deny(missing_docs, unused, warnings)]
 #![deny(clippy::pedantic)]
@@ -15,13 +15,13 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-/// A program's own state: a prepared map beside what it moves.
+/// A struct of a program: a prepared map with its state.
 struct Spinning<M: KahanMap<f64, 2>> {
     map: KahanAt<M, f64, 2>,
     state: SVector<f64, 2>,
 }
 
-/// The same with a map of one kind.
+/// A struct with a fixed map type.
 struct Wheel {
     inner: Spinning<Rotation<f64>>,
 }

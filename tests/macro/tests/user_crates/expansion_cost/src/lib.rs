@@ -1,5 +1,4 @@
-//! What a block costs to expand, with the macro built as cargo builds it by default: unoptimised.
-//!
+//! The cost of expanding blocks with an unoptimised macro, cargo's default.
 //! `KAHAN_TIMING=1 cargo build --package expansion_cost` in this workspace prints it.
 
 use kahan_core::prelude::*;

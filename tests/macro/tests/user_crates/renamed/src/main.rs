@@ -1,4 +1,4 @@
-//! kahan-core under another name, in a crate where nothing of the prelude is in scope.
+//! kahan-core under another name, in a crate without a prelude.
 
 #![no_implicit_prelude]
 #![deny(missing_docs, unused, warnings)]
