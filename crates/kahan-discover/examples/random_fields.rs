@@ -1,5 +1,6 @@
-//! Proves the findings of `discover` for random fields a second time: by expansion over ℚ, which
-//! shares neither primes nor random points with `discover`.
+//! Proves findings of `discover` for random fields a second time, by expansion over ℚ.
+//!
+//! The second proof shares neither primes nor random points with `discover`.
 //! `cargo run --release -p kahan-discover --example random_fields -- --help`
 
 #[path = "literature/clock.rs"]
@@ -84,20 +85,19 @@ fn main() -> ExitCode {
     if untrue == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// The second proof of a finding.
 enum Proved {
     ByExpansion,
     ModuloPrimes,
 }
 
-/// Proves the claim after a block by expansion or, beyond its budget, modulo primes; `None` if the
-/// claim is false.
+/// Proves the claim after a block by expansion or, beyond its budget, modulo primes. Returns `None`
+/// for a false claim.
 fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The seed of primes and points is the text of the block, so both differ from those of
+        // Primes and points are seeded by the text of the block, so they differ from those of
         // `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
@@ -106,7 +106,6 @@ fn proved_again(before: &str, claim: &str) -> Option<Proved> {
 const STATES: [&str; 4] = ["x", "y", "z", "w"];
 const PARAMETERS: [&str; 2] = ["a", "b"];
 
-/// A product of a coefficient, at most one parameter, and powers of the states.
 #[derive(Clone)]
 struct Term {
     coefficient: i64,
@@ -115,7 +114,8 @@ struct Term {
 }
 
 impl Term {
-    /// Draws a term with `factors` factors, each 1 or one of the first n states.
+    /// Draws a product of a coefficient, perhaps a parameter, and `factors` factors, each 1 or a
+    /// state.
     fn draw(n: u64, factors: usize, has_parameters: bool, random: &mut SplitMix64) -> Self {
         let sizes = [-3, -2, -1, -1, 1, 1, 2, 3];
         let parameter = has_parameters && random.below(3) == 0;
@@ -133,7 +133,7 @@ impl Term {
         }
     }
 
-    /// The derivative with respect to a state, times a factor.
+    /// Returns the derivative with respect to a state, times a factor.
     fn derivative(&self, state: usize, factor: i64) -> Self {
         let mut term = self.clone();
         term.coefficient *= factor * self.powers[state];
@@ -148,7 +148,7 @@ impl Term {
     }
 }
 
-/// The equations of a random field.
+/// Writes the equations of a random field.
 fn field(index: u64, random: &mut SplitMix64) -> String {
     let n = 2 + index % 3;
     let has_parameters = random.below(3) == 0;

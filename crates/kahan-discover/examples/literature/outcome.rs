@@ -19,8 +19,8 @@ pub(crate) struct Outcome<'a> {
     total: f64,
     /// The claims that the command prints.
     pub(crate) printed: Vec<String>,
-    /// The length of the printed claims divided by that of the shortest ones; `None` if a claim is
-    /// missing or no shortest form is known.
+    /// Printed length divided by the shortest known length; `None` if a claim is missing or no
+    /// shortest form is known.
     pub(crate) ratio: Option<f64>,
     /// The differences between the findings and the known facts.
     pub(crate) differences: Vec<String>,
@@ -30,7 +30,6 @@ impl<'a> Outcome<'a> {
     pub(crate) const HEAD: &'static str = "\
 case             integrals written growth      densities drifts ranks          last     all  ratio";
 
-    /// Runs the discovery for a case and compares the result.
     pub(crate) fn of(case: &'a Case, seconds: f64) -> Self {
         let options = Options { parameters: case.parameters.clone(), seconds, ..Options::default() };
         let clock = Clock::start();
@@ -92,7 +91,6 @@ case             integrals written growth      densities drifts ranks          l
             all += found.iter().take(wanted).sum::<usize>();
             least += shortest.iter().sum::<usize>();
             if count < wanted {
-                // Without all claims there is no length to compare.
                 least = 0;
                 break;
             }
@@ -110,8 +108,8 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// The claims that `kahan discover` prints: those of the report, the compact forms of modified
-/// Hamiltonians, and the drifts.
+/// Collects the claims that `kahan discover` prints: those of the report, with the compact forms of
+/// modified Hamiltonians, and drifts.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {
@@ -128,12 +126,11 @@ fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     printed
 }
 
-/// The first word of a claim.
 fn kind(claim: &str) -> &str {
     claim.split_whitespace().next().unwrap_or_default()
 }
 
-/// The lengths of the claims of each kind, ascending, without names and spaces.
+/// Returns the ascending lengths of the claims of each kind, without names and spaces.
 fn by_kind(claims: &[String]) -> BTreeMap<&str, Vec<usize>> {
     let mut lengths: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for claim in claims {

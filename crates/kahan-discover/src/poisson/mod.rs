@@ -1,5 +1,5 @@
-//! Poisson structures: the constant one of the field with its modified Hamiltonians, and brackets
-//! that the map preserves.
+//! Poisson structures: constant ones of the field with modified Hamiltonians, and invariant
+//! brackets of the map.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;
