@@ -59,7 +59,6 @@ fn main() -> ExitCode {
         with_findings += u64::from(!findings.is_empty());
         let mut block = field.clone();
         for (_, finding) in findings {
-            // A drift may name integrals and earlier drifts.
             let before = if finding.kind == ClaimKind::Drift { &block } else { &field };
             match proved_again(before, &finding.text) {
                 Some(Proved::ByExpansion) => expanded += 1,
@@ -90,15 +89,13 @@ enum Proved {
     ModuloPrimes,
 }
 
-/// Proves the claim after a block by expansion or, beyond its budget, modulo primes. Returns `None`
-/// for a false claim.
+/// Proves a claim by expansion or, beyond its budget, modulo primes; `None` for a false claim.
 fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // Primes and points are seeded by the text of the block, so they differ from those of
-        // `discover`.
+        // The text of the block seeds primes and points, so they differ from those of `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }
@@ -114,8 +111,7 @@ struct Term {
 }
 
 impl Term {
-    /// Draws a product of a coefficient, perhaps a parameter, and `factors` factors, each 1 or a
-    /// state.
+    /// Draws a term whose `factors` factors are 1 or a state, perhaps with a parameter.
     fn draw(n: u64, factors: usize, has_parameters: bool, random: &mut SplitMix64) -> Self {
         let sizes = [-3, -2, -1, -1, 1, 1, 2, 3];
         let parameter = has_parameters && random.below(3) == 0;
@@ -133,7 +129,6 @@ impl Term {
         }
     }
 
-    /// Returns the derivative with respect to a state, times a factor.
     fn derivative(&self, state: usize, factor: i64) -> Self {
         let mut term = self.clone();
         term.coefficient *= factor * self.powers[state];
@@ -148,7 +143,6 @@ impl Term {
     }
 }
 
-/// Writes the equations of a random field.
 fn field(index: u64, random: &mut SplitMix64) -> String {
     let n = 2 + index % 3;
     let has_parameters = random.below(3) == 0;

@@ -11,16 +11,12 @@ use crate::watch::{Finding, Progress, Watch};
 /// The least time between two looks of the watch within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// Work under a watch.
-///
-/// Remembers the findings it reported, and whether the watch ended it. Afterwards it makes no
-/// calls.
+/// Work under a watch. Remembers reported findings; makes no calls after the watch ended it.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
     /// The current stage, and the done and total counts of its items.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
-    /// The time of the watch's last look.
     looked: Cell<Option<Duration>>,
     is_ended: Cell<bool>,
     told: RefCell<BTreeSet<String>>,
@@ -40,10 +36,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports progress.
-    ///
-    /// The watch looks at the beginning of a stage; at counted items it looks a few times a second,
-    /// or always without a clock.
+    /// Reports progress. The watch looks at the beginning of a stage; at counted items it looks a
+    /// few times a second, or always without a clock.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -85,10 +79,9 @@ impl<'a> Work<'a> {
     }
 }
 
-/// The end of the time for some work; remembers whether it stopped something.
-///
-/// Statements on absence require a search that was not stopped. The deadline passes at once if the
-/// watch ends the work; without a clock it never passes by time.
+/// The end of the time for some work; remembers whether it stopped something. Statements on absence
+/// require a search that was not stopped. The deadline passes at once if the watch ends the work;
+/// without a clock it never passes by time.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a Work<'a>>,

@@ -1,5 +1,4 @@
-//! Discovery of the structures that the Kahan map of a quadratic field preserves, from its
-//! equations.
+//! Discovery of the structures that Kahan's map of a quadratic field preserves.
 //!
 //! In: a checked system. Out: a [`Report`] on growth of degrees, the number of independent
 //! algebraic integrals, formulas of integrals, densities, Poisson brackets and drifts, Hamiltonian

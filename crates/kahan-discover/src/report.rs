@@ -33,8 +33,7 @@ pub struct Options {
     pub degree: Option<u32>,
     /// The most iterates whose degrees are computed.
     pub iterates: usize,
-    /// The degree after which no further iterate is taken; up to four times as much for the first
-    /// five.
+    /// The degree after which no further iterate is taken; larger for the first five.
     pub iterate_degree: usize,
     /// The time limit in seconds by the watch's clock. Unfinished work is left out, and the report
     /// says so. Without a clock there is no limit.
@@ -56,8 +55,7 @@ impl Default for Options {
 
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether coefficients of the field depend on ε; statements on the flow then hold at any fixed
-    /// ε.
+    /// Whether the field depends on ε; statements on the flow then hold at any fixed ε.
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
@@ -67,13 +65,11 @@ pub struct StructureReport {
     pub linear_integrals: Vec<String>,
     /// Independent quadratic integrals of the flow; the map need not keep them.
     pub quadratic_integrals: Vec<String>,
-    /// The degree up to which the flow's integrals are complete: 2, or less if time ran out or a
-    /// formula was out of reach.
+    /// The degree, at most 2, up to which the flow's integrals are complete.
     pub flow_degree: u32,
     /// The number of flow integrals that the map keeps unchanged.
     pub kept: usize,
-    /// The K of a reduced basis with f = K∇H, each with its H, sorted by the length of the modified
-    /// Hamiltonian.
+    /// The K with f = K∇H of a reduced basis, by the length of the modified Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
@@ -127,23 +123,20 @@ pub enum ModifiedPlace {
     Implied,
     /// The compact form, independent of the formulas.
     Alone,
-    /// The compact form in place of a far longer formula, by its index; the number of independent
-    /// integrals stays equal.
+    /// The compact form in place of the formula with this index, which is far longer.
     InsteadOf(usize),
 }
 
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// The maximal number of integrals: with one more, every orbit would be finite, or each already
-    /// is.
+    /// The maximal number of integrals: with one more, every orbit would be finite.
     Orbits,
     /// The maximal number of integrals by the [`Ceiling`].
     Ceiling,
     /// Proved exponential growth in the plane, which excludes integrals.
     Growth,
-    /// Observed linear growth in the plane with a drift of infinite order; linear growth excludes
-    /// integrals.
+    /// Observed linear growth in the plane with a drift of infinite order.
     Linear,
     /// The maximal number of integrals by the drifts.
     Drifts,
@@ -235,8 +228,7 @@ pub struct Report {
     pub brackets: Vec<Bracket>,
     /// The number of brackets with polynomial entries, which come first.
     pub polynomial_brackets: usize,
-    /// Proved drifts, functions whose next value follows from their value; independent of each
-    /// other and of the integrals.
+    /// Proved drifts, independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
     /// The end of the search for densities.
     pub density_search: DensitySearch,
@@ -253,9 +245,8 @@ pub struct Report {
 }
 
 impl Report {
-    /// Returns the number of independent algebraic integrals that orbits show or that are proved.
-    ///
-    /// A modified Hamiltonian may have a higher degree than the relations searched.
+    /// Returns the number of independent algebraic integrals that orbits show or that are proved. A
+    /// modified Hamiltonian may have a higher degree than the relations searched.
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
         self.independent

@@ -57,8 +57,7 @@ pub struct Scan {
     pub generic: Sight,
     /// The points of the grid, the last quantity running fastest; fewer if time ran out.
     pub points: Vec<GridPoint>,
-    /// Relations between at least two scanned quantities at which all points of the grid are
-    /// special.
+    /// Relations between scanned quantities at which all points of the grid are special.
     pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,
@@ -77,7 +76,6 @@ const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
 /// Observes degrees and ranks on the grid, and proves claims at relations between the quantities.
-///
 /// `options` fixes further parameters and ε, the degree of relations and the time. `watch` hears of
 /// the number of points done, and of claims as they are proved.
 ///

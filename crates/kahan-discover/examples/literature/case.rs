@@ -20,7 +20,6 @@ pub(crate) struct Case {
     pub(crate) shortest: Vec<String>,
 }
 
-/// Published facts about the map.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Known {
@@ -41,7 +40,6 @@ pub(crate) struct Known {
     pub(crate) seconds: Option<f64>,
 }
 
-/// A line of a file of cases.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Line {
@@ -84,8 +82,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read on its own, but after earlier drifts, which it may
-    // name.
+    // Names may repeat, so each claim is read on its own, but after earlier drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

@@ -1,5 +1,4 @@
-//! Compares findings of `discover` with published results: one JSON object a line, one row for
-//! each.
+//! Compares findings of `discover` with published results, one row for each case.
 //!
 //! `cargo run --release -p kahan-discover --example literature -- --help`
 

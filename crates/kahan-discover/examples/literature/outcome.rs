@@ -10,7 +10,6 @@ use kahan_discover::{Options, Report, discover};
 use crate::case::Case;
 use crate::clock::Clock;
 
-/// The row of a case.
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
     /// The columns between the name and the times.
@@ -19,10 +18,8 @@ pub(crate) struct Outcome<'a> {
     total: f64,
     /// The claims that the command prints.
     pub(crate) printed: Vec<String>,
-    /// Printed length divided by the shortest known length; `None` if a claim is missing or no
-    /// shortest form is known.
+    /// Printed length over shortest known length; `None` if a claim or a shortest form is missing.
     pub(crate) ratio: Option<f64>,
-    /// The differences between the findings and the known facts.
     pub(crate) differences: Vec<String>,
 }
 
@@ -108,8 +105,7 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// Collects the claims that `kahan discover` prints: those of the report, with the compact forms of
-/// modified Hamiltonians, and drifts.
+/// Collects the claims that `kahan discover` prints, with compact forms of modified Hamiltonians.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {

@@ -89,9 +89,8 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density if a density found here would replace it.
-    ///
-    /// A block holds only one density without `when`.
+    /// Returns the name of the system's own density if a density found here would replace it. A
+    /// block holds only one density without `when`.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
@@ -120,9 +119,8 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// Claims numerator/denominator as the integral H`index`; `None` if the proof fails.
-    ///
-    /// The text is factored; it uses powers of a polynomial of `by` if that makes it shorter.
+    /// Claims numerator/denominator as the integral H`index`; `None` if the proof fails. The text
+    /// is factored; it uses powers of a polynomial of `by` if that makes it shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -137,9 +135,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Claims numerator/denominator as an integral on the strength of a theorem. Returns `None` if
-    /// the text, read again, states another function. A proof would take minutes in hundreds of
-    /// variables.
+    /// Claims numerator/denominator as an integral by a theorem; a proof may take minutes. Returns
+    /// `None` if the text, read again, states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -175,9 +172,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails.
-    ///
-    /// The text is factored; it uses powers of a polynomial of `by` if that makes it shorter.
+    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails. The text is factored;
+    /// it uses powers of a polynomial of `by` if that makes it shorter.
     #[must_use]
     pub fn density(
         &self,
@@ -200,8 +196,7 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, &product(&above), &product(&below)))
     }
 
-    /// Writes the factored entries of a bracket for a claim. `tensor` holds the entries above the
-    /// diagonal, row by row.
+    /// Writes the factored entries of a bracket; `tensor` has those above the diagonal, row by row.
     pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
         let states = &symbols.states;
         let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));

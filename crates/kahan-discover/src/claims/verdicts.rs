@@ -24,8 +24,7 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// Returns all sentences of a report. `is_stopped` tells that the time ran out before the search of
-/// higher degrees.
+/// Returns all sentences; `is_stopped` tells that time ran out before higher degrees.
 pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
@@ -96,7 +95,6 @@ fn ceiling(report: &Report) -> Option<String> {
     ))
 }
 
-/// Writes the reason why the search for integrals ended.
 fn bound(report: &Report, is_stopped: bool) -> Option<String> {
     let degree = report.hilbert.as_ref().map_or(0, Hilbert::degree);
     match report.bound {
@@ -188,7 +186,6 @@ fn orbits(report: &Report) -> Vec<String> {
 /// The most characters of a list; a longer list is replaced by its length.
 const MOST_CHARACTERS: usize = 200;
 
-/// Writes which integrals were found as formulas and which were not.
 fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();

@@ -18,7 +18,6 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
 use crate::report::DensitySearch;
 
-/// The most random points tried for one step.
 const MOST_SAMPLES: usize = 16;
 
 /// The density ρ of an invariant measure ρ dx, in factors.
@@ -59,7 +58,6 @@ fn null_vectors(
 }
 
 /// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x; it may have dimension 0.
-///
 /// `None` if the map has no value or the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
@@ -79,10 +77,8 @@ const HIGHEST_PRODUCT: u32 = 12;
 /// The highest degree of quotients of factors, above and below together.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// Finds the measure of least degree, over ℚ with all unknowns, and reports the search.
-///
-/// Products of `factors` are preferred. All P are searched up to the degree `highest`, products up
-/// to degree 12.
+/// Finds the measure of least degree, over ℚ with all unknowns, and reports the search. Prefers
+/// products of `factors`, up to degree 12; other P have degrees up to `highest`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],

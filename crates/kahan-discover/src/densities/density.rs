@@ -19,13 +19,11 @@ use crate::report::DensitySearch;
 
 const MOST_DENSITY_COEFFICIENTS: usize = 1000;
 
-/// The most terms of a written density.
 const MOST_DENSITY_TERMS: usize = 300;
 
 /// The budget for expanding det A, in products of terms.
 const DETERMINANT_WORK: u64 = 1_000_000;
 
-/// Returns the highest degree in which densities are searched.
 fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }

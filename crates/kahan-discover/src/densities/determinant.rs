@@ -15,9 +15,8 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`].
-///
-/// Equals minus the determinant of A bordered by f and g.
+/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`]. Equals minus the
+/// determinant of A bordered by f and g.
 ///
 /// # Errors
 /// [`OverBudget`] beyond the budget or 12 variables.
@@ -30,7 +29,6 @@ pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Res
     Ok(-&of_matrix(&rows, budget)?)
 }
 
-/// Returns the determinant of a matrix with at most 13 rows.
 fn of_matrix(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     if rows.len() > MOST_VARIABLES + 1 {
         return Err(OverBudget);

@@ -61,9 +61,8 @@ pub(crate) fn product(
     Some(used.collect())
 }
 
-/// Returns exponents with these signs and Σ |exponent|·degree = total. Many factors have too many
-/// combinations, so the list may be incomplete: it ends after half a million steps or 20 000
-/// entries.
+/// Returns exponents with these signs and Σ |exponent|·degree = total. With many factors the list
+/// is incomplete: it ends after half a million steps or 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

@@ -24,7 +24,6 @@ pub(super) struct Cofactors {
     pub(super) factors: Vec<Polynomial>,
     /// The degrees of the factors in the states, and 1 for x₀ if x₀ is a factor.
     degrees: Vec<u32>,
-    /// The degree δ of the map.
     degree: u32,
 }
 
@@ -44,13 +43,11 @@ impl Cofactors {
         Some(Cofactors { components, factors, degrees, degree })
     }
 
-    /// Returns D.
     pub(super) fn denominator(&self) -> &Polynomial {
         self.components.last().expect("a map has a denominator")
     }
 
-    /// Returns the exponents of the factors in each possible cofactor for polynomials of this
-    /// degree.
+    /// Returns the exponents of the factors in each possible cofactor for one degree.
     pub(super) fn of_degree(&self, degree: u32) -> Vec<Vec<i32>> {
         exponents(&self.degrees, degree * (self.degree - 1), &[1])
     }

@@ -87,8 +87,7 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Tells whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c no root of unity. The roots of unity
-    /// among rational functions are ±1.
+    /// Tells whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c ≠ ±1, so c is no root of unity.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -99,8 +98,7 @@ impl DriftKind {
     }
 }
 
-/// Finds and proves drifts that are independent of each other and of the integrals. Calls `tell`
-/// for each.
+/// Finds and proves drifts independent of each other and of the integrals; `tell` hears of each.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -197,7 +195,6 @@ struct Search<'a> {
     cofactors: Cofactors,
     sample: Sample,
     here: Vec<u64>,
-    /// Gradients of the integrals and of the drifts found so far.
     known: Independent<'a>,
     triangle: Triangle,
     deadline: &'a Deadline<'a>,

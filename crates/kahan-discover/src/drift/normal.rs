@@ -1,7 +1,6 @@
-//! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), for eigenvalues of degree 1 or
-//! 2.
-//!
+//! Drifts from the Jordan form of M over ℚ(parameters, ε), for eigenvalues of degree at most 2.
 //! For a row vector v let P_v = Σ vᵢPᵢ; P(x̃) = C(x)·M·P(x) implies P_v(x̃) = C(x)·P_{vM}(x).
+//!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
 //! | vM = λv, wM = λw + v | Jordan's chain | F + 1/λ |
@@ -48,7 +47,6 @@ impl Next {
         }
     }
 
-    /// Applies `to` to the constants.
     pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
         match self {
             Next::Sum(step) => Next::Sum(to(step)),
@@ -83,8 +81,7 @@ pub(super) struct Carried {
     pub(super) next: Next,
 }
 
-/// Returns the functions of M: sums, then multiples, then images. The variable `free` must not
-/// occur in M.
+/// Returns the functions of M: sums, multiples, images. `free` is a variable that M lacks.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();

@@ -17,8 +17,7 @@ type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point: monomials at the point, monomials at its image times D^d, and factors at the
-    /// point.
+    /// For each point: monomials there, monomials at its image times D^d, factors there.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
@@ -50,8 +49,7 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Returns a basis, with images, of the largest space with this cofactor that is mapped into
-    /// itself.
+    /// Returns a basis, with images, of the largest invariant space with this cofactor.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -112,8 +110,7 @@ impl Carried {
         })
     }
 
-    /// Tells whether M is a multiple of the unit matrix: all quotients of elements are then
-    /// integrals.
+    /// Tells whether M is a multiple of I, so that all quotients of elements are integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

@@ -27,12 +27,10 @@ pub(super) struct Triangle {
     /// The states of the field, then the names of drifts and integrals.
     symbols: Symbols,
     own: Symbols,
-    /// The homogeneous components N₁ … Nₙ, D.
     components: Vec<Polynomial>,
     /// Each state as a function of drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift: its variable, its value in terms of states, its next value in terms of
-    /// drifts.
+    /// For each drift: its variable, its value by states, its next value by drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
@@ -200,7 +198,6 @@ impl Triangle {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
 
-    /// Returns the names of drifts and integrals in the next value of a link.
     pub(super) fn names(&self, link: &Link) -> Vec<String> {
         let own = self.own.dimension();
         let is_used = |index: &usize| {
@@ -210,7 +207,6 @@ impl Triangle {
         (own..self.symbols.dimension()).filter(is_used).map(|i| self.symbols.states[i].clone()).collect()
     }
 
-    /// Adds a proved link under its name.
     pub(super) fn keep(&mut self, name: &str, link: Link) {
         let drift = self.variable(name).map(RationalFunction::variable);
         self.values[link.state] = Some(link.solved);

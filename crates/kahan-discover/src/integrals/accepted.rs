@@ -16,8 +16,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients of P and Q together in a degree that is searched before a known integral
-/// of higher degree is accepted.
+/// The most coefficients of a degree that is searched before known integrals of higher degree.
 const MOST_AHEAD: usize = 150;
 
 /// Up to this total length, other members of the pencil of P and Q are not tried.
@@ -31,7 +30,6 @@ pub(crate) struct Accepted<'a> {
     pub(crate) further: &'a [(Polynomial, Polynomial)],
     pub(crate) step: Option<SampledStep>,
     pub(crate) independent: Independent<'a>,
-    /// Called with each formula that is kept.
     pub(crate) tell: &'a dyn Fn(&Formula),
     pub(crate) formulas: Vec<Formula>,
 }
@@ -65,7 +63,6 @@ impl Accepted<'_> {
         }
     }
 
-    /// Offers the integrals of `further` whose degree is below this one.
     pub(crate) fn offer_further(&mut self, degree: u32) {
         let symbols = self.searched.family().symbols();
         for (above, below) in self.further {
@@ -137,8 +134,7 @@ impl Accepted<'_> {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // Products of known factors may be all that was new, so the result must still be
-        // independent.
+        // The new part may have been a product of known factors, so independence is tested.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 

@@ -43,10 +43,8 @@ impl Stepping for Composed {
     }
 }
 
-/// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ.
-///
-/// Returns `None` if the map has no value or the deadline passes. Formulas use the ε of the
-/// composition, not of its factors.
+/// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ. Formulas use
+/// the ε of the composition. `None` if the map has no value or the deadline passes.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],

@@ -30,9 +30,7 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// Gradients of independent functions at one random point modulo a prime.
-///
-/// A rank seen modulo a prime is at most the rank over ℚ.
+/// Gradients of independent functions at a random point modulo a prime, a lower bound of the rank.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
@@ -46,7 +44,6 @@ impl<'a> Independent<'a> {
         Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
 
-    /// Starts with the gradients of known integrals.
     pub(crate) fn of(searched: &'a SearchField, known: &[Formula], random: &mut SplitMix64) -> Self {
         let mut independent = Self::new(searched, random);
         known.iter().for_each(|formula| independent.keep(&formula.numerator, &formula.denominator));

@@ -118,8 +118,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // The number of members of each kind at each sample. If c is not a rational function, the
-    // member is missing at some samples.
+    // The number of members of each kind at each sample; members with irrational c may be missing.
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -145,8 +144,7 @@ pub(crate) fn members(
     found
 }
 
-/// Returns the polynomial in the intersection of both spans; `None` unless the intersection is a
-/// line.
+/// Returns the polynomial in the intersection of both spans, if the intersection is a line.
 fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -164,12 +162,10 @@ struct Kind {
     solutions: usize,
     /// The degree of the greatest common divisor of the leading form and its derivative.
     at_infinity: usize,
-    /// The indices of the monomials that occur.
     support: Vec<usize>,
 }
 
-/// Returns members that factor or have lower degree, at one choice of the parameters and ε. Only c
-/// in the prime field are found.
+/// Returns members, with c in the prime field, that factor or have lower degree at one sample.
 fn special(
     modulus: &Modulus,
     monomials: &Monomials,
@@ -351,9 +347,8 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     leading.pop().expect("there is one for each size")
 }
 
-/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H. Monomials have
-/// degrees below that of F. The highest power of s is left out of G, which excludes the solution
-/// ∇F.
+/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for monomials G and H of degree below that of F.
+/// The highest power of s is left out of G, which excludes the solution ∇F.
 fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     let wide = 2 * degree;
     let mut columns = Vec::new();
@@ -396,8 +391,7 @@ mod tests {
         (searched, system.field.symbols.clone(), sides.collect())
     }
 
-    /// Three members of a pencil of conics factor, two with irrational c; one of a pencil of
-    /// cubics.
+    /// In the conics three members factor, two with irrational c; in the cubics one.
     #[test]
     fn the_member_that_falls_apart_is_found() {
         for (product, other) in [

@@ -11,9 +11,8 @@ const MOST: usize = 8;
 /// A term xⱼxₖ, xⱼ or 1 in component i, as the sum over F₂ of unit vectors of i, j and k.
 pub type TermSigns = u64;
 
-/// Returns generators of the sign changes S, each as a bit set of states.
-///
-/// `terms` are all terms of the field in `states` states; above 63 states the list is empty.
+/// Returns generators of the sign changes S, each as a bit set of states. `terms` are all terms of
+/// the field in `states` states; above 63 states the list is empty.
 #[must_use]
 pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     if states > 63 {
@@ -56,8 +55,7 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // Every term of ẋ = yz, ẏ = zx, ż = xy is xyz, so each state may change its sign together
-        // with time.
+        // Every term of ẋ = yz, ẏ = zx, ż = xy is xyz, so each state may flip with time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);

@@ -71,9 +71,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space for another map of the family.
-    ///
-    /// `None` if the space has another form, the map has no value, or the deadline passes.
+    /// Returns the space for another map of the family. `None` if the space has another form, the
+    /// map has no value, or the deadline passes.
     pub fn at(
         &self,
         map: &impl Stepping,
@@ -108,8 +107,7 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// Returns the span of the relations of two orbits on the space's monomials, if it is the
-    /// space.
+    /// Returns the span of relations of two orbits on the space's monomials, if equal to the space.
     fn span_at(
         &self,
         map: &impl Stepping,

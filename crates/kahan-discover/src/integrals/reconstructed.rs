@@ -33,9 +33,8 @@ pub struct Aims<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals known beforehand.
     pub kept: &'a [Polynomial],
-    /// Known integrals P/Q with a deadline.
-    ///
-    /// Each is accepted once no others are found up to its degree; the rest before this deadline.
+    /// Known integrals P/Q with a deadline. Each is accepted once no others are found up to its
+    /// degree; the rest before this deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// The number of integrals and their degrees by orbits; without it nothing is searched.
     pub hilbert: Option<&'a Hilbert>,
@@ -47,9 +46,8 @@ pub struct Aims<'a> {
     pub tell: &'a dyn Fn(&Formula),
 }
 
-/// Finds and proves independent integrals over ℚ with all unknowns, of least degree first.
-///
-/// Stops at the number that orbits show, or at the deadline.
+/// Finds and proves independent integrals over ℚ with all unknowns, of least degree first. Stops at
+/// the number that orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -111,7 +109,6 @@ impl Accepted<'_> {
         Some(())
     }
 
-    /// Searches the missing integrals on a level set.
     fn search_leaf(
         &mut self,
         chart: &Chart,
@@ -186,8 +183,7 @@ impl Accepted<'_> {
         bases
     }
 
-    /// Returns special members as a basis of a pencil in all states; `None` if fewer than two are
-    /// found.
+    /// Returns special members as a basis of a pencil in all states, if at least two are found.
     fn special_basis(
         &self,
         pencil: &Pencil,
@@ -210,8 +206,7 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Keeps the quotients of a basis by its simplest element that does not vanish on the level
-    /// set.
+    /// Keeps the quotients of a basis by its simplest element that is not 0 on the level set.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
@@ -241,7 +236,6 @@ fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Ve
     (0..monomials.len()).map(|index| own(index).map_or(0, |place| coefficients[place])).collect()
 }
 
-/// The limits of a search.
 pub(crate) struct SearchLimits<'a> {
     pub(crate) relation_degree: u32,
     highest: u32,

@@ -1,5 +1,4 @@
-//! Integrals simplified by others: a factor of Q in P/Q cancels after a known integral is
-//! subtracted.
+//! Integrals P/Q simplified by others: a multiple of a known product cancels a factor of Q.
 //!
 //! Two polynomials with equal cofactors have an integral as their quotient. Let M be a product of
 //! factors of known integrals with Q's cofactor. If P and M are proportional on the zeros of a
@@ -58,8 +57,7 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // With own = α t and other = β t, β own_scale P = α other_scale M where the pole is
-                // 0.
+                // For own = α t, other = β t: β own_scale P = α other_scale M at the pole.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {
@@ -137,8 +135,7 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // Two integrals of the lattice of four sites: xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum
-        // of states.
+        // Integrals of the lattice: xz/((1 + ε(y − w))(1 − ε(y − w))), and the sum of states.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;

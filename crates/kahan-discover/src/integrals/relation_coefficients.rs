@@ -92,8 +92,7 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     }
 }
 
-/// Returns entries that vary, of relations whose leading monomial no other leading monomial
-/// divides.
+/// Returns varying entries of relations whose leading monomial no other leading one divides.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {

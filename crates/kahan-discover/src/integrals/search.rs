@@ -38,7 +38,6 @@ impl Reach {
 }
 
 /// Finds pencils spanned by relations of orbits, of least degree first up to `relation_degree`.
-///
 /// Stops at `wanted` independent integrals.
 pub fn spanned_pencils<M: Stepping>(
     map: &M,
@@ -139,8 +138,7 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// Returns the span of the relations of all orbits, if its dimension is one more than for one
-/// orbit.
+/// Returns the span of the relations of all orbits, if one orbit has one dimension less.
 fn span_of_relations(
     map: &impl Stepping,
     degree: u32,

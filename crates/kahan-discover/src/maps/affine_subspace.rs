@@ -67,10 +67,8 @@ impl AffineSubspace {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// Returns the affine level sets of a map.
-    ///
-    /// Returns the whole space without linear relations, and if their entries can't be chosen
-    /// independently.
+    /// Returns the affine level sets of a map. Returns the whole space without linear relations,
+    /// and if their entries can't be chosen independently.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -120,8 +118,7 @@ impl AffineSubspace {
         self.places.len()
     }
 
-    /// Returns the level sets with other orders of coordinates: all rotations, forward and
-    /// backward.
+    /// Returns the level sets with rotated coordinates, in both directions.
     pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
         let count = self.order.len();
         let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);

@@ -1,5 +1,4 @@
-//! Affine level sets with formulas of their constants, which turn formulas on a level set into
-//! formulas in all states.
+//! Affine level sets with formulas of their constants, which extend formulas to all states.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -39,9 +38,7 @@ impl Chart {
         names
     }
 
-    /// Returns P/Q in lowest terms with every constant replaced by its formula.
-    ///
-    /// `None` beyond the budget, and if Q becomes 0.
+    /// Returns P/Q in lowest terms with constants replaced; `None` beyond the budget and for Q = 0.
     #[must_use]
     pub fn substituted(
         &self,

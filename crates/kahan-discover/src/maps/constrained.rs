@@ -22,7 +22,6 @@ use crate::modular::subspace::reconstruct_space;
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
-    /// For each monomial, the coefficients of P and Q.
     coefficients: Vec<(Polynomial, Polynomial)>,
     /// A coordinate in which P and Q are linear, for which starts are solved.
     linear: usize,
@@ -37,8 +36,7 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Fixes P/Q, given by coefficients on the monomials; `None` if no coordinate is linear in
-    /// both.
+    /// Fixes P/Q, given by coefficients; `None` if no coordinate is linear in both.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -107,8 +105,7 @@ impl Stepping for ConstrainedMap<'_> {
 }
 
 impl Accepted<'_> {
-    /// Searches on a level set of an integral found there, the quotient of the first two basis
-    /// elements.
+    /// Searches on a level set of an integral, the quotient of the first two basis elements.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

@@ -50,7 +50,6 @@ impl Stepping for ModularMap {
         sign_changes(self.dimension, &self.terms.iter().map(signs).collect::<Vec<_>>())
     }
 
-    /// Returns x̃; `None` where det A(x,ε) = 0.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
         self.solve(point, self.eps).map(|(next, _)| next)
     }
@@ -164,8 +163,7 @@ impl ModularMap {
         matrix
     }
 
-    /// Returns x̃ = x + 2ε A⁻¹f and det A. Elimination multiplies rows instead of dividing them, so
-    /// one inversion suffices.
+    /// Returns x̃ = x + 2ε A⁻¹f and det A, with one inversion by elimination without divisions.
     fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;

@@ -69,8 +69,7 @@ impl Family {
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }
 
-    /// Returns the map at these parameters and ε (half the time step); `None` if a divisor
-    /// vanishes.
+    /// Returns the map at these parameters and ε (half the time step), if no divisor vanishes.
     ///
     /// # Panics
     /// If there are fewer values than parameters.

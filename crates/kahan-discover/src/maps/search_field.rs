@@ -29,7 +29,6 @@ pub struct Sample {
     pub unknowns: Vec<u64>,
 }
 
-/// The most samples before the map counts as undefined.
 const MOST_SAMPLES: usize = 16;
 
 /// A point of a sampled map, and its image.
@@ -120,8 +119,7 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// Returns the map at these unknowns; `None` if a divisor or the denominator of ε vanishes
-    /// modulo p.
+    /// Returns the map at these unknowns; `None` if a divisor vanishes modulo p.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -134,8 +132,7 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// Returns a map with random unknowns at which a random point has an image; `None` after 16
-    /// failures.
+    /// Returns a random map at which a random point has an image; `None` after 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -150,9 +147,8 @@ impl SearchField {
         self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
-    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points.
-    ///
-    /// A map with a fixed ε may collapse the space.
+    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points. A map
+    /// with a fixed ε may collapse the space.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {
@@ -171,9 +167,8 @@ impl SearchField {
         }
     }
 
-    /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map.
-    ///
-    /// `None` if the prime divides a denominator of its coefficients.
+    /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map. `None` if
+    /// the prime divides a denominator of its coefficients.
     #[must_use]
     pub fn evaluate(&self, polynomial: &Polynomial, sample: &Sample, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();

@@ -15,8 +15,7 @@ pub trait Stepping {
     /// Returns the image of a point; `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
-    /// Returns known generators of the sign changes of states that map orbits to orbits. Each is a
-    /// bit set of states.
+    /// Returns generators of sign changes of states that map orbits to orbits, each as a bit set.
     fn sign_changes(&self) -> Vec<u64> {
         Vec::new()
     }

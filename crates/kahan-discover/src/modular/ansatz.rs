@@ -18,8 +18,7 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    /// Returns all monomials within degrees in each unknown and in total; `None` if they are too
-    /// many.
+    /// Returns all monomials within degrees in each unknown and in total, if they are few.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {
@@ -40,8 +39,7 @@ impl Shape {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// Returns the function from its coefficients modulo several primes; `None` without small
-    /// rationals.
+    /// Returns the function from its coefficients modulo several primes, if they are small.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],

@@ -1,7 +1,6 @@
 //! Rational reconstruction with weights of scaling symmetries.
 //!
-//! Unknowns that the weights separate are set to 1. Each term regains its powers of them from its
-//! weight.
+//! Unknowns with independent weights are set to 1; the weight of each term restores its powers.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,8 +22,7 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Returns unknowns with independent weights, from the last one; their values can be scaled to
-    /// 1.
+    /// Returns unknowns with independent weights, last one first; they can be scaled to 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {

@@ -18,9 +18,8 @@ pub struct Echelon {
 }
 
 impl Echelon {
-    /// Computes the echelon form of `rows`, each with `columns` entries.
-    ///
-    /// Cost: rows · rank · columns / 2 products, one in eight with a reduction.
+    /// Computes the echelon form of `rows`, each with `columns` entries. Cost: rows · rank ·
+    /// columns / 2 products, one in eight with a reduction.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::within(modulus, rows, columns, &Deadline::never()).expect("there is no deadline")
@@ -84,9 +83,8 @@ impl Echelon {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
 
-    /// Returns a basis of the null space.
-    ///
-    /// Each vector has 1 in one column without a pivot, and 0 in the other columns without one.
+    /// Returns a basis of the null space. Each vector has 1 in one column without a pivot, and 0 in
+    /// the other columns without one.
     #[must_use]
     pub fn null_space(&self, modulus: &Modulus) -> Vec<NullVector> {
         let mut is_pivot = vec![false; self.columns];
@@ -106,7 +104,6 @@ impl Echelon {
     }
 }
 
-/// Eliminates the pivot columns of a row.
 fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec<u64>]) -> Vec<u64> {
     let mut row = Sums::of(row);
     for (&pivot, own) in pivots.iter().zip(echelon) {
@@ -159,8 +156,7 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row` to the entries from `from` on. `from` never decreases, as entries
-    /// below it are final.
+    /// Adds a multiple of `row` from column `from` on, which must never decrease.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -185,8 +181,7 @@ impl Sums {
 /// The number of equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 6;
 
-/// Returns a basis of the vectors that random rows send to zero. `None` if a row is missing or the
-/// deadline passes.
+/// Returns a basis of the null space of random rows; `None` if a row is missing or time is over.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,
@@ -228,7 +223,6 @@ mod tests {
                     let mut entry = |column: usize| match column % 7 {
                         3 => 0,
                         _ if rank == height => modulus.sample(&mut random),
-                        // Near the prime sums are largest.
                         _ => modulus.opposite(modulus.sample(&mut random) % 5),
                     };
                     (0..height).map(|_| (0..width).map(&mut entry).collect()).collect()
@@ -248,7 +242,6 @@ mod tests {
                         assert_eq!(row[*other], if *other == pivot { modulus.one() } else { 0 });
                     }
                 }
-                // Each row is determined by its entries in the pivot columns.
                 for row in &rows {
                     let factors: Vec<u64> = echelon.pivots.iter().map(|&pivot| row[pivot]).collect();
                     assert_eq!(sum(&factors, &echelon.rows), *row);

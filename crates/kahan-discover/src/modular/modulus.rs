@@ -34,7 +34,6 @@ impl Modulus {
         Self::of(PrimeField::random(random))
     }
 
-    /// Returns the field with this odd prime.
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
         // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p has three.
@@ -199,10 +198,8 @@ impl Modulus {
     }
 }
 
-/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2), if it exists.
-///
-/// By Euclid's algorithm (Wang, Guy and Davenport, "P-adic reconstruction of rational numbers",
-/// SIGSAM 1982).
+/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2), if it exists (Wang, Guy
+/// and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
 #[must_use]
 pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
     let bound = (m / 2i32).sqrt();

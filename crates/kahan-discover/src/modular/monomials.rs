@@ -6,7 +6,6 @@ use crate::modular::modulus::Modulus;
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,
-    /// The exponents of each monomial.
     exponents: Vec<Vec<u32>>,
     /// Each monomial except 1 as an earlier one times a variable.
     recipes: Vec<(usize, usize)>,

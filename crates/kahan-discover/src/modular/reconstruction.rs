@@ -18,15 +18,12 @@ use crate::modular::modulus::Modulus;
 use crate::modular::thiele::{SPARE, degree};
 
 /// A function that returns the values of rational functions at the unknowns; `None` where
-/// undefined.
-///
-/// The number of values never changes.
+/// undefined. The number of values never changes.
 pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
 /// The most points on a line, enough for degrees of about twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
 
-/// The most primes combined.
 const MOST_PRIMES: usize = 24;
 
 /// The most digits of numerators and denominators that `MOST_PRIMES` primes of 61 bits determine.
@@ -37,9 +34,8 @@ const MOST_SAMPLES: usize = 8;
 
 /// Reconstructs the functions behind an oracle over ℚ; unknown k becomes `variables[k]`.
 ///
-/// `None` if degrees or coefficients are out of reach, the deadline passes, or the values belong to
-/// no rational function. Cost: for functions of m coefficients in all, m + 4 calls for each prime,
-/// and m³ products for each entry.
+/// `None` if degrees or coefficients are out of reach, time is over, or the values are not
+/// rational. Cost: for functions of m coefficients, m + 4 calls for each prime, m³ products for
 /// each entry.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
@@ -207,7 +203,6 @@ mod tests {
 
     #[test]
     fn rational_functions_come_back_from_their_values() {
-        // The second constant needs more than one prime.
         let large = Rational::parse("123456789012345678901/2").unwrap();
         let (a, b) = (Variable(4), Variable(9));
         let mut oracle = |modulus: Modulus, at: &[u64], _: &mut SplitMix64| {

@@ -42,9 +42,8 @@ pub struct PolynomialSpace {
 }
 
 impl PolynomialSpace {
-    /// Returns the span of vectors of coefficients of all monomials.
-    ///
-    /// The reduced basis begins with low or with high monomials, whichever has fewer terms.
+    /// Returns the span of vectors of coefficients of all monomials. The reduced basis begins with
+    /// low or with high monomials, whichever has fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -127,8 +126,7 @@ impl Names {
         }
     }
 
-    /// Weighs the entries: a coefficient of m in an element that begins with p has the weight of
-    /// p/m.
+    /// Weighs the entries: the coefficient of m after the leading monomial p has the weight of p/m.
     fn grading(
         &self,
         weights: &(Weights, Vec<Vec<Rational>>),
@@ -150,10 +148,8 @@ impl Names {
     }
 }
 
-/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients.
-///
-/// `at` returns the space at any values of the unknowns. `None` if it changes its form, and as for
-/// [`reconstruct`].
+/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. `at`
+/// returns the space at any unknowns. `None` for a changing form, and as for [`reconstruct`].
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,

@@ -12,10 +12,8 @@ use crate::modular::modulus::Modulus;
 pub(crate) const SPARE: usize = 4;
 
 /// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
-/// `points`.
-///
-/// `None` if more points are needed or the deadline passes. Cost: 4 products for each pair of
-/// points, up to twice the degree of them.
+/// `points`. `None` if more points are needed or the deadline passes. Cost: 4 products for each
+/// pair of points, up to twice the degree of them.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();
@@ -50,7 +48,6 @@ mod tests {
     use super::*;
     use kahan_algebra::prime_field::SplitMix64;
 
-    /// Samples (t^a + 3)/(t^b − 5) at `count` random points.
     fn sampled(a: u32, b: u32, count: usize) -> Option<usize> {
         let modulus = Modulus::mersenne_61();
         let mut random = SplitMix64::new(11);

@@ -45,8 +45,7 @@ const TRIALS_A_SAMPLE: usize = 40;
 
 /// Returns the least bound found in `trials` trials, or the first that is at most `enough`.
 ///
-/// `None` if no zero was found, if ε is fixed, if the field depends on ε, or in more than 24
-/// variables.
+/// `None` if no zero was found, ε is fixed, the field depends on ε, or in more than 24 variables.
 ///
 /// At a zero x₀ of f with L = f′(x₀) the map has the Jacobian (I − εL)⁻¹(I + εL). Its eigenvalues
 /// are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. The lowest terms at x₀ of k independent
@@ -228,8 +227,7 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     coefficients
 }
 
-/// Returns the degree of the greatest common divisor; constant coefficients come first,
-/// `above` ≠ 0.
+/// Returns the degree of the greatest common divisor; constant terms come first, `above` ≠ 0.
 fn common_degree(modulus: &Modulus, mut above: Vec<u64>, mut below: Vec<u64>) -> usize {
     loop {
         while below.last() == Some(&0) {

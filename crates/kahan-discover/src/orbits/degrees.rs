@@ -28,10 +28,8 @@ pub struct DegreeLimits<'a> {
 /// The number of degrees for which the larger limit holds while growth is undecided.
 const FEWEST: usize = 6;
 
-/// Returns the degrees d₀ = 1, d₁, d₂, … of the iterates on a random line.
-///
-/// The list is empty if the map has no value on the line. Cost: for degree d, 2d evaluations of
-/// each iterate and 8d² products.
+/// Returns the degrees d₀ = 1, d₁, … of iterates on a random line; empty without values there.
+/// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
@@ -79,7 +77,6 @@ struct Line<'a> {
     direction: Vec<u64>,
     /// The coefficient c of the Möbius parameter t/(1 + ct).
     bend: u64,
-    /// The combination of components.
     weights: Vec<u64>,
     samples: Vec<Sample>,
 }

@@ -116,8 +116,7 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// Returns the least k with constant final differences over k steps, the constant, and their
-/// number.
+/// Returns the least k with constant final differences over k steps, and their value and number.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();

@@ -10,9 +10,7 @@ use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
 
 /// The Hilbert function h(d) of a generic orbit: the number of independent monomials of degree ≤ d.
-///
-/// Without relations up to degree d, a relation has a higher degree; this does not prove that none
-/// exists.
+/// Without a relation up to degree d, relations of higher degrees may exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
     /// The values h(1), h(2), ….
@@ -40,7 +38,6 @@ const MOST_MONOMIALS: usize = 220;
 /// The most monomials for the default degree 2, which allows more variables.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
-/// The highest default degree.
 const HIGHEST_DEGREE: u32 = 10;
 
 /// The most monomials for any time limit. Relations on one orbit take several times the square of
@@ -51,7 +48,6 @@ pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 const MOST_SAMPLES: usize = 8;
 
 /// Returns the default degree of relations in n variables: as high as 220 monomials allow, 2 to 10.
-///
 /// In more than 40 variables the degree is 1.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
@@ -83,10 +79,8 @@ pub fn random_relations(
 
 impl Hilbert {
     /// Follows orbits modulo two primes from two points each, with random unknowns, before the
-    /// deadline.
-    ///
-    /// `None` if the map or every orbit has no value, or if time suffices for no orbit. Cost: with
-    /// N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
+    /// deadline. `None` if the map or every orbit has no value, or if time suffices for no orbit.
+    /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
     pub fn of(
         searched: &SearchField,
         degree: u32,
@@ -111,10 +105,9 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree, and all four if it shows more integrals.
-    ///
-    /// Ranks on an orbit are at most generic, so one orbit without new integrals excludes them.
-    /// `None` as for [`of`](Self::of). Cost: N² h products without new integrals.
+    /// Follows one orbit up to a higher degree, and all four if it shows more integrals. Ranks on
+    /// an orbit are at most generic, so one orbit without new integrals excludes them. `None` as
+    /// for [`of`](Self::of). Cost: N² h products without new integrals.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -166,7 +159,6 @@ impl Hilbert {
     }
 
     /// Returns the least degree up to which the relations of a generic orbit define its closure.
-    ///
     /// `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,

@@ -12,8 +12,7 @@ use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
-/// The points of an orbit beyond the number of monomials: an accidental relation would have to
-/// vanish at all of them.
+/// The points beyond the number of monomials, at which accidental relations would fail.
 const SPARE: usize = 6;
 
 /// The relations on one orbit.
@@ -32,10 +31,8 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// Returns the relations up to the degree of `monomials` on the orbit of `start`.
-    ///
-    /// `None` if the orbit ends at a pole or the deadline passes. Cost: with N monomials and rank
-    /// r, N + 6 steps and N² r products.
+    /// Returns the relations up to the degree of `monomials` on an orbit; `None` at a pole or
+    /// deadline. Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
     pub fn on_orbit(
         map: &impl Stepping,
@@ -58,9 +55,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension of the orbit's closure as defined by these relations.
-    ///
-    /// Computed as the rank of their gradients at the start.
+    /// Returns the codimension of the orbit's closure as defined by these relations. Computed as
+    /// the rank of their gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()
@@ -75,7 +71,6 @@ impl Relations {
     }
 }
 
-/// Returns the gradient of a monomial at a point.
 pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> Vec<u64> {
     let slope = |variable: usize| {
         let mut lowered = exponents.to_vec();

@@ -30,11 +30,9 @@ const MOST_WORK: u64 = 4_000_000;
 const MOST_CHOICES: usize = 12;
 const MOST_BRACKETS: usize = 3;
 
-/// The most characters of a bracket.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 beside a bracket of full rank in four dimensions. In
-/// more dimensions it is left out.
+/// The most characters of a bracket of rank 2 beside one of full rank in four dimensions.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
@@ -50,7 +48,6 @@ pub struct Bracket {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
-    /// The brackets, in the order of their numbers.
     pub(crate) proved: Vec<Bracket>,
     /// The number of brackets with polynomial entries, which come first.
     pub(crate) polynomial: usize,
@@ -149,8 +146,7 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// Returns the bracket with the chosen integrals as Casimirs: entries above the diagonal, row by
-/// row. `None` beyond the budget.
+/// Returns the entries, above the diagonal, of the bracket with the chosen Casimirs.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],

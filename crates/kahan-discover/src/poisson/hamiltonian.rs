@@ -25,7 +25,6 @@ use crate::orbits::relations::monomial_gradients;
 const MOST_TERMS: usize = 1500;
 const MODIFIED_WORK: u64 = 10_000_000;
 
-/// The most K returned.
 const MOST_STRUCTURES: usize = 4;
 
 /// The number of equations beyond the number of unknowns, for each component.
@@ -117,13 +116,11 @@ fn reconstructed(
     Some(Hamiltonian { tensor, hamiltonian })
 }
 
-/// Returns the places above the diagonal, row by row.
 fn pairs(n: usize) -> Vec<(usize, usize)> {
     (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
 }
 
-/// Returns a basis of the antisymmetric K with f′(x)K symmetric for all x: entries above the
-/// diagonal.
+/// Returns a basis, above the diagonal, of antisymmetric K with f′(x)K symmetric for all x.
 fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
@@ -207,10 +204,8 @@ fn potential(
 }
 
 impl Hamiltonian {
-    /// Tests f = K∇H by expansion over ℚ.
-    ///
-    /// The theorem of Celledoni, McLachlan, Owren and Quispel then proves that H̃ is an integral of
-    /// the map.
+    /// Tests f = K∇H by expansion over ℚ. The theorem of Celledoni, McLachlan, Owren and Quispel
+    /// then proves that H̃ is an integral of the map.
     #[must_use]
     pub fn holds(&self, field: &Field) -> bool {
         let slopes: Vec<RationalFunction> =
@@ -222,9 +217,8 @@ impl Hamiltonian {
         })
     }
 
-    /// Writes H̃ in its compact form H + (x̃ − x)·∇H/3; x̃ is `x~` in text.
-    ///
-    /// As x̃ − x = 2ε (I − ε f′)⁻¹ f, the value is that of [`modified`](Self::modified).
+    /// Writes H̃ in its compact form H + (x̃ − x)·∇H/3; x̃ is `x~` in text. As x̃ − x = 2ε (I − ε
+    /// f′)⁻¹ f, the value is that of [`modified`](Self::modified).
     #[must_use]
     pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
         let written = |function: &RationalFunction| notation.function(symbols, function);

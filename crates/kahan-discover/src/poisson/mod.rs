@@ -1,5 +1,4 @@
-//! Poisson structures: constant ones of the field with modified Hamiltonians, and invariant
-//! brackets of the map.
+//! Poisson structures: constant ones with modified Hamiltonians, and invariant brackets.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;

@@ -1,5 +1,4 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and their written
-//! form.
+//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and their form.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -30,8 +29,7 @@ pub(crate) struct Modified {
 }
 
 impl Modified {
-    /// Finds the modified Hamiltonians of a field, sorted by the number of terms; last those beyond
-    /// the budget.
+    /// Finds the modified Hamiltonians by ascending number of terms; last those beyond the budget.
     pub(crate) fn all(
         searched: &SearchField,
         field: &Field,
@@ -52,8 +50,7 @@ impl Modified {
     }
 }
 
-/// Adds modified Hamiltonians that are proved and independent; returns for each whether it is
-/// proved.
+/// Adds modified Hamiltonians that are proved and independent; tells for each whether proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -92,9 +89,7 @@ fn add_if_independent(
 pub(crate) struct Gradients<'a> {
     /// The gradient of each formula, up to a factor.
     pub(crate) formulas: Vec<Option<Vec<u64>>>,
-    /// The gradients of integrals in bases.
     pub(crate) in_bases: Vec<Vec<u64>>,
-    /// The gradient of each modified Hamiltonian.
     pub(crate) modified: &'a [Option<Vec<u64>>],
     /// The rank of gradients.
     pub(crate) rank: &'a dyn Fn(&[Vec<u64>]) -> usize,
@@ -113,8 +108,7 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of the kept formulas without one, the bases, the compact forms, and
-            // maybe H̃.
+            // Returns the rank of kept formulas except one, bases, compact forms, perhaps H̃.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

@@ -1,5 +1,4 @@
-//! Structure of the field: divergence, linear and quadratic integrals, parity of det(I − t f′) in
-//! t.
+//! Structure of the field: divergence, linear and quadratic integrals, parity of det(I − t f′).
 
 use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
@@ -27,9 +26,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
     })
 }
 
-/// Tells whether det(I − t f′(x)) is even in t at three random points modulo a prime.
-///
-/// If so, dx/det A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+/// Tells whether det(I − t f′(x)) is even in t at three random points modulo a prime. If so, dx/det
+/// A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -99,14 +97,12 @@ impl ByRules {
 pub struct FlowIntegrals {
     /// Functionally independent integrals, lowest degree first.
     pub found: Vec<Polynomial>,
-    /// The degree up to which the list is complete; lower than requested if time ran out or a
-    /// formula was out of reach.
+    /// The degree up to which the list is complete, which may be lower than requested.
     pub degree: u32,
 }
 
 impl FlowIntegrals {
     /// Returns the integrals that the map keeps unchanged, as observed at one point modulo a prime.
-    ///
     /// Linear integrals are kept; of a linear field, all are.
     #[must_use]
     pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
@@ -118,9 +114,8 @@ impl FlowIntegrals {
 /// The most monomials; the cost grows with their cube.
 const MOST_MONOMIALS: usize = 900;
 
-/// Finds independent polynomial integrals P of the flow up to a degree, from ∇P·f = 0.
-///
-/// The equation is solved modulo primes at random parameters; coefficients are reconstructed.
+/// Finds independent polynomial integrals P of the flow up to a degree, from ∇P·f = 0. The equation
+/// is solved modulo primes at random parameters; coefficients are reconstructed.
 pub fn flow_integrals(
     searched: &SearchField,
     degree: u32,

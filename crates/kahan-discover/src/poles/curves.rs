@@ -39,8 +39,7 @@ impl Curves {
     }
 }
 
-/// Returns the components N₁ … Nₙ, D of the map in lowest terms, at the fixed ε if any. `None` if
-/// the map is beyond its budget.
+/// Returns N₁ … Nₙ, D in lowest terms, at the fixed ε if any; `None` beyond the budget.
 pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Polynomial>> {
     let reduced = RationalMap::of(field)?.reduced;
     let mut components = reduced.numerators(&field.symbols);

@@ -8,8 +8,7 @@
 
 use super::jet::Image;
 
-/// Returns d₀, d₁, … for a map of this degree and curves, given by degrees and images. The list is
-/// as long as the images allow.
+/// Returns d₀, d₁, … for a map of this degree and curves (degrees and images), as far as images go.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];

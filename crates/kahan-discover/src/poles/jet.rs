@@ -31,8 +31,7 @@ pub(crate) struct Place {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// The dimension; one less than the number of variables if the image is a curve (surface)
-    /// again.
+    /// The dimension; one less than the number of variables if the image is a curve again.
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
@@ -108,8 +107,7 @@ impl Homogeneous {
         Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
     }
 
-    /// Returns the images of the curve at `place` after 1, 2, … `steps` steps with their contacts.
-    /// Series have `length` coefficients.
+    /// Returns the images of the curve after 1, 2, … `steps` steps by series of this length.
     pub(crate) fn follow(
         &self,
         place: &Place,
@@ -146,7 +144,6 @@ impl Homogeneous {
         place.point.iter().enumerate().map(series).collect()
     }
 
-    /// Evaluates every component on a jet.
     fn values(&self, jet: &[Series]) -> Vec<Series> {
         let (modulus, length) = (&self.modulus, jet[0].length());
         let slopes = vec![0; jet[0].rows.len() - 1];
@@ -176,8 +173,7 @@ impl Homogeneous {
 }
 
 impl Place {
-    /// Returns a random zero of a polynomial; `None` if none is found or the gradient vanishes
-    /// there.
+    /// Returns a random zero of a polynomial; `None` if none is found or the gradient is 0.
     pub(crate) fn on(
         modulus: &Modulus,
         curve: &Polynomial,
@@ -217,7 +213,6 @@ impl Place {
         Some(Place { point, tangents: tangents.collect() })
     }
 
-    /// Returns a random point at infinity in n variables.
     pub(crate) fn at_infinity(modulus: &Modulus, n: usize, random: &mut SplitMix64) -> Self {
         let mut point: Vec<u64> = (0..n).map(|_| modulus.sample(random)).collect();
         point[0] = modulus.one();

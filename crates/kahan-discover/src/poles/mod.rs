@@ -1,5 +1,4 @@
-//! Maps at their poles: curves (surfaces in three variables) that are sent to infinity or blown
-//! down.
+//! Maps at their poles: curves (surfaces in three variables) sent to infinity or blown down.
 //!
 //! In: a system. Out: a [`Pattern`] for each curve. A curve is *blown down* if its image has a
 //! lower dimension. The singularity is *confined* after k steps if the k-th image is a curve again.
@@ -40,8 +39,7 @@ pub struct Pattern {
     pub images: Vec<Image>,
     /// The number of steps until the image is a curve again, or the number of steps followed.
     pub steps: usize,
-    /// Whether an image is a curve again; `None` if time or the length of the series ran out, or
-    /// the primes disagree.
+    /// Whether an image is a curve again; `None` if undecided or the primes disagree.
     pub confined: Option<bool>,
 }
 
@@ -54,8 +52,7 @@ pub struct Poles {
     pub patterns: Vec<Pattern>,
     /// The number of steps followed.
     pub bound: usize,
-    /// Whether all blown down curves are listed; the Jacobian determinant may be too long to
-    /// factor.
+    /// Whether all blown down curves are listed; some Jacobians are too long to factor.
     pub is_complete: bool,
     /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,
@@ -81,17 +78,15 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// The most samples of parameters, ε and a point; some sampled lines miss their curve modulo the
-/// prime.
+/// The most samples of parameters, ε and a point; some lines miss their curve modulo the prime.
 const MOST_SAMPLES: usize = 40;
 
 /// The share of the time for the degrees of iterates.
 const FOR_DEGREES: f64 = 0.4;
 
-/// Follows the curves of a system's map through its poles, for a number of steps.
-///
-/// Of the options, fixed values and the bounds on degrees and time apply. `watch` hears of every
-/// curve before it is followed. Equal fields and options give equal results, unless time runs out.
+/// Follows the curves of a system's map through its poles, for a number of steps. Of the options,
+/// fixed values and the bounds on degrees and time apply. `watch` hears of every curve before it is
+/// followed. Equal fields and options give equal results, unless time runs out.
 ///
 /// # Errors
 /// If the field has no invertible map, or its closed form is beyond the budget of terms.
@@ -165,9 +160,8 @@ impl Follower<'_> {
         Pattern { curve, images: decided.unwrap_or_default(), steps, confined }
     }
 
-    /// Returns the images modulo one prime; `None` if the series were too short or time ran out. A
-    /// curve may split over a larger field only, so few primes have points on it. Every sample has
-    /// its own prime.
+    /// Returns the images modulo one prime; `None` if the series were too short or time ran out.
+    /// Curves may split over a larger field and lack points, so every sample has its own prime.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
         for _ in 0..MOST_SAMPLES {
@@ -183,7 +177,6 @@ impl Follower<'_> {
         None
     }
 
-    /// Returns the images of one point; `None` if the sample has no point.
     fn sampled(
         &self,
         curve: Option<&Polynomial>,

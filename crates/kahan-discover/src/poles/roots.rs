@@ -4,8 +4,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::modular::modulus::Modulus;
 
-/// Returns a root of the polynomial with these coefficients, lowest first. `None` without a root,
-/// and for constants.
+/// Returns a root of a polynomial, constant term first; `None` without a root.
 pub(crate) fn root(modulus: &Modulus, coefficients: &[u64], random: &mut SplitMix64) -> Option<u64> {
     let residues: Vec<u64> = coefficients.iter().map(|entry| modulus.residue(*entry)).collect();
     let sample = || modulus.residue(modulus.sample(random));

@@ -12,7 +12,6 @@ pub(crate) struct Series {
 }
 
 impl Series {
-    /// Returns a constant with these slopes, with `length` coefficients.
     pub(crate) fn constant(value: u64, slopes: &[u64], length: usize) -> Self {
         let row = |&first: &u64| {
             let mut row = vec![0; length];
@@ -22,7 +21,6 @@ impl Series {
         Series { rows: [value].iter().chain(slopes).map(row).collect() }
     }
 
-    /// Returns the number of known coefficients.
     pub(crate) fn length(&self) -> usize {
         self.rows[0].len()
     }
@@ -51,8 +49,7 @@ impl Series {
         Series { rows }
     }
 
-    /// Divides by δ^power; `None` if a lower coefficient has a slope, so the chosen point is
-    /// special.
+    /// Divides by δ^power; `None` at a special point, where a lower coefficient has a slope.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {
@@ -62,7 +59,6 @@ impl Series {
         Some(self)
     }
 
-    /// Returns c₀ with its slopes.
     pub(crate) fn leading(&self) -> Vec<u64> {
         self.rows.iter().map(|row| row[0]).collect()
     }

@@ -41,8 +41,7 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // Points at ε = 0, where the map is the identity, and without an observation carry no
-    // information.
+    // Without observation, and at ε = 0 (the identity), points carry no information.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -71,8 +70,7 @@ pub(super) fn proposals(
     proposals
 }
 
-/// Returns the most frequent observation with the fewest integrals; others lie on further
-/// relations.
+/// Returns the most frequent observation with the fewest integrals.
 fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     let mut counts: HashMap<String, (usize, &Sight)> = HashMap::new();
     for sight in sights {
@@ -143,8 +141,7 @@ impl<'a> Prover<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// Restricts the system to the zeros of the polynomial. Eliminates the parameter that it is
-    /// solved for, or fixes ε.
+    /// Restricts the system to zeros of the polynomial: eliminates a parameter, or fixes ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
         // A given degree ends each search early, as a scan has many relations to prove.
@@ -164,8 +161,7 @@ impl<'a> Prover<'a> {
         Some((system, options))
     }
 
-    /// Writes the formula as a claim `when` the relation holds. `None` if it is not proved, or
-    /// holds without the relation.
+    /// Claims the formula `when` the relation holds; `None` if unproved, or true without it.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let ClaimBody::Function(value) = &formula.claim.body else { return None };
         let value = Text.expression(value);

@@ -17,7 +17,6 @@ use crate::modular::monomials::Monomials;
 pub(super) struct Grid {
     /// The values of the quantities, one row for each point.
     pub(super) points: Vec<Vec<Rational>>,
-    /// Whether each point is special.
     pub(super) special: Vec<bool>,
 }
 
@@ -31,12 +30,10 @@ pub(super) struct Shape {
 
 /// The number of zeros required beyond the number of coefficients.
 const SPARE_POINTS: usize = 2;
-/// The largest probability of a coincidence: the share of special points, to the power of the zeros
-/// beyond the coefficients.
+/// The largest probability of a coincidence: (share of special points)^(zeros − coefficients).
 const CHANCE: f64 = 0.01;
 /// The number of random choices of points for linear polynomials.
 const SAMPLES: usize = 3000;
-/// The most quantities in a linear polynomial.
 const MOST_NAMES: usize = 4;
 /// The highest degree of a monomial, and the largest numerator and denominator of a coefficient.
 const HIGHEST_DEGREE: u32 = 3;
@@ -111,8 +108,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns the coefficients of 1 and the names in the unique linear equation through these
-    /// points. All names must occur.
+    /// Returns the unique linear equation in 1 and all of the names through these points.
     fn plane(&self, names: &[usize], points: &[usize]) -> Option<Vec<u64>> {
         let echelon = self.affine(names, points);
         let [vector] = &echelon.null_space(&self.modulus)[..] else { return None };
@@ -185,8 +181,7 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Accepts a polynomial with enough open points, without ordinary points, and not on a smaller
-    /// set.
+    /// Accepts a polynomial with enough open points, no ordinary points, and full rank.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial
@@ -232,7 +227,6 @@ fn sample(random: &mut SplitMix64, count: usize) -> usize {
     usize::try_from(random.below(count as u64)).expect("it is less than a usize")
 }
 
-/// Returns all subsets of this size, in order.
 fn subsets(of: &[usize], size: usize) -> Vec<Vec<usize>> {
     if size == 0 {
         return vec![Vec::new()];

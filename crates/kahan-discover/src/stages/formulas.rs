@@ -83,7 +83,7 @@ impl Search<'_> {
         let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
-        // Reports the modified Hamiltonians; the watch ignores repetitions.
+        // Reports the modified Hamiltonians, too; `Work::found` ignores repetitions.
         all_integrals.iter().for_each(tell_if_short);
 
         let mut gradients: Vec<Vec<u64>> =
@@ -103,8 +103,7 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Tells whether a formula depends on the formulas and modified Hamiltonians, but not on the
-        // formulas only.
+        // Tells whether a formula depends on formulas and modified Hamiltonians only together.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -138,7 +137,6 @@ impl Search<'_> {
         Integrals { integrals, all: all_integrals, bases, independent, modified }
     }
 
-    /// Returns the gradient of a formula, up to a factor.
     fn gradient(&self, formula: &Formula) -> Option<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         quotient_gradient(self.searched, sample, here, &formula.numerator, &formula.denominator)

@@ -1,12 +1,11 @@
 //! Random fields with extreme coefficients as a user compiles them, judged by exact arithmetic.
 //!
 //! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes a crate
-//! into the target folder that depends on `kahan-core` only, builds and runs it, and judges its
-//! results. By default it has forty fields of 1 to 8 variables, twelve of 9 to 40, and eight
-//! chains; points and results pass through files as bits. `KAHAN_ODD=0,200,100` sets the numbers of
-//! fields, `KAHAN_ODD_TRIALS` the trials of each (300; every twentieth field has ten times as
-//! many), and `KAHAN_ODD_NAMED=Chain74` selects one field, here a ring of 2 271 unknowns. Those 300
-//! fields take two hours, half of one for that ring.
+//! of forty fields of 1 to 8 variables, twelve of 9 to 40, and eight chains into the target folder,
+//! builds and runs it, and judges its results. Points and results pass through files as bits.
+//! `KAHAN_ODD=0,200,100` sets the numbers of fields (two hours), `KAHAN_ODD_TRIALS` the trials of
+//! each (300, for every twentieth field 3000), and `KAHAN_ODD_NAMED=Chain74` selects one field, a
+//! ring of 2 271 unknowns (half an hour).
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -4,10 +4,8 @@ use crate::orbits::growth::Growth;
 use crate::orbits::plane::GrowthProof;
 use crate::report::Report;
 
-/// The end of a search by exponential growth.
 pub(super) const GROWTH_ENDS: &str = "A birational map of the plane whose degrees grow exponentially permutes the curves of no pencil, so it has no rational integral (Diller and Favre 2001): nothing can be missing, and the search ended.";
 
-/// Writes the sentence on exponential growth of degrees and its proof.
 pub(super) fn growth(proof: GrowthProof, entropy: f64) -> String {
     match proof {
         GrowthProof::Stable { prime } => format!(
@@ -35,7 +33,6 @@ pub(super) fn quadratic(report: &Report) -> Option<String> {
     ))
 }
 
-/// Writes the sentence on the end of a search by linear growth.
 pub(super) fn linear_ends(report: &Report) -> Option<String> {
     let (iterates, drift) = (report.linear_iterates?, report.drifts.first()?);
     Some(format!(

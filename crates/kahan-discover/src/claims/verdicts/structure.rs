@@ -46,7 +46,6 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// Writes the sentence on several K with f = K∇H.
 fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> String {
     let pairs = all.iter().map(|found| format!("{} with H = {}", found.label("K"), found.hamiltonian));
     let are_proved = all.iter().all(|found| found.modified_is_proved);

@@ -15,7 +15,6 @@ const MOST_GROUPED: usize = 400;
 
 const DEEPEST: usize = 4;
 
-/// Returns the shortest text found for the polynomial.
 pub(super) fn grouped(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let writer = Writer { symbols };
     writer.sum(polynomial, DEEPEST, &mut Budget::new(MOST_TERMS, MOST_WORK / 10))

@@ -36,7 +36,6 @@ pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<P
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
 }
 
-/// Returns the distinct factors of all formulas.
 pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     let mut factors: Vec<Polynomial> = Vec::new();
     for factor in formulas.iter().flat_map(|formula| &formula.factors) {
@@ -47,8 +46,7 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// Writes ∏ above / ∏ below in factors, perhaps by powers of one of `by` or of a short factor
-/// below.
+/// Writes ∏ above / ∏ below in factors, perhaps by powers of `by` or of a short factor below.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -175,8 +173,7 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor also lengthens the other side, so its text must be shorter by a
-                        // third.
+                        // A divisor lengthens the other side, so its text must be a third shorter.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

@@ -51,8 +51,7 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// Removes the terms free of states, and then the common factor free of states. For example, 1 −
-/// ε²(x − ay) becomes x − ay.
+/// Removes terms free of states, then a common factor: 1 − ε²(x − ay) becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -61,8 +60,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
-/// Writes the polynomial by powers of the state-dependent part of `base`; `None` if impossible or
-/// useless.
+/// Writes a polynomial by powers of the state-dependent part of `base`; `None` if useless.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -97,7 +95,6 @@ pub(super) fn by_powers(
     for (exponent, digit) in sum.coefficients_in(fresh) {
         let mut product = Product::of(&[digit]);
         if text.is_empty() {
-            // The first term is written positive.
             is_negative = product.content.is_negative();
         }
         if is_negative {

@@ -1,5 +1,4 @@
-//! Values of the integrals that a basis defines, from consecutive points of an orbit: exactly, or
-//! in floats with a condition number.
+//! Values of a basis's integrals from consecutive points of an orbit, exactly or in floats.
 
 use std::error::Error;
 use std::fmt;
@@ -15,8 +14,7 @@ use crate::modular::weights::reduce;
 pub struct BasisValues {
     /// The coefficients in the order of the monomials; that of the unit is 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the solved equations, with each monomial scaled by its largest
-    /// value.
+    /// The condition number of the equations, with monomials scaled by their largest values.
     ///
     /// A relative error u of the points causes an error of up to about `condition`·u in the terms
     /// cₖ max |mₖ|, relative to the largest term. The number grows if points lie close together.
@@ -68,11 +66,9 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// The coefficients along the orbit with these consecutive points, exactly, in the order of the
-    /// Solves exactly for the coefficients along the orbit with these consecutive points.
+    /// Solves exactly for the coefficients along the orbit with these points, in the order of the
+    /// monomials; the unit has 1. Uses the first [`points`](Self::points).
     ///
-    /// Returns them in the order of the monomials; that of the unit is 1. Uses the first
-    /// [`points`](Self::points) points.
     /// # Errors
     /// See [`BasisError`].
     pub fn evaluate_exact(&self, orbit: &[Vec<Rational>]) -> Result<Vec<Rational>, BasisError> {
@@ -110,10 +106,9 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// The coefficients along the orbit with these consecutive points, in the order of the
     /// Solves for the coefficients along the orbit with these consecutive points, by least squares.
-    ///
     /// Returns them in the order of the monomials; that of the unit is 1. Uses all points.
+    ///
     /// # Errors
     /// See [`BasisError`].
     pub fn evaluate(&self, orbit: &[Vec<f64>]) -> Result<BasisValues, BasisError> {
@@ -138,8 +133,7 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration for singular values stops some hundred roundings early, too rough for a
-        // solution.
+        // The iteration for singular values stops early, too early for solutions.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
         // No digit would be right.

@@ -31,17 +31,13 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials, by ascending index, each with a factor; the first factor is 1.
-///
-/// The coefficient of a monomial in the relation is its factor times the coefficient of the first
-/// one.
+/// A sum of monomials, by ascending index, each with a factor; the first factor is 1. The
+/// coefficient of a monomial in the relation is its factor times the coefficient of the first one.
 pub type Term = Vec<(usize, i64)>;
 
-/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit.
-///
-/// The cₖ differ between orbits. Normalised by c_b = 1 for the unit b, each cₖ is an integral of
-/// the map. Monomials whose coefficients always have equal quotients, small integers, form one
-/// term.
+/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit. The cₖ differ between
+/// orbits. Normalised by c_b = 1 for the unit b, each cₖ is an integral of the map. Monomials whose
+/// coefficients always have equal quotients, small integers, form one term.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -70,8 +66,7 @@ pub struct Basis {
     pub terms: Vec<Term>,
     /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
-    /// The indices of coefficients that are integrals independent of each other and of the known
-    /// ones.
+    /// The indices of coefficients that are integrals, independent and new.
     pub integrals: Vec<usize>,
     /// The number of random points and primes at which the relation was checked, with an error
     /// below 2⁻¹⁰⁰; `None` if the relation was only observed.
@@ -126,9 +121,7 @@ impl Basis {
     }
 
     /// Returns the quotients of coefficients that are independent integrals: term above, term
-    /// below.
-    ///
-    /// Terms are numbered as in [`relation`](Self::relation).
+    /// below. Terms are numbered as in [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -161,8 +154,7 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials whose coefficients are multiples of each other on orbits of three sampled
-    /// maps.
+    /// Joins monomials whose coefficients are multiples of each other on three orbits.
     pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
@@ -208,8 +200,7 @@ impl Basis {
         Some(only.entries.clone())
     }
 
-    /// Returns the gradients of the basis's integrals at a point; `None` if its orbit ends at a
-    /// pole.
+    /// Returns the gradients of the integrals at a point; `None` if its orbit ends at a pole.
     pub(crate) fn gradients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
         let all = gradients::of_coefficients(self, map, start)?;
         Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
@@ -308,8 +299,7 @@ pub(crate) fn candidates(
     found
 }
 
-/// Returns orders of the monomials: ascending by degree, with all rotations of variables, both
-/// ways.
+/// Returns orders of the monomials by degree, with all rotations of variables, both ways.
 fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     let mut orders = Vec::new();
     for shift in 0..n {

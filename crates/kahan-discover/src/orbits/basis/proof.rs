@@ -28,9 +28,7 @@ const MOST_POINTS: u32 = 64;
 const MOST_SAMPLES: usize = 16;
 
 /// Proves the basis with an error below 2⁻¹⁰⁰; returns the number of points modulo random primes.
-///
-/// `None` if the relation fails at a point, the degrees are too high for 61-bit primes, or the
-/// deadline passes.
+/// `None` if a point refutes it, degrees are too high for 61-bit primes, or the deadline passes.
 pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
     let size = determinant_size(basis, field, searched.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
@@ -84,8 +82,7 @@ impl Basis {
     }
 }
 
-/// Bounds of the total degree in states, parameters and ε, and of log₂ of the coefficients' sum of
-/// magnitudes.
+/// Bounds of the total degree, and of log₂ of the coefficients' sum of magnitudes.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
@@ -98,8 +95,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Per row, one bit for each doubling of the number of rows and of the sum of factors bounds the
-    // number of products.
+    // Bits per row: one for each doubling of the number of rows and of the sum of factors.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {

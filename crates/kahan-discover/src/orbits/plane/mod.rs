@@ -1,8 +1,8 @@
 //! Maps of the plane: proofs of exponential growth of degrees, and growth as the end of a search.
 //!
 //! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x, so
-//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ. [`growth`] proves exponential growth
-//! by one large degree or by `stability`; [`linear`] draws conclusions from linear growth.
+//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ. `growth` proves exponential growth
+//! by one large degree or by `stability`; `linear` draws conclusions from linear growth.
 
 mod stability;
 
@@ -35,8 +35,7 @@ pub enum GrowthProof {
 /// The numbers k of iterates tried in turn to prove exponential growth; degrees reach k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// Classifies the growth of degrees, with a proof if growth is exponential in the plane. `map` is a
-/// sample of `searched`.
+/// Classifies the growth of degrees of a sampled map, with a proof in the plane if exponential.
 ///
 /// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
 /// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin

@@ -14,8 +14,7 @@ use crate::maps::search_field::SearchField;
 use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 
-/// The range of primes. A walk modulo p takes about p/3 steps, and about one walk in p/3 meets a
-/// point of indeterminacy by chance.
+/// The range of primes. A walk takes about p/3 steps and fails by chance at a rate of about 3/p.
 const LEAST: u64 = 211;
 const SPREAD: u64 = 1000;
 
@@ -68,8 +67,7 @@ impl Forms {
     /// Tells whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // The bound is for safety: an orbit leaves the complement of the lines after finitely many
-        // steps.
+        // For safety only: an orbit leaves the complement of the lines.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -124,8 +122,7 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// Returns the zeros of κ on the line through two points, except the first point. `None` if κ
-    /// vanishes on the whole line.
+    /// Returns the zeros of κ on a line except the first point; `None` if κ vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;

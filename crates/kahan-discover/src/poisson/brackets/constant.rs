@@ -76,8 +76,7 @@ fn product(
     left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// Returns the antisymmetric matrix with these entries above the diagonal, at a point of a sampled
-/// map.
+/// Returns the antisymmetric matrix with these entries above the diagonal, at a point.
 fn matrix_at(
     searched: &SearchField,
     place: &SampledStep,
@@ -96,7 +95,6 @@ fn matrix_at(
 }
 
 impl PoissonTensor {
-    /// Returns the matrix of the tensor at a point of a sampled map.
     pub(super) fn at(
         &self,
         searched: &SearchField,

@@ -44,11 +44,9 @@ const POINTS: usize = 3;
 /// The most basis elements whose sums are tried.
 const MOST_ELEMENTS: usize = 40;
 
-/// The most tensors returned.
 const MOST_TENSORS: usize = 4;
 
-/// The monomials of the entries above the diagonal; coefficient m·pairs + k belongs to monomial m
-/// of entry k.
+/// Monomials of entries above the diagonal; coefficient m·pairs + k is for monomial m of entry k.
 struct Shape {
     monomials: Monomials,
     /// The places (i, j) above the diagonal, row by row.
@@ -57,7 +55,6 @@ struct Shape {
 
 #[derive(Clone, Debug)]
 pub(crate) struct PoissonTensor {
-    /// The rank at a general point.
     pub(crate) rank: usize,
     /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
@@ -106,7 +103,6 @@ impl PoissonTensor {
 }
 
 struct Candidate {
-    /// The rank at a general point.
     rank: usize,
     source: Source,
     /// The entries above the diagonal at the points of a search.
@@ -227,8 +223,7 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// Chooses the first candidate of each rank and independent ones of the highest rank, four in all.
-/// The ranks in `found` descend.
+/// Chooses the first of each rank and independent ones of the highest, four in all; ranks descend.
 fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -247,7 +242,6 @@ fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     chosen
 }
 
-/// Returns the entries above the diagonal, row by row.
 fn above(matrix: &[Vec<u64>]) -> impl Iterator<Item = u64> {
     matrix.iter().enumerate().flat_map(|(i, row)| row[i + 1..].iter().copied())
 }
@@ -297,8 +291,7 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Returns brackets of rank above `best` among basis elements and their sums, by descending
-    /// rank.
+    /// Returns brackets of rank above `best` among basis elements and sums, by descending rank.
     fn higher(
         &self,
         map: &ModularMap,
@@ -366,7 +359,6 @@ impl Shape {
         found
     }
 
-    /// Evaluates the tensor and its derivatives at a point.
     fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &Place) -> Tensor {
         let n = place.slopes[0].len();
         let mut tensor = Tensor { entries: vec![vec![0; n]; n], slopes: vec![vec![vec![0; n]; n]; n] };
@@ -382,8 +374,7 @@ impl Shape {
         tensor
     }
 
-    /// Reconstructs an element of a reduced basis over ℚ with all unknowns. The entries have
-    /// coprime integer coefficients.
+    /// Reconstructs a basis element over ℚ with all unknowns, with coprime integer coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,
@@ -392,8 +383,7 @@ impl Shape {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Each other element of the reduced basis has its pivot outside this support, so the tensor
-        // is unique on its support.
+        // Other basis elements have pivots outside this support, so the tensor is unique on it.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -442,7 +432,6 @@ impl Shape {
     }
 }
 
-/// Monomials and their derivatives at a point.
 struct Place {
     values: Vec<u64>,
     slopes: Vec<Vec<u64>>,

@@ -1,5 +1,4 @@
-//! Tests of brackets: exact construction from densities and integrals, proofs in any dimension,
-//! budgets.
+//! Tests of brackets: construction, proofs in any dimension, budgets.
 
 mod dimensions;
 mod limits;
@@ -21,12 +20,10 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns the function of an integral or density.
 fn stated(system: &System, name: &str) -> RationalFunction {
     function(claim(system, name))
 }
 
-/// Returns the entries of a bracket.
 fn tensor_of(system: &System, name: &str) -> Vec<RationalFunction> {
     functions(claim(system, name))
 }
@@ -50,8 +47,7 @@ fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
     is_proved_at(system, &[], tensor)
 }
 
-/// Tells whether a tensor in x, y, z is Poisson; the identity, the map of the zero field, keeps
-/// them all.
+/// Tells whether a tensor in x, y, z is Poisson; the zero field's map preserves all tensors.
 fn is_poisson(tensor: &[RationalFunction]) -> bool {
     is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
 }

@@ -2,7 +2,6 @@
 
 use super::*;
 
-/// Returns the block of a source file of the catalog.
 fn block(file: &'static str) -> &'static str {
     let (_, rest) = file.split_once("\nkahan! {\n").expect("the file has a block");
     rest.split_once("\n}\n").expect("the block ends").0
@@ -64,7 +63,6 @@ fn the_euler_top_has_two_compatible_brackets_of_its_density() {
     let system = system(block(include_str!("../../../../../../systems/src/catalog/euler.rs")));
     let symbols = &system.field.symbols;
     let square = power(symbols.epsilon(), 2);
-    // ±1/(2ε²αᵢ).
     let scale = |parameter: usize, sign: i64| {
         let product = &square * &RationalFunction::variable(symbols.parameter(parameter));
         (&product * &RationalFunction::constant(Rational::from(2 * sign))).recip().expect("not zero")
