@@ -53,6 +53,7 @@ impl Default for Options {
     }
 }
 
+/// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
     /// Whether the field depends on ε; statements on the flow then hold at any fixed ε.

@@ -21,6 +21,7 @@ pub enum Regime {
 }
 
 impl Regime {
+    /// All regimes, in the order of tables.
     pub const ALL: [Self; 7] = [
         Self::NearPole,
         Self::NearRemovablePole,

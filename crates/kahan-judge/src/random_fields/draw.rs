@@ -4,16 +4,19 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::tree::{Tree, literal, negated, quotient};
 
+/// The greatest number of variables of a random field.
 pub const DIMENSIONS: usize = 6;
 
 pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
 /// State names that collide with names in generated code.
 pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
 
+/// A source of random choices.
 #[derive(Debug)]
 pub struct Draw(SplitMix64);
 
 impl Draw {
+    /// Creates a source that is seeded by a text.
     #[must_use]
     pub fn seeded(text: &str) -> Self {
         Draw(SplitMix64::from_bytes(text.as_bytes()))

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+/// An expression as a tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
     /// Digits in their final spelling.
