@@ -128,7 +128,7 @@ impl<'a> Deadline<'a> {
         self.has_stopped.get()
     }
 
-    /// Returns the remaining seconds: infinite without a time, 0 after the end of the work.
+    /// Returns the remaining seconds: infinite without a time limit, 0 after the end of the work.
     #[must_use]
     pub fn left(&self) -> f64 {
         match (self.work, self.end) {

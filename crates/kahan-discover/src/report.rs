@@ -131,15 +131,15 @@ pub enum ModifiedPlace {
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// The maximal number of integrals: with one more, every orbit would be finite.
+    /// The number is maximal: with one more integral, every orbit would be finite.
     Orbits,
-    /// The maximal number of integrals by the [`Ceiling`].
+    /// The number is maximal by the [`Ceiling`].
     Ceiling,
     /// Proved exponential growth in the plane, which excludes integrals.
     Growth,
     /// Observed linear growth in the plane with a drift of infinite order.
     Linear,
-    /// The maximal number of integrals by the drifts.
+    /// The number is maximal by the drifts.
     Drifts,
     /// The given degree.
     Degree,

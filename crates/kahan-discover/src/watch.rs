@@ -62,7 +62,7 @@ impl fmt::Display for Progress<'_> {
     }
 }
 
-/// A structure that a map preserves, as a claim in the language of `kahan!`.
+/// A proved property of a map, as a claim in the language of `kahan!`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     /// The kind of the claim.

@@ -135,8 +135,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Claims numerator/denominator as an integral by a theorem; a proof may take minutes. Returns
-    /// `None` if the text, read again, states another function.
+    /// Claims numerator/denominator as an integral by a theorem, as a proof may take minutes.
+    /// Returns `None` if the text, read again, states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,

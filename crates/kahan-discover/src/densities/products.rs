@@ -62,7 +62,7 @@ pub(crate) fn product(
 }
 
 /// Returns exponents with these signs and Σ |exponent|·degree = total. With many factors the list
-/// is incomplete: it ends after half a million steps or 20 000 entries.
+/// may be incomplete: it ends after half a million steps or 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

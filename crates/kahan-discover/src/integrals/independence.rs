@@ -30,7 +30,7 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// Gradients of independent functions at a random point modulo a prime, a lower bound of the rank.
+/// Gradients of functions at a random point modulo a prime; their rank is at most that over ℚ.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,

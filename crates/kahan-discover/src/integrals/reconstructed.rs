@@ -40,7 +40,7 @@ pub struct Aims<'a> {
     pub hilbert: Option<&'a Hilbert>,
     /// Known integrals P/Q, each accepted unless others are found below its degree.
     pub known: &'a [(Polynomial, Polynomial)],
-    /// The largest formulas.
+    /// The limits on the size of formulas.
     pub reach: Reach,
     /// Called with each integral as soon as it is proved.
     pub tell: &'a dyn Fn(&Formula),

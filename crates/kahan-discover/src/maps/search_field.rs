@@ -34,7 +34,7 @@ const MOST_SAMPLES: usize = 16;
 /// A point of a sampled map, and its image.
 #[derive(Clone, Debug)]
 pub struct SampledStep {
-    /// The map.
+    /// The sampled map.
     pub sample: Sample,
     /// The point x.
     pub here: Vec<u64>,
@@ -119,7 +119,7 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// Returns the map at these unknowns; `None` if a divisor vanishes modulo p.
+    /// Returns the map at these unknowns, unless a divisor or the denominator of ε is 0 modulo p.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {

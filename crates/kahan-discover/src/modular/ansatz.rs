@@ -39,7 +39,7 @@ impl Shape {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// Returns the function from its coefficients modulo several primes, if they are small.
+    /// Returns the function from coefficients modulo several primes, if they are small rationals.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],
