@@ -8,8 +8,10 @@ use kahan_draw::document::{Making, colophon, document};
 
 const TITLE: &str = "An atlas of Kahan’s maps";
 
-/// The page: one HTML document with everything in it. Costs a second; nothing is computed but what
-/// it draws in double precision.
+/// Writes the page as one self-contained HTML document.
+///
+/// Takes about a second: only the level curve of dE4 and the portrait are computed here, in double
+/// precision.
 #[must_use]
 pub fn page(found: &Found<'_>, making: &Making) -> String {
     let body = html! {

@@ -1,5 +1,5 @@
-//! The errata: misprinted formulas as their claims refute them, and statements with what was
-//! measured instead.
+//! The errata: misprinted formulas with the claims that refute them, and wrong statements with
+//! measured values.
 
 use maud::{Markup, html};
 
@@ -12,7 +12,6 @@ use kahan_paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Erratum, OPEN, Outcome};
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     let is_formula = |checked: &&Checked<'_>| matches!(checked.claim.erratum, Some(Erratum::A(_)));
     let mut misprints: Vec<&Checked<'_>> = found.claims.iter().filter(is_formula).collect();
@@ -52,7 +51,7 @@ fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
     }
 }
 
-/// The least squares slope of a component's heights against `of(n)`, from a step on.
+/// Returns the least squares slope of a component's heights against `of(n)`, from step `from` on.
 fn measured(found: &Found<'_>, figure: &Figure, variable: &str, from: usize, of: fn(f64) -> f64) -> String {
     let heights = found.orbits.get(figure.name).and_then(|orbit| orbit.log_heights(variable));
     heights.map_or_else(
@@ -155,12 +154,10 @@ fn statements(found: &Found<'_>) -> Markup {
     }
 }
 
-/// The claims that show an erratum.
 fn about<'f, 'a>(found: &'f Found<'a>, erratum: Erratum) -> impl Iterator<Item = &'f Checked<'a>> {
     found.claims.iter().filter(move |checked| checked.claim.erratum == Some(erratum))
 }
 
-/// What the paper leaves open.
 pub(super) fn open() -> Markup {
     html! {
         section #open {

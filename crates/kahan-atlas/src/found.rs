@@ -1,40 +1,42 @@
-//! What the page shows: claims with their outcomes, and the heights of the paper's orbits.
+//! The content of the page: claims with their outcomes, and the heights of the paper's orbits.
 
 use std::collections::BTreeMap;
 
 use kahan_paper::figures::{Figure, Measurement};
 use kahan_paper::{Claim, Established, Id, Outcome, Paper};
 
-/// A claim and how it came out.
+/// A claim with its outcome.
 #[derive(Clone, Debug)]
 pub struct Checked<'a> {
-    /// What is claimed.
+    /// The claim.
     pub claim: &'a Claim,
-    /// How it came out.
+    /// The outcome and its detail.
     pub established: Established,
 }
 
-/// The heights along orbits, by the [name](Figure::name) of the orbit.
+/// Heights along orbits, by [name](Figure::name) of the orbit.
 pub type Orbits<'a> = BTreeMap<&'static str, &'a Measurement>;
 
-/// Everything that the page shows.
+/// The content of the page.
 #[derive(Debug)]
 pub struct Found<'a> {
-    /// The registry, which writes statements in LaTeX.
+    /// The registry of claims, which writes statements in LaTeX.
     pub paper: &'a Paper,
-    /// The claims in the order of the paper.
+    /// All claims in the order of the paper.
     pub claims: Vec<Checked<'a>>,
-    /// The orbits of [`Figure::all`]; a drawing whose orbit is missing says so.
+    /// The orbits of [`Figure::all`]; a figure whose orbit is missing is left out of the page.
     pub orbits: Orbits<'a>,
 }
 
 impl<'a> Found<'a> {
-    /// Establishes every claim and follows every orbit; `each` hears of every claim and of every
-    /// orbit as it is done. Costs half a minute on two cores.
+    /// Establishes every claim and computes every orbit; calls `each` after each of them.
+    ///
+    /// Takes about half a minute on two cores.
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
-        // The claims measure the orbits, many at once; what is left is to look them up.
+        // Establishing the claims also measures the orbits, in parallel; below they are only looked
+        // up.
         let established = paper.for_all(&claims, None, |claim| {
             let established = paper.establish(claim);
             each();
@@ -51,29 +53,27 @@ impl<'a> Found<'a> {
         Found { paper, claims, orbits }
     }
 
-    /// How often [`compute`](Self::compute) calls `each`.
+    /// Returns the number of calls of `each` by [`compute`](Self::compute).
     #[must_use]
     pub fn steps(paper: &Paper) -> usize {
         paper.claims().len() + Figure::all().count()
     }
 
-    /// How many claims failed.
+    /// Returns the number of failed claims.
     #[must_use]
     pub fn failed(&self) -> usize {
         self.counts()[Outcome::Failed.place()]
     }
 
-    /// How many claims came out how.
     pub(super) fn counts(&self) -> [usize; Outcome::KINDS] {
         Outcome::counts(self.claims.iter().map(|checked| checked.established.outcome))
     }
 
-    /// The claim of this name.
     pub(super) fn claim(&self, id: &Id) -> Option<&Checked<'a>> {
         self.claims.iter().find(|checked| checked.claim.id == *id)
     }
 
-    /// The claims whose names begin with these parts.
+    /// Returns the claims whose names begin with `parts`.
     pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &Checked<'a>> {
         self.claims.iter().filter(move |checked| checked.claim.id.begins_with(parts))
     }

@@ -1,14 +1,9 @@
-//! The paper as one page, drawn and written from what was established while it was made.
+//! The paper as one page, written from claims that were established for that page.
 //!
-//! In: the claims of `kahan-paper` with their outcomes, and the heights of its orbits. Out: HTML.
-//! It must not know the command, nor any file.
-//!
-//! [`Found::compute`] establishes every claim and follows every orbit; [`page`] writes one
-//! self-contained HTML document from that. No number is stored here: figures come from the measured
-//! orbits, tables from the text that the claims check, outcomes from the claims. The page needs no
-//! network and no script; formulas are MathML, drawings are SVG.
-//!
-//! `figures` and the other modules are one section of the page each.
+//! In: the claims of `kahan-paper` with their outcomes, and heights along its orbits. Out: one
+//! self-contained HTML document with MathML and SVG, without network access and scripts. The crate
+//! must not know the command or files. No result is stored here: [`Found::compute`] establishes the
+//! claims and computes the orbits, and [`page`] writes the document, one module a section.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,5 +1,4 @@
-//! Table 5 and Theorem 3: the solutions of the flows and of the maps, from the statements of their
-//! claims.
+//! Table 5 and Theorem 3: the solutions of flows and maps, from the statements of their claims.
 
 use maud::{Markup, html};
 
@@ -14,7 +13,6 @@ use kahan_systems::registry::SYSTEMS;
 const STATES: [&str; 3] = ["x", "y", "z"];
 const INTEGRALS: [&str; 2] = ["H", "K"];
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     html! {
         section #solutions {
@@ -43,11 +41,11 @@ fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
     table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
-/// What a claim says of one cell (table, system, column), linked to the claim.
+/// Writes one cell (table, system, column) from its claim, with a link to the claim.
 fn entry(found: &Found<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
-    // A solution is defined first; a value is the right-hand side of the last relation.
+    // Solutions are definitions at the front; values are the right-hand side of the last relation.
     let formula = match items.first() {
         Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),
         _ => items.last().map(|item| &item.right),

@@ -1,4 +1,4 @@
-//! Tables 1 to 4, from the text that the claims check.
+//! Tables 1 to 4, set from the text that the claims check.
 
 use maud::{Markup, html};
 
@@ -9,19 +9,19 @@ use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
 use kahan_systems::registry::SYSTEMS;
 
-/// An expression of the language of claims in LaTeX.
+/// Sets an expression of the language of claims in LaTeX.
 fn latex(expression: &str) -> String {
-    // The right-hand side of a definition may be any expression.
+    // `latex_of` reads statements; the right-hand side of a definition may be any expression.
     let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
 
-/// The cell of a row that is defined by this name.
+/// Writes the cell for the definition `name` of a row.
 fn value(row: &Structure, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
-/// The names of a tensor's entries {x,y}, {y,z}, {z,x}; behind them stands `_eps` for a map.
+/// Returns the names of a tensor's entries {x,y}, {y,z}, {z,x}; maps have the suffix `_eps`.
 fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }
@@ -30,7 +30,7 @@ fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// How the claims whose names begin so came out: the worst of them, with a link to the first.
+/// Writes the worst outcome among the claims with these name prefixes, linked to its first claim.
 fn verdict(found: &Found<'_>, names: &[[&str; 2]]) -> Markup {
     let claims: Vec<&Checked<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
@@ -51,7 +51,6 @@ fn name(row: &Structure) -> String {
     row.system.to_uppercase()
 }
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     html! {
         section #tables {
@@ -84,7 +83,8 @@ fn table1(found: &Found<'_>) -> Markup {
     table_of_formulas("table1", caption, &headings, rows(|_| true).into_iter().map(cells))
 }
 
-/// What is defined by these names of every map, and how the claims that begin so came out.
+/// Writes a table with one row for each map: the definitions named in `columns`, and the outcome of
+/// its claims.
 fn of_maps<'a, const N: usize>(
     found: &Found<'_>,
     (id, caption): (&str, &str),

@@ -1,5 +1,4 @@
-//! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the
-//! catalog, and what it preserves.
+//! The systems: field, A(x,ε) and map of each, derived from the blocks of the catalog, with claims.
 
 use maud::{Markup, html};
 
@@ -11,7 +10,6 @@ use kahan_study::{Form, Show, Shown, Subject, Systems, Unwatched};
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     html! {
         section #systems {
@@ -28,7 +26,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-/// The section on the systems that are not in the paper.
+/// Writes the section on the systems that are not in the paper.
 pub(super) fn further(found: &Found<'_>) -> Markup {
     html! {
         section #further {
@@ -42,7 +40,6 @@ pub(super) fn further(found: &Found<'_>) -> Markup {
     }
 }
 
-/// The formulas of a system, and its claims with their outcomes.
 fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
     let study = Subject::named(entry.command).study(&Systems).expect("a system of the catalog");
     let asked = Show { form: Form::Latex, jacobian: false };

@@ -1,4 +1,4 @@
-//! The verification: every claim, where it stands, what it says, and how it was established.
+//! The verification: every claim with its place in the paper, statement and outcome.
 
 use maud::{Markup, html};
 
@@ -8,7 +8,6 @@ use kahan_draw::document::readable;
 use kahan_draw::document::{COLUMN, displays};
 use kahan_paper::{Outcome, Section};
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     html! {
         section #verification {
@@ -26,7 +25,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-/// How many claims came out how.
+/// Writes the number of claims for each outcome.
 pub(super) fn counts(found: &Found<'_>) -> Markup {
     let kinds = [
         ("proved", "proved over ℚ"),
@@ -45,7 +44,6 @@ pub(super) fn counts(found: &Found<'_>) -> Markup {
     }
 }
 
-/// The claims of one part of the paper.
 fn group(part: Section, found: &Found<'_>) -> Markup {
     let claims: Vec<&Checked<'_>> =
         found.claims.iter().filter(|checked| checked.claim.section == part).collect();

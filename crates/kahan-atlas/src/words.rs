@@ -1,18 +1,18 @@
-//! Numbers, links to claims and marks of outcomes, as they stand in the text of the page.
+//! Formats numbers, links to claims and marks of outcomes for the text of the page.
 
 use maud::{Markup, html};
 
 use super::found::Checked;
 use kahan_paper::{Id, Outcome};
 
-/// A small or large number as 1.2·10⁻¹⁶.
+/// Formats a small or large number like 1.2·10⁻¹⁶.
 pub(super) fn scientific(value: f64) -> Markup {
     let text = format!("{value:.1e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     html! { (mantissa.replace('-', "−")) "·10" sup { (exponent.replace('-', "−")) } }
 }
 
-/// A whole number in groups of three digits, which may stand in one line only.
+/// Groups the digits of a whole number by threes, with narrow spaces that do not break.
 pub(super) fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::new();
@@ -25,18 +25,17 @@ pub(super) fn grouped(value: u64) -> String {
     text
 }
 
-/// Where a claim stands on the page.
+/// Returns the anchor of a claim on the page.
 pub(super) fn anchor(id: &Id) -> String {
     format!("claim-{id}")
 }
 
-/// A link to a claim's row.
 pub(super) fn link(checked: &Checked<'_>) -> Markup {
     let id = &checked.claim.id;
     html! { a href=(format!("#{}", anchor(id))) { code { (id) } } }
 }
 
-/// The outcome as a mark with words.
+/// Writes an outcome as a mark with words.
 pub(super) fn badge(outcome: Outcome) -> Markup {
     let (class, sign) = match outcome {
         Outcome::Failed => ("failed", "✗"),

@@ -1,7 +1,6 @@
-//! The atlas: well formed, self-contained, complete, computed, and written whole or not at all.
+//! Tests of the page: well formed, self-contained, complete, and equal to the measurements.
 //!
-//! The page is made here from short orbits and from outcomes that are given, so that it takes
-//! seconds without optimisation.
+//! Short orbits and given outcomes keep the tests fast without optimisation.
 
 #[path = "../../kahan-cli/tests/command/painting.rs"]
 mod painting;
@@ -18,7 +17,6 @@ use kahan_systems::registry;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-/// The first iterates of every orbit.
 fn short_orbits() -> Vec<(&'static str, Measurement)> {
     let short = |figure: &'static Figure| {
         let steps = if matches!(figure.system, "lv" | "e9") { 5 } else { 12 };
@@ -32,7 +30,7 @@ fn making() -> Making {
     Making { date: "2026-01-31".to_owned(), seconds: 1.25 }
 }
 
-/// The page with these outcomes and short orbits.
+/// Writes the page from given outcomes and short orbits.
 fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
     let measured = short_orbits();
     let orbits: Orbits<'_> = measured.iter().map(|(name, measurement)| (*name, measurement)).collect();
@@ -42,12 +40,11 @@ fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
     page(&Found { paper, claims: claims.collect(), orbits }, &making())
 }
 
-/// Every claim taken for proved, misprints for corrected.
+/// Counts misprints as corrected and all other claims as proved.
 fn good(claim: &Claim) -> Outcome {
     if claim.printed().is_some() { Outcome::Misprint } else { Outcome::Proved }
 }
 
-/// The attributes with this name, wherever they stand.
 fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
     let opening = format!(" {name}=\"");
     page.split(&opening).skip(1).filter_map(|rest| rest.split('"').next()).collect()
@@ -56,7 +53,7 @@ fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
 #[test]
 fn the_page_is_well_formed_and_its_links_lead_somewhere() {
     let page = page_with(&Paper::new(), good);
-    // The only elements without an end are those of the head; XML wants one.
+    // XML requires an end for `<meta>`, which HTML leaves open.
     let xml: String = page
         .split_inclusive('>')
         .map(|piece| if piece.contains("<meta") { piece.replace('>', "/>") } else { piece.to_owned() })
@@ -196,14 +193,13 @@ fn a_claim_that_failed_is_told_at_the_top_and_shown_open() {
     assert!(page_with(&paper, good).contains("no claim failed."));
 }
 
-/// The part of the page about one system.
+/// Returns the part of the page about one system.
 fn sheet<'a>(page: &'a str, command: &str) -> &'a str {
     let (_, after) =
         page.split_once(&format!(" id=\"system-{command}\"")).unwrap_or_else(|| panic!("{command}"));
     after.split("</details>").next().unwrap_or_default()
 }
 
-/// What is left of a part of the page without its tags.
 fn text_of(markup: &str) -> String {
     markup.split('<').filter_map(|piece| piece.split_once('>')).map(|(_, text)| text).collect()
 }
@@ -248,7 +244,7 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
                 ClaimBody::Function(_) => assert_eq!(formulas, 1, "{id}"),
                 ClaimBody::Recurrence { .. } => assert_eq!(formulas, 2, "{id}"),
             }
-            // Every variable of the formula stands in it.
+            // Checks that the formula shows each of its variables.
             let words = text_of(block);
             let symbols = &system.field.symbols;
             for (i, state) in symbols.states.iter().enumerate().filter(|(_, state)| state.len() == 1) {
@@ -260,7 +256,6 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
     }
 }
 
-/// The formulas of the page, as MathML.
 fn formulas(page: &str) -> impl Iterator<Item = &str> {
     page.split("<math ").skip(1).filter_map(|rest| rest.split("</math>").next())
 }
@@ -270,7 +265,7 @@ fn parentheses_stretch_around_what_is_tall() {
     let page = page_with(&Paper::new(), good);
     let mut stretched = 0;
     for formula in formulas(&page) {
-        // Where each open parenthesis stands, and whether it stretches.
+        // Each open parenthesis: its position, and whether it stretches.
         let mut open: Vec<(usize, bool)> = Vec::new();
         let mut at = 0;
         for piece in formula.split_inclusive('<') {
@@ -295,11 +290,11 @@ fn parentheses_stretch_around_what_is_tall() {
     assert!(stretched > 100, "{stretched}");
 }
 
-/// How many characters wide a formula is: of a fraction the wider side, of a table the widest row.
+/// Returns a formula's width in characters; fractions and tables count their widest part.
 fn width(formula: &str) -> usize {
     let xml = format!("<math {formula}</math>");
     let mut reader = Reader::from_str(&xml);
-    // For each open element its name and the widths of its children.
+    // Each open element: its name, and the widths of its children.
     let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
     loop {
         match reader.read_event().expect("well formed") {
@@ -313,7 +308,6 @@ fn width(formula: &str) -> usize {
                 let (name, children) = open.pop().expect("an element");
                 let width = match name.as_str() {
                     "mfrac" | "mtable" | "munderover" => children.iter().copied().max().unwrap_or(0),
-                    // An accent is above its letter.
                     "mover" => children.first().copied().unwrap_or(0),
                     _ => children.iter().sum(),
                 };
@@ -328,7 +322,7 @@ fn width(formula: &str) -> usize {
 fn no_formula_is_wider_than_its_place() {
     let page = page_with(&Paper::new(), good);
     let (systems, rest) = page.split_once("<section id=\"tables\"").expect("the tables");
-    // Signs have spaces around them, which are not counted here.
+    // Spaces around signs are not counted.
     for formula in formulas(systems) {
         assert!(width(formula) <= 90, "{} characters: {}", width(formula), text_of(formula));
     }

@@ -1,5 +1,6 @@
-//! Proves the findings of `discover` for random fields a second time: by expansion over ℚ, which
-//! shares neither primes nor random points with `discover`.
+//! Proves findings of `discover` for random fields a second time, by expansion over ℚ.
+//!
+//! The second proof shares neither primes nor random points with `discover`.
 //! `cargo run --release -p kahan-discover --example random_fields -- --help`
 
 #[path = "literature/clock.rs"]
@@ -58,7 +59,6 @@ fn main() -> ExitCode {
         with_findings += u64::from(!findings.is_empty());
         let mut block = field.clone();
         for (_, finding) in findings {
-            // A drift may name integrals and earlier drifts.
             let before = if finding.kind == ClaimKind::Drift { &block } else { &field };
             match proved_again(before, &finding.text) {
                 Some(Proved::ByExpansion) => expanded += 1,
@@ -84,21 +84,18 @@ fn main() -> ExitCode {
     if untrue == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// The second proof of a finding.
 enum Proved {
     ByExpansion,
     ModuloPrimes,
 }
 
-/// Proves the claim after a block by expansion or, beyond its budget, modulo primes; `None` if the
-/// claim is false.
+/// Proves a claim by expansion or, beyond its budget, modulo primes; `None` for a false claim.
 fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let block = format!("{before} {claim}");
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The seed of primes and points is the text of the block, so both differ from those of
-        // `discover`.
+        // The text of the block seeds primes and points, so they differ from those of `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }
@@ -106,7 +103,6 @@ fn proved_again(before: &str, claim: &str) -> Option<Proved> {
 const STATES: [&str; 4] = ["x", "y", "z", "w"];
 const PARAMETERS: [&str; 2] = ["a", "b"];
 
-/// A product of a coefficient, at most one parameter, and powers of the states.
 #[derive(Clone)]
 struct Term {
     coefficient: i64,
@@ -115,7 +111,7 @@ struct Term {
 }
 
 impl Term {
-    /// Draws a term with `factors` factors, each 1 or one of the first n states.
+    /// Draws a term whose `factors` factors are 1 or a state, perhaps with a parameter.
     fn draw(n: u64, factors: usize, has_parameters: bool, random: &mut SplitMix64) -> Self {
         let sizes = [-3, -2, -1, -1, 1, 1, 2, 3];
         let parameter = has_parameters && random.below(3) == 0;
@@ -133,7 +129,6 @@ impl Term {
         }
     }
 
-    /// The derivative with respect to a state, times a factor.
     fn derivative(&self, state: usize, factor: i64) -> Self {
         let mut term = self.clone();
         term.coefficient *= factor * self.powers[state];
@@ -148,7 +143,6 @@ impl Term {
     }
 }
 
-/// The equations of a random field.
 fn field(index: u64, random: &mut SplitMix64) -> String {
     let n = 2 + index % 3;
     let has_parameters = random.below(3) == 0;

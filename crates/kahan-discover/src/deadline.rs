@@ -1,4 +1,4 @@
-//! Until when work may go on, and what it tells whoever watches it.
+//! Deadlines of work, and the messages of work to its watch.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -8,24 +8,22 @@ use kahan_algebra::system::Claim;
 
 use crate::watch::{Finding, Progress, Watch};
 
-/// Within a stage, the watch looks again after so long.
+/// The least time between two looks of the watch within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// Work that is watched. It knows what it has told, and whether the watch has ended it: from then
-/// on it calls the watch no more.
+/// Work under a watch. Remembers reported findings; makes no calls after the watch ended it.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
-    /// What it is at, how much of that is done, and of how many.
+    /// The current stage, and the done and total counts of its items.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
-    /// When the watch looked last.
     looked: Cell<Option<Duration>>,
     is_ended: Cell<bool>,
     told: RefCell<BTreeSet<String>>,
 }
 
 impl<'a> Work<'a> {
-    /// Work that begins, and has told nothing.
+    /// Starts work without findings.
     #[must_use]
     pub fn new(watch: &'a dyn Watch) -> Self {
         Work {
@@ -38,8 +36,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Shows how far the work is. The watch looks where a stage begins; at what is counted it looks
-    /// when it has not for a while, and always where there is no clock.
+    /// Reports progress. The watch looks at the beginning of a stage; at counted items it looks a
+    /// few times a second, or always without a clock.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -52,8 +50,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Tells of a claim that is proved, unless it was told before. The watch looks at once, so that
-    /// it can end the work with that.
+    /// Reports a proved claim once; the watch looks at once, so that it may end the work.
     pub fn found(&self, claim: &Claim, text: &str) {
         if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
             self.watch.found(&Finding::claimed(claim, text));
@@ -61,7 +58,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// The time, unless there is no clock or the work is ended.
+    /// Returns the time; `None` without a clock or after the end of the work.
     fn now(&self) -> Option<Duration> {
         if self.is_ended.get() { None } else { self.watch.now() }
     }
@@ -82,9 +79,9 @@ impl<'a> Work<'a> {
     }
 }
 
-/// A time after which nothing is begun, and which remembers whether something was left out for it:
-/// a sentence about what was not found may only be written where nothing was. It comes at once
-/// where the watch ends the work, and never by time where there is no clock.
+/// The end of the time for some work; remembers whether it stopped something. Statements on absence
+/// require a search that was not stopped. The deadline passes at once if the watch ends the work;
+/// without a clock it never passes by time.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a Work<'a>>,
@@ -93,7 +90,7 @@ pub struct Deadline<'a> {
 }
 
 impl<'a> Deadline<'a> {
-    /// So many seconds from now; not a number and negative ones count as 0.
+    /// Sets a deadline in `seconds` seconds; NaN and negative numbers count as 0.
     #[must_use]
     pub fn after(work: &'a Work<'a>, seconds: f64) -> Self {
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };
@@ -101,18 +98,18 @@ impl<'a> Deadline<'a> {
         Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
     }
 
-    /// A new deadline, after this share of the time that is left.
+    /// Sets a new deadline after this share of the remaining time.
     pub(crate) fn after_share(&self, share: f64) -> Self {
         self.work.map_or_else(Deadline::never, |work| Deadline::after(work, share * self.left()))
     }
 
-    /// None at all.
+    /// Returns a deadline that never passes.
     #[must_use]
     pub fn never() -> Self {
         Deadline { work: None, end: None, has_stopped: Cell::new(false) }
     }
 
-    /// Whether the time has come. Who asks stops if it has.
+    /// Tells whether the deadline has passed; a caller that hears so must stop.
     #[must_use]
     pub fn passed(&self) -> bool {
         let Some(work) = self.work else { return false };
@@ -125,14 +122,13 @@ impl<'a> Deadline<'a> {
         passed
     }
 
-    /// Whether work was left out.
+    /// Tells whether [`passed`](Self::passed) has ever returned `true`.
     #[must_use]
     pub fn has_stopped(&self) -> bool {
         self.has_stopped.get()
     }
 
-    /// The seconds until then: infinitely many where it does not come by time, none where the work
-    /// is ended.
+    /// Returns the remaining seconds: infinite without a time limit, 0 after the end of the work.
     #[must_use]
     pub fn left(&self) -> f64 {
         match (self.work, self.end) {
@@ -167,7 +163,7 @@ mod tests {
         assert!(!timeless.passed() && timeless.left() == f64::INFINITY);
     }
 
-    /// A tick of the clock is a millisecond.
+    /// One tick of the clock is a millisecond.
     #[test]
     fn the_watch_looks_some_times_a_second_and_no_more_once_it_has_ended_the_work() {
         let clock = Ticking::ending_at_look(4);

@@ -1,21 +1,15 @@
-//! What the Kahan map of a quadratic field preserves, found from its equations alone.
+//! Discovery of the structures that Kahan's map of a quadratic field preserves.
 //!
-//! In: a checked system. Out: a [`Report`] of what its map keeps, with formulas that are proved. It
-//! must not know how a report is printed.
+//! In: a checked system. Out: a [`Report`] on growth of degrees, the number of independent
+//! algebraic integrals, formulas of integrals, densities, Poisson brackets and drifts, Hamiltonian
+//! structure, and integrals under composition. Everything is found modulo primes by linear algebra
+//! and interpolation along orbits; formulas are returned after proof. An integral with a long
+//! formula is given by a Hirota–Kimura [`Basis`]. The crate must not know how a report is printed.
 //!
-//! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's
-//! iterates grow, how many independent algebraic integrals its orbits show, their formulas, an
-//! invariant density, Poisson brackets, the Hamiltonian structure of the field, and which integrals
-//! survive composition. Everything is found modulo primes, from orbits, by linear algebra and
-//! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its
-//! text. An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which
-//! evaluates it.
-//!
-//! Modules in reading order: [`watch`] and [`deadline`]; [`modular`], the arithmetic; [`maps`],
-//! what is looked at; [`orbits`], what orbits show; [`integrals`], [`densities`], [`poisson`] and
-//! [`drift`], what is found; [`claims`], its proof and its text; `stages`, the whole search, and
-//! [`report`], its answer. [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows
-//! curves through poles.
+//! Modules in reading order: [`watch`], [`deadline`], [`modular`] (arithmetic), [`maps`],
+//! [`orbits`], [`integrals`], [`densities`], [`poisson`], [`drift`], [`claims`] (proof and text),
+//! `stages` (the search) and [`report`]. [`mod@scan`] searches special values on a grid,
+//! [`mod@poles`] follows curves through poles.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

@@ -1,4 +1,4 @@
-//! What was found, as plain data, and in words.
+//! The results of a search as plain data, and in words.
 
 use std::fmt;
 
@@ -16,28 +16,27 @@ use crate::orbits::hilbert::Hilbert;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
-/// The most characters of a claim that is printed for people to read. A longer integral is left to
-/// a basis, where there is one; other longer claims stand in blocks and JSON only.
+/// The most characters of a claim that is printed. Longer integrals are left to a basis if one
+/// exists; other longer claims are in blocks and JSON only.
 pub const MOST_READABLE: usize = 4000;
 
-/// What is fixed, and how far to look.
+/// The fixed values and the limits of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// ε, half the time step, where it is fixed; generic otherwise.
+    /// A fixed ε, half the time step; `None` for a generic ε.
     pub eps: Option<Rational>,
-    /// The parameters that are fixed, by name; the others are generic.
+    /// The fixed parameters by name; the others are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The degree up to which relations are looked for. Otherwise the number of variables chooses
-    /// one, and the search goes on to higher degrees while something may be missing and there is
-    /// time: what is found then depends on the machine's speed, all else does not.
+    /// The highest degree of relations. If `None`, the number of variables determines a degree, and
+    /// the search goes on to higher degrees while integrals may be missing and time is left; those
+    /// results depend on the speed of the machine.
     pub degree: Option<u32>,
-    /// The number of iterates whose degrees are taken, at most.
+    /// The most iterates whose degrees are computed.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken; up to four times as much for the first
-    /// five.
+    /// The degree after which no further iterate is taken; larger for the first five.
     pub iterate_degree: usize,
-    /// The time to spend, in seconds by the clock of whoever watches; what is not finished then is
-    /// left out, and the report says so. Without a clock it does not count.
+    /// The time limit in seconds by the watch's clock. Unfinished work is left out, and the report
+    /// says so. Without a clock there is no limit.
     pub seconds: f64,
 }
 
@@ -57,111 +56,103 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether coefficients of the field depend on ε. If so, statements on the flow hold for the
-    /// field at any fixed ε.
+    /// Whether the field depends on ε; statements on the flow then hold at any fixed ε.
     pub depends_on_eps: bool,
-    /// div f.
+    /// The divergence div f.
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.
     pub is_even: bool,
     /// Linear integrals of the flow, which the map keeps.
     pub linear_integrals: Vec<String>,
-    /// Quadratic integrals of the flow, independent of these and of each other; the map need not
-    /// keep them.
+    /// Independent quadratic integrals of the flow; the map need not keep them.
     pub quadratic_integrals: Vec<String>,
-    /// The degree up to which these are all: 2, or less where the time ran out or a formula was out
-    /// of reach.
+    /// The degree, at most 2, up to which the flow's integrals are complete.
     pub flow_degree: u32,
-    /// How many of these the map keeps as they stand.
+    /// The number of flow integrals that the map keeps unchanged.
     pub kept: usize,
-    /// The K found with f = K∇H, each with its H. They form a reduced basis, sorted by the length
-    /// of the modified Hamiltonian.
+    /// The K with f = K∇H of a reduced basis, by the length of the modified Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
-/// How a search for densities 1/P ended where it came to none that is proved.
+/// The end of a search for densities 1/P without a proved one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DensitySearch {
-    /// The degree of a P that was seen modulo a prime.
+    /// The degree of a P that was observed modulo a prime.
     pub seen: Option<u32>,
-    /// The degree up to which there is no P, as shown at random points modulo a prime.
+    /// The degree up to which no P exists, as observed at random points modulo a prime.
     pub none_up_to: Option<u32>,
 }
 
-/// f = K∇H.
+/// A decomposition f = K∇H.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, counted from 1; `None` if there is only one.
+    /// The number of this K, counted from 1; `None` if it is the only one.
     pub number: Option<usize>,
-    /// K, row by row.
+    /// The matrix K, row by row.
     pub tensor: Vec<Vec<String>>,
-    /// H
+    /// The function H.
     pub hamiltonian: String,
     /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
     /// Whether (I − ε² f′²)K, with the Jacobian f′ of the field, is proved to be an invariant
-    /// Poisson bracket. The bracket may be too long to be written.
+    /// Poisson bracket, which may be too long to be written.
     pub bracket_is_proved: bool,
-    /// How it is to be given, beside or instead of formulas.
+    /// The form in which the modified Hamiltonian is given.
     pub place: ModifiedPlace,
-    /// K and H, to be written in any notation.
     pub(crate) found: Hamiltonian,
     pub(crate) symbols: Symbols,
 }
 
 impl HamiltonianReport {
-    /// The modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation, x̃ being the image of x.
+    /// Writes the modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation; x̃ is the image of x.
     #[must_use]
     pub fn modified(&self, notation: &dyn Notation) -> String {
         self.found.compact(&self.symbols, notation)
     }
 
-    /// A letter with the number of this K, if there are several K.
+    /// Returns a letter, with the number of this K if there are several.
     #[must_use]
     pub fn label(&self, letter: &str) -> String {
         self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
     }
 }
 
-/// How the modified Hamiltonian is to be given.
+/// The form in which a modified Hamiltonian is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModifiedPlace {
-    /// Not at all: formulas and bases say what it says.
+    /// Left out, as formulas and bases imply it.
     Implied,
-    /// In its compact form, and none of the formulas says it.
+    /// The compact form, independent of the formulas.
     Alone,
-    /// In its compact form in place of one of the formulas, which is longer by far; with it, the
-    /// others are as many independent integrals.
+    /// The compact form in place of the formula with this index, which is far longer.
     InsteadOf(usize),
 }
 
-/// What ended the search for integrals.
+/// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// No more integrals are possible: with one more every orbit would be finite, or each already
-    /// is.
+    /// The number is maximal: with one more integral, every orbit would be finite.
     Orbits,
-    /// No more are possible by the [`Ceiling`].
+    /// The number is maximal by the [`Ceiling`].
     Ceiling,
-    /// The map is one of the plane and growth is proved exponential, so no integral exists.
+    /// Proved exponential growth in the plane, which excludes integrals.
     Growth,
-    /// The map is one of the plane, growth is observed to be linear, and a drift has infinite
-    /// order. If growth is linear, then no integral exists.
+    /// Observed linear growth in the plane with a drift of infinite order.
     Linear,
-    /// No more are possible by the drifts.
+    /// The number is maximal by the drifts.
     Drifts,
-    /// The degree that was asked for.
+    /// The given degree.
     Degree,
-    /// The time.
+    /// The time limit.
     Time,
-    /// The number of monomials, which the memory bounds.
+    /// The number of monomials, limited by memory.
     Size,
-    /// No orbit was found that does not end at a pole.
+    /// No orbit was found that avoids poles.
     Poles,
 }
 
 impl Bound {
-    /// In one word.
+    /// Returns the reason in one word.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -174,7 +165,7 @@ impl Bound {
         }
     }
 
-    /// The reason why there are no more than the `known` integrals; `None` if more may exist. The
+    /// Returns the reason why only the `known` integrals exist; `None` if more may exist. The
     /// drifts admit at most `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
@@ -204,82 +195,81 @@ impl Bound {
     }
 }
 
-/// What was found of a field.
+/// The results for a field.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The state variables.
     pub variables: Vec<String>,
-    /// The parameters that are generic.
+    /// The generic parameters.
     pub parameters: Vec<String>,
-    /// d₀ = 1, d₁, d₂, …: the degrees of the iterates.
+    /// The degrees d₀ = 1, d₁, d₂, … of the iterates.
     pub degrees: Vec<usize>,
-    /// Their growth.
+    /// The growth of the degrees.
     pub growth: GrowthVerdict,
-    /// The number of iterates over which growth in the plane is linear, if linear growth excludes
-    /// integrals: the map permutes the curves of a drift with infinite order.
+    /// The number of iterates with linear growth in the plane, if linear growth excludes integrals:
+    /// a drift has infinite order on the pencil of curves.
     pub linear_iterates: Option<usize>,
-    /// The Hilbert function of a generic orbit; absent where every orbit ended at a pole.
+    /// The Hilbert function of a generic orbit; `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
-    /// The number of independent algebraic integrals that orbits show or that are proved: the
-    /// formulas, those in bases, the modified Hamiltonian, and those that have no formula here.
+    /// The number of independent algebraic integrals that orbits show or that are proved: formulas,
+    /// those in bases, modified Hamiltonians, and those without a formula here.
     pub independent: usize,
-    /// How many there can be at most, as far as the fixed points of the map tell.
+    /// The upper bound of the number of integrals by the fixed points of the map.
     pub ceiling: Option<Ceiling>,
-    /// What ended the search for integrals.
+    /// The reason why the search for integrals ended.
     pub bound: Bound,
-    /// The integrals of the map, independent and proved.
+    /// Proved, independent integrals of the map.
     pub integrals: Vec<Formula>,
-    /// Hirota–Kimura bases for the integrals that have no formula here, the shortest first.
+    /// Hirota–Kimura bases for integrals without a formula here, the shortest first.
     pub bases: Vec<Basis>,
-    /// Invariant densities, proved; the first of least degree.
+    /// Proved invariant densities; the first has least degree.
     pub densities: Vec<Formula>,
-    /// Invariant Poisson brackets, proved: with polynomial entries, the highest rank first, then
-    /// from the density and the integrals.
+    /// Proved invariant Poisson brackets: those with polynomial entries by descending rank, then
+    /// those from the density and integrals.
     pub brackets: Vec<Bracket>,
-    /// How many of them, the first, have polynomial entries.
+    /// The number of brackets with polynomial entries, which come first.
     pub polynomial_brackets: usize,
-    /// Proved functions whose next value follows from their value. They are functionally
-    /// independent of each other and of the integrals.
+    /// Proved drifts, independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
-    /// How the search for densities ended.
+    /// The end of the search for densities.
     pub density_search: DensitySearch,
-    /// The name of an unconditional density that the field brings along; a block takes one.
+    /// The name of the system's own unconditional density; a block holds only one.
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// What composition leaves; absent where there is nothing to leave.
+    /// The integrals that survive composition; `None` without integrals.
     pub survivors: Option<Survivors>,
     /// Whether the time ran out before all was done.
     pub out_of_time: bool,
-    /// Every verdict in words, worded as what was shown.
+    /// Every verdict in words; each sentence states what was shown.
     pub sentences: Vec<String>,
 }
 
 impl Report {
-    /// The number of independent algebraic integrals that orbits show or that are proved (a
-    /// modified Hamiltonian may have a higher degree than the relations looked at).
+    /// Returns the number of independent algebraic integrals that orbits show or that are proved. A
+    /// modified Hamiltonian may have a higher degree than the relations searched.
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
         self.independent
     }
 
-    /// How many of them bases give.
+    /// Returns the number of integrals in bases.
     #[must_use]
     pub fn integrals_in_bases(&self) -> usize {
         self.bases.iter().map(|basis| basis.integrals.len()).sum()
     }
 
-    /// The modified Hamiltonians that are given in compact form.
+    /// Returns the modified Hamiltonians that are given in compact form.
     pub fn compact(&self) -> impl Iterator<Item = &HamiltonianReport> {
         self.structure.hamiltonians.iter().filter(|found| found.place != ModifiedPlace::Implied)
     }
 
-    /// The modified Hamiltonians that are given in compact form and stand for no formula.
+    /// Returns the modified Hamiltonians in compact form that replace no formula.
     pub fn alone(&self) -> impl Iterator<Item = &HamiltonianReport> {
         self.compact().filter(|found| found.place == ModifiedPlace::Alone)
     }
 
-    /// The indices of the formulas that the compact form of a modified Hamiltonian replaces.
+    /// Returns the indices of formulas that a compact form replaces.
     #[must_use]
     pub fn replaced(&self) -> Vec<usize> {
         let replaced = |found: &HamiltonianReport| match found.place {
@@ -289,7 +279,7 @@ impl Report {
         self.compact().filter_map(replaced).collect()
     }
 
-    /// How many of the independent integrals have no formula, and no basis gives them.
+    /// Returns the number of independent integrals without formula, basis or compact form.
     #[must_use]
     pub fn not_reached(&self) -> usize {
         let given = self.integrals.len() + self.integrals_in_bases() + self.alone().count();
@@ -297,27 +287,26 @@ impl Report {
     }
 }
 
-/// Why there is nothing to report.
+/// The reason why nothing can be reported.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DiscoverError {
-    /// A value was given for a name that is no parameter of the field.
+    /// A value was given for a name that is not a parameter of the field.
     UnknownParameter(String),
-    /// At the parameters given the field divides by zero.
+    /// The field divides by zero at the given parameters.
     UndefinedField,
-    /// ε = 0, where the map is the identity.
+    /// At ε = 0 the map is the identity.
     ZeroStep,
-    /// det A vanishes identically at the values given, so there is no map.
+    /// det A vanishes identically at the given values, so the map does not exist.
     NoMap,
-    /// det A(x,−ε) vanishes identically at the values given: the map collapses the space.
+    /// det A(x,−ε) vanishes identically at the given values: the map collapses the space.
     Collapse,
-    /// The field has more variables than a search looks at.
+    /// The field has more variables than a search accepts; holds their number.
     TooManyVariables(usize),
-    /// The map in lowest terms is beyond the budget of terms, so its poles cannot be listed.
+    /// The map in lowest terms exceeds the budget of terms, so its poles cannot be listed.
     TooLong,
 }
 
-/// The most variables of a field that a search looks at: its first elimination takes seconds there,
-/// and its cost grows with their cube.
+/// The most variables of a field; the first elimination takes seconds, and cubically more beyond.
 pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {

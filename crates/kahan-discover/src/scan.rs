@@ -1,5 +1,4 @@
-//! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the
-//! generic ones.
+//! Special values of parameters and ε on a rational grid, by degrees or ranks that are not generic.
 
 mod proposals;
 mod shapes;
@@ -20,23 +19,23 @@ use crate::watch::{Progress, Watch};
 
 pub use proposals::Proposal;
 
-/// A parameter, or ε, with the values that it takes on a grid.
+/// A parameter, or ε, with its values on a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scanned {
-    /// The parameter, or `eps`.
+    /// The name of the parameter, or `eps`.
     pub name: String,
     /// The values.
     pub values: Vec<Rational>,
 }
 
-/// What was seen at values of the scanned quantities.
+/// The degrees and ranks observed at some values of the scanned quantities.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sight {
-    /// d₀ = 1, d₁, ….
+    /// The degrees d₀ = 1, d₁, … of the iterates.
     pub degrees: Vec<usize>,
-    /// h(1), h(2), ….
+    /// The values h(1), h(2), … of the Hilbert function.
     pub hilbert: Vec<usize>,
-    /// The independent algebraic integrals that orbits show.
+    /// The number of independent algebraic integrals that orbits show.
     pub integrals: usize,
 }
 
@@ -45,46 +44,43 @@ pub struct Sight {
 pub struct GridPoint {
     /// The values, in the order of the names.
     pub values: Vec<Rational>,
-    /// What was seen there; absent where there is no map, or none that can be inverted, or its
-    /// orbits end at poles.
+    /// The observation; `None` if no invertible map exists or its orbits end at poles.
     pub sight: Option<Sight>,
 }
 
-/// A grid, and what is seen at generic values.
+/// A grid of observations, and the generic observation.
 #[derive(Clone, Debug)]
 pub struct Scan {
-    /// The names of what is scanned.
+    /// The names of the scanned quantities.
     pub names: Vec<String>,
-    /// What was seen with all scanned quantities generic.
+    /// The observation with all scanned quantities generic.
     pub generic: Sight,
-    /// The grid, the last quantity running fastest; shorter than it where time ran out.
+    /// The points of the grid, the last quantity running fastest; fewer if time ran out.
     pub points: Vec<GridPoint>,
-    /// Relations between scanned quantities at which all points of the grid are special, where
-    /// there are two or more.
+    /// Relations between scanned quantities at which all points of the grid are special.
     pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,
 }
 
 impl Scan {
-    /// The points where something else is seen than at generic values.
+    /// Returns the points that differ from the generic observation.
     pub fn special(&self) -> impl Iterator<Item = &GridPoint> {
         self.points.iter().filter(|point| point.sight.as_ref() != Some(&self.generic))
     }
 }
 
-/// Iterates, the degree of the last of them, and monomials of relations: enough to tell special
-/// values, little enough for thousands of points.
+/// Limits that suffice to tell special values and allow thousands of points.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Degrees and ranks on the grid of all quantities, and what is proved where relations between them
-/// hold. `options` fixes further parameters and ε, the degree of relations and the time; `watch`
-/// is told how many points are done, and of claims where relations hold as they are proved.
+/// Observes degrees and ranks on the grid, and proves claims at relations between the quantities.
+/// `options` fixes further parameters and ε, the degree of relations and the time. `watch` hears of
+/// the number of points done, and of claims as they are proved.
 ///
 /// # Errors
-/// As [`discover`](crate::discover()), for the field at generic values of what is scanned.
+/// As [`discover`](crate::discover()), for the field at generic values of the scanned quantities.
 pub fn scan(
     system: &System,
     scanned: &[Scanned],
@@ -107,7 +103,7 @@ pub fn scan(
     let show =
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
-    // Without it there is nothing to compare with: it is looked at in any case.
+    // The generic observation is needed for comparison, so it has no deadline.
     let generic = look(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();
     for index in 0..total {
@@ -122,7 +118,6 @@ pub fn scan(
         }
         values.reverse();
         let sight = look(system, &values, options, degree, &deadline).unwrap_or(None);
-        // What was cut short says nothing.
         if deadline.has_stopped() {
             break;
         }
@@ -136,7 +131,7 @@ pub fn scan(
     Ok(scan)
 }
 
-/// Degrees and ranks at these values; `None` inside where orbits end at poles.
+/// Observes degrees and ranks at these values; `Ok(None)` if orbits end at poles or time runs out.
 fn look(
     system: &System,
     values: &[(String, Rational)],

@@ -1,5 +1,4 @@
-//! What tests share: the claims of a block as reduced rational functions, the plans of a system
-//! modulo a prime, and a watch.
+//! Helpers of tests: claims as rational functions, plans of a system modulo a prime, and a watch.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -14,12 +13,11 @@ use kahan_algebra::system::{Claim, System};
 use crate::modular::modulus::Modulus;
 use crate::watch::{Finding, Progress, Watch};
 
-/// A claim by its name.
 pub(crate) fn claim<'a>(system: &'a System, name: &str) -> &'a Claim {
     system.claims.iter().find(|claim| claim.name.text == name).expect("the claim exists")
 }
 
-/// What a claim states: one function, or the entries of a bracket above the diagonal.
+/// Returns the functions of a claim: one, or the entries of a bracket above the diagonal.
 pub(crate) fn functions(claim: &Claim) -> Vec<RationalFunction> {
     let arithmetic = Functions::new(Budget::unlimited());
     let values =
@@ -34,7 +32,6 @@ pub(crate) fn functions(claim: &Claim) -> Vec<RationalFunction> {
     values.into_iter().map(reduced).collect()
 }
 
-/// What an integral or a density states.
 pub(crate) fn function(claim: &Claim) -> RationalFunction {
     functions(claim).remove(0)
 }
@@ -72,7 +69,7 @@ impl Arithmetic for Modulus {
     }
 }
 
-/// A watch whose clock shows a millisecond more whenever it is asked, and which may end the work.
+/// A watch whose clock advances by a millisecond at each reading, and which may end the work.
 #[derive(Debug, Default)]
 pub(crate) struct Ticking {
     ticks: AtomicU64,
@@ -82,7 +79,7 @@ pub(crate) struct Ticking {
 }
 
 impl Ticking {
-    /// Its look of this number, counted from 1, answers that the work is to end.
+    /// Ends the work at the look of this number, counted from 1.
     pub(crate) fn ending_at_look(number: u64) -> Self {
         Ticking { last_look: Some(number), ..Ticking::default() }
     }

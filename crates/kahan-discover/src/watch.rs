@@ -1,8 +1,7 @@
-//! Who watches long work: tells the time, hears how far it is and what it found, and stops it.
+//! The interface to a watcher of long work: clock, threads, progress, findings, and a stop.
 //!
-//! Libraries have neither clock nor threads nor screen of their own. Whoever asks a long question
-//! brings them along as a [`Watch`], so that the same work runs at a prompt, in a notebook, and in
-//! a browser, where there is no clock to read.
+//! Libraries have no clock, threads or screen of their own. The caller brings them along as a
+//! [`Watch`], so the work also runs in a notebook, and in a browser without a clock.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -11,51 +10,48 @@ use std::time::Duration;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
 
-/// What long work may use, and whom it tells. Whoever watches says what it has a use for; all else
-/// is as if nobody watched.
+/// The watcher of long work; all methods have defaults, which do nothing.
 pub trait Watch: Sync {
-    /// The time since a moment that stays the same; `None` where there is no clock. Then work that
-    /// is bounded by time alone goes on to its other bounds.
+    /// Returns the time since a fixed moment; `None` without a clock, so time limits do not apply.
     fn now(&self) -> Option<Duration> {
         None
     }
 
-    /// Hears how far the work is. `Break` ends it: the watch hears no more, and what is known by
-    /// then is the answer, as if the time were over. Work calls this when a stage begins,
-    /// after each finding, and else some times a second at most, as far as there is a clock.
+    /// Observes the progress; `Break` ends the work. After `Break` the watch is not called again,
+    /// and the result is that of an elapsed time limit. The work calls `look` when a stage begins,
+    /// after each finding, and at most a few times a second otherwise, if a clock exists.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 
-    /// Hears of a finding as soon as it is proved.
+    /// Receives a finding as soon as it is proved.
     fn found(&self, _finding: &Finding) {}
 
-    /// How many threads the work may use, at least 1. Answers do not depend on it.
+    /// Returns the number of threads for the work, at least 1; answers do not depend on it.
     fn threads(&self) -> usize {
         1
     }
 }
 
-/// How far work is.
+/// The progress of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress<'a> {
-    /// What is counted, `steps`, or the stage that begins, `degrees of iterates`.
+    /// The unit of the count, for example `steps`, or the stage that begins.
     pub what: &'a str,
-    /// How many of these are done.
+    /// The number of units done.
     pub done: u64,
-    /// How many there will be, where that is known.
+    /// The total number of units, if known.
     pub of: Option<u64>,
 }
 
 impl<'a> Progress<'a> {
-    /// A stage that begins.
+    /// Announces a stage.
     #[must_use]
     pub fn stage(what: &'a str) -> Self {
         Progress { what, done: 0, of: None }
     }
 }
 
-/// A count or a stage in words.
 impl fmt::Display for Progress<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.of {
@@ -66,19 +62,18 @@ impl fmt::Display for Progress<'_> {
     }
 }
 
-/// Something that a map keeps, as a claim of the language of `kahan!`.
+/// A proved property of a map, as a claim in the language of `kahan!`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// Integral, density, bracket, or drift.
+    /// The kind of the claim.
     pub kind: ClaimKind,
-    /// The claim's name.
+    /// The name of the claim.
     pub name: String,
     /// The claim as a line that can be pasted.
     pub text: String,
 }
 
 impl Finding {
-    /// The finding that a claim with this line is.
     pub(crate) fn claimed(claim: &Claim, text: &str) -> Self {
         Finding { kind: claim.kind, name: claim.name.text.clone(), text: text.to_owned() }
     }
@@ -90,7 +85,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// Nobody watches: no clock, one thread, nothing is told and nothing stopped.
+/// A watch without a clock, with one thread, which hears nothing and stops nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

@@ -1,4 +1,4 @@
-//! Invariant Poisson brackets, and the constant K with f = K∇H, of fields for which they are known.
+//! Tests of invariant Poisson brackets and constant K with f = K∇H, for fields with known ones.
 
 use kahan_algebra::render::Text;
 use kahan_discover::report::{ModifiedPlace, Report};
@@ -14,8 +14,7 @@ fn ranks(report: &Report) -> Vec<usize> {
     report.brackets.iter().map(|bracket| bracket.rank).collect()
 }
 
-/// A density and n − 2 integrals make a bracket, whichever n − 2 these are; without an integral
-/// only in the plane.
+/// A density and any n − 2 integrals make a bracket; in the plane the density suffices.
 #[test]
 fn brackets_come_from_a_density_and_integrals() {
     for (text, brackets) in
@@ -55,7 +54,6 @@ fn brackets_of_full_rank_are_found() {
     );
 }
 
-/// The densities are 1/Pf(P).
 #[test]
 fn a_bracket_of_highest_rank_has_a_density() {
     let volterra = "x1dot = x1*(x2 + x3 + x4 + x5 + x6); x2dot = x2*(x3 + x4 + x5 + x6 - x1); \
@@ -63,14 +61,12 @@ fn a_bracket_of_highest_rank_has_a_density() {
         x5dot = x5*(x6 - x1 - x2 - x3 - x4); x6dot = x6*(-x1 - x2 - x3 - x4 - x5);";
     let found = report(volterra, &options());
     assert_eq!(found.densities[0].text, "density rho = 1/(x1*x2*x3*x4*x5*x6);");
-    // One bracket of each lower rank follows.
     assert_eq!((&ranks(&found)[..3], found.polynomial_brackets), (&[6, 4, 2][..], 3));
     assert!(found.sentences.iter().any(|said| said.contains("Poisson brackets") && said.contains("6, 4, 2")));
     assert!(found.sentences.iter().all(|said| !said.contains("too long")));
 }
 
-/// Two planar systems without coupling. The bracket of one system has degree 0; the sum of both
-/// brackets has degree 1.
+/// Two planar systems without coupling: one bracket has degree 0, the sum of both has degree 1.
 #[test]
 fn brackets_of_parts_are_added() {
     let parts = "qdot = p; pdot = -w^2*q - 3*k*q^2 + r; udot = v; vdot = -1000*u;";
@@ -81,8 +77,7 @@ fn brackets_of_parts_are_added() {
     assert_eq!(found.densities[0].text, "density rho = 1/(1 + eps^2*(6*k*q + w^2));");
 }
 
-/// A cubic Hamiltonian with symbols as coefficients over the algebra of numbers x + tu with t² = d:
-/// (I − ε² f′²)K is a bracket for both K.
+/// A cubic Hamiltonian over the numbers x + tu with t² = d: (I − ε² f′²)K is a bracket for both K.
 #[test]
 fn canonical_systems_with_symbols_have_both_brackets() {
     let newton = "xdot = y; udot = v; ydot = -3*a0*(x^2 + d*u^2) - 6*b0*d*u*x - 2*a1*x - 2*b1*d*u - a2; \
@@ -103,7 +98,7 @@ fn canonical_systems_with_symbols_have_both_brackets() {
 }
 
 /// Evripidou, Kassotakis and Vanhaecke, "Integrable reductions of the dressing chain" (2019): a
-/// bracket of rank 2 in three variables that no density and integral give.
+/// bracket of rank 2 in three variables that does not come from a density and an integral.
 #[test]
 fn brackets_with_constants_are_short() {
     let reduced = "x1dot = x1*(x2 + x3) + b; x2dot = x2*(x3 - x1); x3dot = -x3*(x1 + x2) - b;";
@@ -117,8 +112,8 @@ fn brackets_with_constants_are_short() {
     );
 }
 
-/// Petrera and Suris (2017): with the complex structure, the real and the imaginary part of the
-/// Hamiltonian each have a K, and the map keeps both modified Hamiltonians and two brackets.
+/// Petrera and Suris (2017): in a complex system, the real and the imaginary part of the
+/// Hamiltonian each have a K, a modified Hamiltonian, and an invariant bracket.
 #[test]
 fn each_constant_k_has_an_integral() {
     let weierstrass = "xdot = y; udot = v; ydot = 6*x^2 - 6*u^2 - a; vdot = 12*x*u - b;";
@@ -138,8 +133,8 @@ fn each_constant_k_has_an_integral() {
     );
 }
 
-/// A Hamiltonian field of a holomorphic cubic in two complex variables. The formulas of both
-/// modified Hamiltonians have thousands of characters, their compact forms fewer than 400.
+/// A holomorphic cubic Hamiltonian in two complex variables. The formulas of both modified
+/// Hamiltonians have thousands of characters, their compact forms fewer than 400.
 #[test]
 fn each_constant_k_has_a_compact_form() {
     let generic = "xdot = x*y - u*v + y^2 - v^2 + x; udot = x*v + u*y + 2*y*v + u; \

@@ -1,5 +1,5 @@
-//! From bare equations to proved lines: integrals and densities of the systems whose answers are
-//! known, and true sentences for fields where there is little to find.
+//! Tests from equations to proved lines: integrals and densities of known systems, and true
+//! sentences for fields with few structures.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Text;
@@ -13,7 +13,6 @@ use support::*;
 
 #[test]
 fn integrals_of_known_systems_are_found_at_their_degree_and_proved() {
-    // The degrees of the integrals of the paper's Table 2.
     check(E1, &[1, 2], Some(4));
     check(E2, &[2, 2], Some(4));
     check(E3, &[1, 2], Some(4));
@@ -52,27 +51,23 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // The third is a polynomial once the second is subtracted, as by hand in the catalog; the
-    // density is found besides.
+    // The third integral is a polynomial after the second is subtracted, as in the catalog.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2500, "{lengths:?}");
 }
 
-/// Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995), its integral in linear
-/// factors.
+/// Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995).
 #[test]
 fn integrals_and_densities_stand_in_factors() {
     let nahm = report("xdot = 2*x^2 - 12*y^2; ydot = -6*x*y - 4*y^2;", &options());
     assert!(nahm.integrals[0].text.starts_with("integral H1 = y*(2*x + 3*y)*(x - y)^2/("), "{nahm:?}");
     assert_eq!(nahm.densities[0].text, "density rho = 1/(y*(2*x + 3*y)*(x - y));");
-    // ε² x² − 1 falls apart, what divides numerator and denominator alike does not stand in either.
     let e2 = report(E2, &options());
     assert_eq!(e2.integrals[0].text, "integral H1 = x*y/((1 + eps*x)*(1 - eps*x));");
 }
 
-/// Kirchhoff's case: beside m3 three integrals whose formulas have some thousand terms; one
-/// relation says them.
+/// Kirchhoff's case: three integrals besides m3 have formulas of some thousand terms.
 #[test]
 fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     let kirchhoff =
@@ -88,7 +83,7 @@ fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     assert!(report.sentences.iter().any(|sentence| sentence.contains("Hirota-Kimura basis")));
 }
 
-/// Of a linear field Kahan's map is a Cayley transform, which keeps every quadratic integral.
+/// For a linear field Kahan's map is a Cayley transform, which keeps every quadratic integral.
 #[test]
 fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     let text = "qdot = k*p; pdot = -q; sdot = 2*t; tdot = -2*s;";
@@ -99,7 +94,7 @@ fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     check_lines(text, &report);
 }
 
-/// Where ε is small no terms of a formula may cancel: at ε = 0 it is an integral of the flow.
+/// At ε = 0 a formula is an integral of the flow; terms must not cancel for small ε.
 #[test]
 fn formulas_have_a_limit_at_small_steps() {
     let text = "q1dot = p1; q2dot = p2; p1dot = -q1^2 - q2^2 - w*q1; p2dot = -2*q1*q2 - w*q2;";
@@ -111,7 +106,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// Of 24 integrals there are 2^24 sets and many more products, which no search may go through.
+/// The 2^24 sets of 24 integrals, and more products, must not be enumerated.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
@@ -144,7 +139,7 @@ fn hamiltonian_structure_is_found_with_its_tensor() {
     assert_eq!(structure.divergence, "0");
     let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
-    // K is determined up to a factor, which is chosen so that its first entry is 1.
+    // K is determined up to a factor, by which its first entry is 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
@@ -167,7 +162,7 @@ fn composition_keeps_what_does_not_depend_on_the_step() {
 
 #[test]
 fn fields_with_little_in_them_end_in_true_sentences() {
-    // Field, independent integrals, growth, a sentence that must stand.
+    // Field, number of integrals, growth, expected sentence.
     let cases = [
         ("xdot = 0; ydot = 0;", 2, "bounded", "identity"),
         ("xdot = 0;", 1, "bounded", "identity"),
@@ -200,8 +195,7 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 
 #[test]
 fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
-    // The dressing chain of period five: N and D have more than 500 terms. H̃ has degree 7, beyond
-    // what orbits show.
+    // N and D have more than 500 terms; H̃ has degree 7, beyond the relations of orbits.
     let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
         ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
     let report = report(chain, &options());
@@ -210,11 +204,10 @@ fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
     check_lines(chain, &report);
 }
 
-/// What is proved counts, also where a basis says all that orbits show, and the count is what is
-/// printed.
+/// Proved integrals count, even if a basis gives all that orbits show.
 #[test]
 fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
-    // Noumi and Yamada's chain; the constants make its degrees grow exponentially.
+    // Noumi and Yamada's chain; its degrees grow exponentially because of the constants.
     let chain = |last: &str| {
         format!(
             "adot = a*(b - c + d - e) + 3/7; bdot = b*(c - d + e - a) + 1/5; cdot = c*(d - e + a - b) + 2/3;
@@ -226,17 +219,16 @@ fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     assert_eq!(found.hilbert.as_ref().map(|hilbert| hilbert.integrals), Some(1));
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 2, 0));
     let hamiltonian = found.structure.hamiltonians.first().expect("f = K grad H");
-    // Its line has thousands of characters, and the compact form some hundreds.
     assert_eq!((hamiltonian.modified_is_proved, hamiltonian.place), (true, ModifiedPlace::InsteadOf(1)));
     let modified = hamiltonian.modified(&Text);
     assert!(modified.len() * 4 < found.integrals[1].text.len(), "{modified}");
     check_lines(&text, &found);
-    // Where the constants do not cancel in the sum there is no Hamiltonian structure.
+    // If the constants do not cancel in the sum, the Hamiltonian structure is lost.
     let found = report(&chain("1"), &options());
     assert_eq!((found.independent_integrals(), found.structure.hamiltonians.is_empty()), (0, true));
 }
 
-/// In seven sites the modified Hamiltonian is too long to be written out; it counts all the same.
+/// For seven sites the modified Hamiltonian is too long to be written, but counts.
 #[test]
 fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     let names = ["a", "b", "c", "d", "e", "f", "g"];
@@ -252,9 +244,8 @@ fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 1, 0));
 }
 
-/// Five sites of Bogoyavlenskij and Itoh's chain show one integral in the usual degree, 4. In
-/// degree 5 there is a second one beside the modified Hamiltonian, and a fixed point of the map
-/// says that these three are all.
+/// Bogoyavlenskij and Itoh's chain of five sites shows one integral in the default degree, 4, and
+/// two in degree 5. A fixed point bounds the number, with the modified Hamiltonian, by three.
 #[test]
 fn degrees_go_on_until_nothing_can_be_missing() {
     let chain = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
@@ -267,13 +258,12 @@ fn degrees_go_on_until_nothing_can_be_missing() {
     );
     assert!(found.ceiling.as_ref().is_some_and(|ceiling| ceiling.integrals == 3));
     check_lines(chain, &found);
-    // A degree that is given stays.
     let found = searched(chain, &Options { degree: Some(3), ..options() });
     assert_eq!(found.hilbert.as_ref().map(kahan_discover::orbits::hilbert::Hilbert::degree), Some(3));
     assert!(found.sentences.iter().any(|said| said.contains("degree that was given, 3, ended the search")));
 }
 
-/// What ends a search without a degree, long before an hour is over.
+/// Searches without a degree that end long before the time limit of an hour.
 #[test]
 fn searches_end_where_nothing_can_be_missing() {
     let cases = [
@@ -301,7 +291,7 @@ fn searches_end_where_nothing_can_be_missing() {
     }
 }
 
-/// No bound on the degree of integrals of the map of E7 is known.
+/// The degree of integrals of the map of E7 has no known bound.
 #[test]
 fn the_time_ends_a_search_where_something_may_be_missing() {
     let found = searched(E7, &Options { seconds: 1.0, ..options() });
@@ -317,12 +307,11 @@ fn the_time_ends_a_search_where_something_may_be_missing() {
     );
 }
 
-/// In the plane the growth of degrees ends a search without integrals.
 #[test]
 fn growth_ends_searches_in_the_plane() {
     let cases = [
         (LOTKA_VOLTERRA, Bound::Growth, "2^n, proved"),
-        // Zander's fields (1, 1, 3) and (al, 1, -1)
+        // Zander's fields (1, 1, 3) and (al, 1, -1).
         ("xdot = x^2 + 4*x*y; ydot = -4*x*y - y^2;", Bound::Growth, "exponentially, proved"),
         (
             "xdot = x^2; ydot = x*y - al*x*y - al*y^2;",
@@ -347,7 +336,7 @@ fn growth_ends_searches_in_the_plane() {
     assert_eq!((found.independent_integrals(), found.growth.proof), (0, None));
     let all = found.sentences.join(" ");
     assert!(all.contains("elliptic fibration") && all.contains("of a degree above 3."), "{all}");
-    // At this step there is an integral.
+    // At ε = 1 an integral exists.
     let found = searched(LOTKA_VOLTERRA, &Options { eps: Some(Rational::one()), ..options() });
     assert_eq!((found.growth.proof, found.bound), (None, Bound::Orbits));
     // At a = 0 the field has no value at ε = 0. The next value of x has order 4 as a Möbius map, so
@@ -362,7 +351,6 @@ fn growth_ends_searches_in_the_plane() {
 fn a_density_that_the_field_brings_along_is_named() {
     let text = format!("{E6} density rho = 1/((x*z + y^2)*(x^2 + y^2 + z^2));");
     let report = report(&text, &options());
-    // A block takes one: the line stands in its place, under its name.
     assert!(report.densities[0].text.starts_with("density rho = "));
     assert!(report.sentences.iter().any(|sentence| sentence.contains("brings the density `rho` along")));
     check_lines(E6, &report);
@@ -379,7 +367,7 @@ fn wrong_input_is_explained() {
     assert_eq!(error("xdot = y/a; ydot = x;", &with("a", 0)), DiscoverError::UndefinedField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };
     assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
-    // x goes to 0 in one step, and orbits say nothing.
+    // The map sends x to 0 in one step.
     let at_half = Options { eps: Some(Rational::new(1, 2)), ..options() };
     assert_eq!(error("xdot = -2*x; ydot = -y;", &at_half), DiscoverError::Collapse);
     let at_zero = Options { eps: Some(Rational::zero()), ..options() };
@@ -391,7 +379,6 @@ fn without_time_there_is_still_a_report() {
     let report = report(E6, &Options { seconds: 0.0, ..options() });
     assert!(report.out_of_time && report.integrals.is_empty());
     assert!(report.sentences.iter().any(|sentence| sentence.contains("time ran out")));
-    // What was not looked at is not denied.
     let all = report.sentences.join(" ");
     for denial in ["No invariant density", "The flow has no", "ended at a pole", "No algebraic integral"] {
         assert!(!all.contains(denial), "{all}");
@@ -399,7 +386,7 @@ fn without_time_there_is_still_a_report() {
 }
 
 /// Evripidou, Kassotakis and Vanhaecke, "Morphisms and automorphisms of skew-symmetric
-/// Lotka-Volterra systems" (2021): variables that are cloned keep their quotient.
+/// Lotka-Volterra systems" (2021): cloned variables keep their quotient.
 #[test]
 fn quotients_of_two_terms_are_integrals() {
     let found = report("xdot = x*(y + z); ydot = -x*y; zdot = -x*z;", &options());
@@ -412,8 +399,7 @@ fn quotients_of_two_terms_are_integrals() {
     assert_eq!(found.drifts.len(), 1);
 }
 
-/// Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011), whose density has
-/// degree 6.
+/// Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011).
 #[test]
 fn densities_of_degree_six_are_found() {
     let kirchhoff = "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3; \
@@ -422,8 +408,7 @@ fn densities_of_degree_six_are_found() {
     assert_eq!((found.densities.len(), found.densities[0].degree), (1, 6));
 }
 
-/// Nambu's bracket of two quadratic polynomials with ten parameters: the integrals and the density
-/// have short factors.
+/// Nambu's bracket of two quadratic polynomials with ten parameters.
 #[test]
 fn ten_parameters_have_formulas_of_one_line() {
     let nambu = "xdot = (b*x + c*y + e)*(g*y + h*z + l); ydot = -(a*x + b*y + d)*(g*y + h*z + l); \
@@ -440,9 +425,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// A linear factor times the field of a quadratic Hamiltonian. The integral is the member of the
-/// pencil without ε divided by the member that is a product of two lines. The density is 1 divided
-/// by that product and the factor.
+/// A linear factor times the field of a quadratic Hamiltonian. The pencil has a member without ε,
+/// and a member that is a product of two lines.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";
@@ -457,8 +441,7 @@ fn a_pencil_is_given_by_its_members_that_fall_apart() {
     assert_eq!(found.densities[0].text, format!("density rho = 1/(({poles})*(r + p*x + q*y));"));
 }
 
-/// Zander's field with the exponents (1, 1, 2) and six symbols. The expanded form of its integral
-/// has more than 4000 characters.
+/// Zander's field with exponents (1, 1, 2); its expanded integral has more than 4000 characters.
 #[test]
 fn six_symbols_have_an_integral_in_linear_factors() {
     let zander = "xdot = b1*(a2*x + b2*y)*(a3*x + b3*y) + b2*(a1*x + b1*y)*(a3*x + b3*y) \

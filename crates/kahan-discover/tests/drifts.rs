@@ -1,5 +1,4 @@
-//! Drifts, functions whose next value follows from their value: found for fields in which they are
-//! known, and for no field that lacks them.
+//! Tests of drifts, in fields with known drifts and in fields without any.
 
 use kahan_discover::orbits::hilbert::default_degree;
 use kahan_discover::{Options, Report, Unwatched, discover};
@@ -14,7 +13,7 @@ fn report(text: &str, degree: Option<u32>) -> Report {
     discover(&system, &options, &Unwatched).expect("there is a map")
 }
 
-/// The lines of a report's drifts; they compile after its other claims.
+/// Returns the lines of a report's drifts; checks that they compile after the other claims.
 fn drifts(text: &str, report: &Report) -> Vec<String> {
     check_lines(text, report);
     report.drifts.iter().map(|drift| drift.text.clone()).collect()
@@ -25,10 +24,8 @@ fn drifts_are_found_where_they_are_known() {
     let cases: [(&str, &[&str]); 10] = [
         ("xdot = x^2;", &["drift F1 = 1/x by F1 - 2*eps;"]),
         ("xdot = a*x;", &["drift F1 = x by F1*(1 + eps*a)/(1 - eps*a);"]),
-        // Quadratic eigenvalues: the drift is x.
         ("xdot = 1 + x^2;", &["drift F1 = x by (F1 + 2*eps)/(1 - 2*eps*F1);"]),
         ("xdot = x^2 - 1;", &["drift F1 = (1 - x)/(1 + x) by F1*(1 + 2*eps)/(1 - 2*eps);"]),
-        // A Jordan chain.
         (
             "xdot = x + y; ydot = y;",
             &[
@@ -38,7 +35,6 @@ fn drifts_are_found_where_they_are_known() {
         ),
         // One integral, whose level sets are circles, and one drift.
         ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
-        // The next value contains an integral.
         ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
         // Fields without drifts: with two integrals, with one, and with none.
         ("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", &[]),

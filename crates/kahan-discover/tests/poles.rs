@@ -1,4 +1,4 @@
-//! What the map does after its poles, for the systems whose answers are known.
+//! Tests of singularity patterns for systems with known answers.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::{Growth, GrowthVerdict};
@@ -15,7 +15,7 @@ fn found(text: &str, eps: Option<Rational>, steps: usize) -> Poles {
     poles(&system(text), &options, steps, &Unwatched).expect("there is a map")
 }
 
-/// Each curve with its verdict and the dimensions of its images up to that.
+/// Returns each curve with its verdict and the dimensions of its images up to the verdict.
 fn verdicts(found: &Poles) -> Vec<(String, Option<bool>, Vec<usize>)> {
     let dimensions =
         |pattern: &Pattern| pattern.images[..pattern.steps].iter().map(|image| image.dimension).collect();
@@ -31,13 +31,13 @@ fn patterns_of_known_systems() {
     ];
     let expected = weierstrass.map(|(curve, confined, images)| (curve.to_owned(), confined, images));
     assert_eq!(verdicts(&found(WEIERSTRASS, None, 8)), expected);
-    // Lotka and Volterra's map loses three lines, and none comes back.
+    // Lotka and Volterra's map contracts three lines, without confinement.
     let generic = found(LOTKA_VOLTERRA, None, 8);
     assert!(
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])
     );
     assert_eq!(generic.patterns.len(), 3);
-    // Only modulo half of the primes have these surfaces, pairs of conjugate planes, any points.
+    // Pairs of conjugate planes have points modulo half of the primes only.
     let e4 = found(E4, None, 4);
     let expected = [(true, vec![2]), (true, vec![0, 0, 2]), (true, vec![0, 0, 2])];
     let e4: Vec<_> =
@@ -79,12 +79,12 @@ fn confinement_alone_proves_nothing() {
     let growth = |found: &Poles| GrowthVerdict::of(&found.degrees).growth;
     let chaotic = found(HENON_HEILES, None, 8);
     assert!(confines(&chaotic) && matches!(growth(&chaotic), Growth::Exponential { .. }));
-    // Nor does its absence: what can be made linear need not confine.
+    // Absence of confinement proves nothing either: linearisable maps need not confine.
     let linear = found(E3, None, 8);
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }
 
-/// At ε = 1/3, against curves moved by δ and followed over ℚ(δ).
+/// Compares patterns at ε = 1/3 with curves moved by δ and followed over ℚ(δ).
 fn check_against_exact_germs(text: &str, steps: usize, expected: usize) {
     let eps = Rational::new(1, 3);
     let found = found(text, Some(eps.clone()), steps);

@@ -1,4 +1,4 @@
-//! Integrals by the rules of polarisation and rotation are told before anything is searched for.
+//! Tests that integrals by the rules of polarisation and rotation come before all searches.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, discover};
@@ -12,8 +12,7 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// Checks the integrals of the report up to degree 2, of which the first stage tells `at_once`, and
-/// that all claims hold when they stand behind the equations.
+/// Checks the integrals up to degree 2, the number from the first stage, and all proofs.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");
@@ -57,7 +56,7 @@ fn what_is_fixed_is_put_into_the_rules() {
     check(PENDULUM, Options { eps, parameters, ..Options::default() }, 1, &expected);
 }
 
-/// Two hundred variables: a proof of each by the prover would take a minute.
+/// In two hundred variables, proofs by the prover would take a minute.
 #[test]
 fn long_chains_show_theirs_at_once() {
     let n = 50;
@@ -82,7 +81,7 @@ fn long_chains_show_theirs_at_once() {
     }
 }
 
-/// The denominators of the Euler top's integrals by rotation differ; the search finds one.
+/// Denominators by rotation differ for the Euler top; the search finds a common one.
 #[test]
 fn integrals_with_one_denominator_come_before_those_of_rotations() {
     check(

@@ -1,4 +1,4 @@
-//! Special values are found from the equations alone.
+//! Tests of scans for special values.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
@@ -7,18 +7,17 @@ use kahan_discover::{DiscoverError, Options, Scan, Scanned, Unwatched, scan};
 mod support;
 use support::*;
 
-/// A name with the values between two integers, so many to a unit.
+/// Returns an axis with values between two integers, `parts` to a unit.
 fn axis(name: &str, from: i64, to: i64, parts: i64) -> Scanned {
     let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
     Scanned { name: name.to_owned(), values }
 }
 
-/// What is seen where one name goes through the quarters from -2 to 2.
+/// Scans a name through the quarters from -2 to 2.
 fn scanned(text: &str, name: &str) -> Scan {
     scan(&system(text), &[axis(name, -2, 2, 4)], &Options::default(), &Unwatched).unwrap()
 }
 
-/// The values with as many integrals as this.
 fn with_integrals(scan: &Scan, wanted: usize) -> Vec<Rational> {
     let chosen =
         scan.special().filter(|point| point.sight.as_ref().is_some_and(|sight| sight.integrals == wanted));
@@ -27,14 +26,13 @@ fn with_integrals(scan: &Scan, wanted: usize) -> Vec<Rational> {
 
 #[test]
 fn the_parameters_that_join_integrable_fields_are_special() {
-    // At 0 the field does not move y, and a second integral is left in the plane of x and z.
+    // At 0 the field keeps y constant and has a second integral in the plane of x and z.
     let special = [Rational::from(-1), Rational::zero(), Rational::from(1)];
     let e7 = scanned(E7, "xi");
     assert_eq!((e7.generic.integrals, e7.points.len(), e7.out_of_time), (0, 17, false));
     assert_eq!(with_integrals(&e7, 2), special);
     let e9 = scanned(E9, "xi");
     assert_eq!(with_integrals(&e9, 2), special);
-    // Nothing is special at 3/4.
     assert!(e9.special().all(|point| point.values[0] != Rational::new(3, 4)));
 }
 
@@ -42,7 +40,6 @@ fn the_parameters_that_join_integrable_fields_are_special() {
 fn the_time_steps_of_lotka_volterra_are_special() {
     let found = scanned(LOTKA_VOLTERRA, "eps");
     assert_eq!(with_integrals(&found, 1), [Rational::from(-1), Rational::from(1)]);
-    // At eps = 0 the map is the identity.
     assert_eq!(with_integrals(&found, 2), [Rational::zero()]);
 }
 
@@ -56,7 +53,6 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(found.points[1].values, [half.clone(), Rational::one()]);
     let error = scan(&system(E7), &[axis("zeta")], &options, &Unwatched).unwrap_err();
     assert_eq!(error, DiscoverError::UnknownParameter("zeta".to_owned()));
-    // A parameter that the field is divided by has a value without a map.
     let divided = scan(
         &system("xdot = y/a; ydot = x^2;"),
         &[Scanned { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
@@ -66,7 +62,7 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(divided.unwrap().points[0].sight, None);
 }
 
-/// A grid of integers on several axes; the watch heard of all points, and of each claim.
+/// Scans a grid of integers, and checks that the watch hears of all points and claims.
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     let axes: Vec<Scanned> = names.iter().map(|name| axis(name, from, to, 1)).collect();
     let watch = Recording::default();
@@ -81,8 +77,7 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     found
 }
 
-/// The relations with the number of their points and of their claims, each claim proved where it
-/// stands and false without its relation.
+/// Returns relations with numbers of points and claims, which must fail without the relation.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
     let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics().to_vec();
     for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {
@@ -105,9 +100,8 @@ fn linear_relations_are_proposed_and_proved() {
     assert_eq!(relations(text, &found), [("c = -a - b", 7, 1)]);
     assert_eq!(found.relations[0].claims, ["integral H1 = x + y + z when c = -a - b;"]);
     assert_eq!(found.relations[0].sight.integrals, 1);
-    // Where the sum is not 0 on the grid, no relation is seen.
     assert_eq!(relations(text, &on_grid(text, &["a", "b", "c"], 1, 2)), []);
-    // One of several quantities alone, and what is kept in general, is not claimed on it.
+    // Integrals that hold in general are not claimed at relations.
     let text = "xdot = a*x*y - z*x; ydot = b*z*x + y^2; zdot = 0;";
     let found = on_grid(text, &["a", "b"], -3, 3);
     let names: Vec<&str> = relations(text, &found).into_iter().map(|(name, ..)| name).collect();
@@ -127,13 +121,12 @@ fn products_are_proposed_and_proved() {
 
 #[test]
 fn what_is_only_seen_is_not_claimed() {
-    // At eps = ±1 the degrees grow more slowly, and nothing is kept.
+    // At eps = ±1 the degrees grow more slowly, without integrals.
     let text = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
     let found = on_grid(text, &["a", "eps"], -4, 4);
     assert_eq!(relations(text, &found), [("eps = -1", 9, 0), ("eps = 1", 9, 0)]);
-    // Five points of which half are special anyway say nothing.
+    // Five points on a grid with many special points are no evidence.
     assert_eq!(relations(text, &on_grid(text, &["a", "eps"], -2, 2)), []);
-    // One axis has values, not relations.
     assert_eq!(relations(E7, &on_grid(E7, &["xi"], -1, 1)), []);
 }
 

@@ -1,4 +1,4 @@
-//! Who watches a search hears what the report says, can end it, and needs no clock.
+//! Tests that a watch hears all claims, can end a search, and needs no clock.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -29,7 +29,7 @@ fn a_watch_hears_of_each_claim_of_the_report_once_and_of_each_stage() {
             let begins = format!("{} {} ", finding.kind.keyword(), finding.name);
             assert!(finding.text.starts_with(&begins), "{finding:?}");
         }
-        // The watch looks after each finding, too, at the stage that found it.
+        // The watch also looks after each finding, at the stage that found it.
         let mut stages = watch.looks();
         stages.dedup();
         let all = [
@@ -58,12 +58,11 @@ fn a_watch_that_ends_a_search_at_its_first_finding_finds_that_in_the_report() {
         assert_eq!(findings[0].kind, ClaimKind::Integral);
         assert_eq!(claims(&first)[0], findings[0].text);
         assert!(first.out_of_time && claims(&first).len() < claims(&all).len());
-        // No stage is told of after that.
         assert_eq!(watch.looks().last().map(String::as_str), Some("formulas of integrals"));
     }
 }
 
-/// Ended at the first look, work knows what it knows without time.
+/// Work that ends at the first look has the result of zero time.
 #[test]
 fn to_end_work_is_to_take_its_time_away() {
     let found = |seconds: f64, watch: &dyn Fn() -> Recording| {
@@ -89,7 +88,6 @@ fn without_a_clock_a_report_is_that_of_enough_time() {
             .map(|watch| format!("{:?}", report(text, watch)));
         assert_eq!(without, with, "{text}");
     }
-    // Without a clock no time is too short.
     let found = poles(&system(WEIERSTRASS), &Options { seconds: 0.0, ..Options::default() }, 8, &Unwatched);
     assert!(found.expect("there is a map").implied_degrees.is_some());
 }

@@ -1,23 +1,22 @@
-//! Numbers that are known to lie near others: a middle of limited length and a radius.
+//! Ball arithmetic: numbers known up to a radius around a middle of limited length.
 //!
-//! In: exact numbers. Out: for every sum, product and quotient a ball that contains the exact one.
-//! Middles have exponents of their own, so nothing overflows or underflows, and a ball is wide
-//! beside its middle only where terms cancelled.
+//! In: exact numbers. Out: for every sum, product and quotient a ball that contains the exact
+//! result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius is large
+//! relative to its middle only after cancellation.
 
 use super::dyadic::Dyadic;
 
-/// All numbers within the radius of the middle.
+/// All numbers within `radius` of `middle`.
 #[derive(Clone, Debug)]
 pub(crate) struct Ball {
     middle: Dyadic,
-    /// Of few bits, rounded up in every operation.
+    /// At most [`RADIUS_BITS`] bits, rounded up in every operation.
     radius: Dyadic,
 }
 
-/// The bits of a radius.
 const RADIUS_BITS: u64 = 31;
 
-/// At least |value|, in few bits.
+/// Returns an upper bound of |value| with few bits.
 fn up(value: &Dyadic) -> Dyadic {
     let size = value.clone().abs();
     match size.cut(RADIUS_BITS) {
@@ -27,12 +26,11 @@ fn up(value: &Dyadic) -> Dyadic {
 }
 
 impl Ball {
-    /// The ball of one number.
     pub(crate) fn exactly(middle: Dyadic) -> Self {
         Self { middle, radius: Dyadic::zero() }
     }
 
-    /// One with a middle of `bits` bits that contains this one.
+    /// Rounds the middle to `bits` bits; the radius grows by the rounding.
     pub(crate) fn rounded(self, bits: u64) -> Self {
         let Self { middle, radius } = self;
         match middle.cut(bits) {
@@ -45,22 +43,21 @@ impl Ball {
         &self.middle
     }
 
-    /// Whether it is 0 and nothing else.
     pub(crate) fn is_zero(&self) -> bool {
         self.middle.is_zero() && self.radius.is_zero()
     }
 
-    /// Whether 0 is not in it.
+    /// Tells whether the ball excludes 0.
     pub(crate) fn is_not_zero(&self) -> bool {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
-    /// |v| is at least this for every v in it, where that is not negative.
+    /// Returns a lower bound of |v| over all v of the ball; negative values mean no bound.
     pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius
     }
 
-    /// |v| is at most this for every v in it.
+    /// Returns an upper bound of |v| over all v of the ball.
     pub(crate) fn most(&self) -> Dyadic {
         &self.middle.clone().abs() + &self.radius
     }
@@ -70,7 +67,7 @@ impl Ball {
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
-            // A number far below the last bit is a part of the radius.
+            // Numbers far below the last bit only enlarge the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
                 let radius = up(&(&radius + &up(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)
@@ -92,7 +89,7 @@ impl Ball {
         Self { middle: &self.middle * &other.middle, radius: up(&(&one + &two)) }.rounded(bits)
     }
 
-    /// self/divisor, for a divisor that [is not zero](Self::is_not_zero).
+    /// Divides by a divisor that [excludes 0](Self::is_not_zero).
     pub(crate) fn over(&self, divisor: &Self, bits: u64) -> Self {
         if self.is_zero() {
             return self.clone();
@@ -102,7 +99,7 @@ impl Ball {
         let unit = Dyadic::new(1, unit);
         let by_divisor = &(&up(&middle) + &unit) * &divisor.radius;
         let mut radius = up(&(&self.radius + &by_divisor));
-        // A zero has no scale for a unit of its quotient.
+        // The quotient of a zero radius would have an arbitrary unit.
         if !radius.is_zero() {
             let (quotient, beyond) = radius.quotient(&divisor.least(), RADIUS_BITS);
             radius = &quotient + &Dyadic::new(1, beyond);
@@ -111,7 +108,7 @@ impl Ball {
     }
 
     pub(crate) fn absolute(self) -> Self {
-        // 0 may be inside: then the magnitudes lie between −radius and the most.
+        // | |v| − |middle| | ≤ |v − middle| ≤ radius.
         Self { middle: self.middle.abs(), radius: self.radius }
     }
 }
@@ -123,7 +120,6 @@ mod tests {
 
     use super::*;
 
-    /// A ball around numbers near n, with one of them.
     fn drawn(random: &mut SplitMix64) -> (Ball, BigRational) {
         let integer = random.next_u64() as i64 >> random.below(60);
         let middle = Dyadic::new(integer, random.below(40) as i64 - 20);

@@ -1,6 +1,6 @@
-//! Exact numbers n·2^k: what floats are, and what sums and products of floats are.
+//! Exact numbers n·2^k: floats, and sums and products of floats.
 //!
-//! No greatest common divisor: quotients are compared by multiplying across.
+//! Greatest common divisors are never taken; quotients are compared by cross-multiplication.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -10,7 +10,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
-/// integer·2^exponent; not normalised, so equality is a question of [`compare`](Dyadic::compare).
+/// The number integer·2^exponent. Not normalised: [`compare`](Dyadic::compare) tells equality.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
     integer: BigInt,
@@ -18,15 +18,14 @@ pub(crate) struct Dyadic {
 }
 
 impl Dyadic {
-    /// integer·2^exponent.
     pub(crate) fn new(integer: impl Into<BigInt>, exponent: i64) -> Self {
         Self { integer: integer.into(), exponent }
     }
 
-    /// The value of a float; `None` if it is not finite.
+    /// Returns the exact value of a float; `None` for infinities and NaN.
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Few bits stay few: products of small integers are small integers.
+        // Without trailing zeros, products of small integers stay small.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))
@@ -44,61 +43,58 @@ impl Dyadic {
         self.integer.sign() == Sign::Minus
     }
 
-    /// |self|.
     pub(crate) fn abs(self) -> Self {
         Self { integer: self.integer.magnitude().clone().into(), ..self }
     }
 
-    /// self·2^power.
+    /// Returns self·2^power.
     pub(crate) fn scaled(mut self, power: i64) -> Self {
         self.exponent += power;
         self
     }
 
-    /// The e with 2^e ≤ |self| < 2^(e+1); `None` for 0.
+    /// Returns the e with 2^e ≤ |self| < 2^(e+1); `None` for 0.
     pub(crate) fn binade(&self) -> Option<i64> {
         (!self.is_zero()).then(|| self.exponent + self.integer.bits() as i64 - 1)
     }
 
-    /// How self compares to other.
     pub(crate) fn compare(&self, other: &Self) -> Ordering {
         (self - other).integer.cmp(&BigInt::ZERO)
     }
 
-    /// The same number as a fraction.
     pub(crate) fn rational(&self) -> Rational {
         let power = |exponent: i64| BigInt::from(1) << exponent.max(0);
         BigRational::new(&self.integer * power(self.exponent), power(-self.exponent)).into()
     }
 
-    /// A fraction whose denominator is a power of two.
+    /// Converts a fraction whose denominator is a power of two.
     pub(crate) fn of_rational(value: &Rational) -> Self {
         Self::new(value.numerator(), 1 - value.denominator().bits() as i64)
     }
 
-    /// The leading `bits` bits, and the exponent of a unit that the rest is less than; `None` where
-    /// there is no rest.
+    /// Splits off the leading `bits` bits, rounded towards 0. Also returns the exponent of a unit
+    /// larger than the rest; `None` if the rest is empty.
     pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
             let exponent = self.exponent + excess as i64;
-            // Towards 0: a shift of a negative number would round down.
+            // A shift of a negative number would round down.
             let magnitude = BigInt::from(self.integer.magnitude() >> excess);
             let integer = if self.is_negative() { -magnitude } else { magnitude };
             (Self { integer, exponent }, exponent)
         })
     }
 
-    /// self/divisor to `bits` bits at least, and the exponent of a unit that the error is less
-    /// than.
+    /// Returns self/divisor to at least `bits` bits, and the exponent of a unit larger than the
+    /// error.
     pub(crate) fn quotient(&self, divisor: &Self, bits: u64) -> (Self, i64) {
         let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
         let exponent = self.exponent - divisor.exponent - shift as i64;
         (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
     }
 
-    /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2,
-    /// cut off after 53 bits; 0 for 0.
+    /// Returns (significand, binade) with 1 ≤ |significand| < 2, cut off after 53 bits; (0, 0) for
+    /// 0.
     pub(crate) fn leading(&self) -> (f64, i64) {
         let mut digits = self.integer.iter_u64_digits().rev();
         let (Some(binade), Some(first)) = (self.binade(), digits.next()) else { return (0.0, 0) };
@@ -108,14 +104,14 @@ impl Dyadic {
         (if self.is_negative() { -significand } else { significand }, binade)
     }
 
-    /// A float near self: the leading 53 bits, fewer below the normal range; infinite above it.
+    /// Returns self cut off after 53 bits; fewer below the normal range, infinite above it.
     pub(crate) fn near_f64(&self) -> f64 {
         let (significand, binade) = self.leading();
         libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
     }
 
-    /// |self/divisor| as a float, to a relative 2⁻⁵⁰; infinite for a divisor 0 or beyond the
-    /// floats, 0 below them.
+    /// Returns |self/divisor| to a relative 2⁻⁵⁰. Infinite for a zero divisor or beyond the range
+    /// of floats; 0 below that range.
     pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
         if divisor.is_zero() {
             return f64::INFINITY;
@@ -125,9 +121,9 @@ impl Dyadic {
     }
 }
 
-/// Both integers over the smaller exponent; one of them is shifted.
+/// Combines both integers over the smaller exponent.
 fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
-    // A zero has no scale to align to.
+    // A zero must not determine the exponent.
     if b.is_zero() {
         return a.clone();
     }
@@ -181,7 +177,7 @@ mod tests {
             assert_eq!((&dyadic + &dyadic).compare(&dyadic.clone().scaled(1)), Ordering::Equal);
         }
         assert!(Dyadic::of(f64::NAN).is_none() && Dyadic::of(f64::INFINITY).is_none());
-        // 1e300·1e-300 is not 1, and the difference is what a fused multiply-add says.
+        // 1e300·1e-300 differs from 1 by the result of a fused multiply-add.
         let (a, b) = (Dyadic::of(1e300).unwrap(), Dyadic::of(1e-300).unwrap());
         let difference = &(&a * &b) - &Dyadic::of(1.0).unwrap();
         assert_eq!(difference.near_f64(), 1e300_f64.mul_add(1e-300, -1.0));

@@ -1,8 +1,8 @@
-//! The equation of a step solved in balls of growing precision.
+//! Elimination on the equation of a step, in balls.
 //!
-//! In: the equation at a point, where no reduced map is at hand. Out: x̃ as balls, and the
-//! condition number of the step. A pivot that may be zero is no pivot: then the same is done with
-//! twice as many bits, up to some thousand.
+//! In: the equation at a point, and a precision. Out: x̃ as balls, or the condition number of the
+//! step. Pivots are entries that exclude 0. A column of zeros makes the matrix singular. Any other
+//! column without a pivot leaves the outcome open, and callers try the next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -11,31 +11,29 @@ use super::ball::Ball;
 use super::dyadic::Dyadic;
 use super::equation::{AtPoint, Curvature};
 
-/// The precisions that are tried, one after the other.
 pub(crate) fn precisions() -> impl Iterator<Item = u64> {
     const LEAST_BITS: u64 = 128;
     const MOST_BITS: u64 = 4096;
     successors(Some(LEAST_BITS), |bits| Some(2 * bits)).take_while(|bits| *bits <= MOST_BITS)
 }
 
-/// What elimination says of a matrix.
+/// The outcome of an elimination.
 #[derive(Debug)]
 pub(crate) enum Eliminated<R> {
     Solved(R),
-    /// The determinant is zero.
+    /// det A is zero.
     Singular,
-    /// It may be zero.
+    /// det A may be zero.
     Unknown,
 }
 
-/// A(x,ε) over balls, right-hand sides behind it, row by row; dense, with many zeros.
+/// A(x,ε) with right-hand sides appended to its rows, in balls; dense.
 pub(crate) struct Matrix {
     pub(crate) rows: Vec<Vec<Ball>>,
     bits: u64,
 }
 
 impl Matrix {
-    /// Every row has its right-hand sides from `right`.
     pub(crate) fn of(equation: &AtPoint, bits: u64, right: impl Fn(usize) -> Vec<Ball>) -> Self {
         let n = equation.x.len();
         let row = |i: usize| {
@@ -49,14 +47,15 @@ impl Matrix {
         Self { rows: (0..n).map(row).collect(), bits }
     }
 
-    /// Replaces the right-hand sides by the solutions; tells det A.
+    /// Returns the solutions, row by row, and det A.
     pub(crate) fn solve(mut self) -> Eliminated<(Vec<Vec<Ball>>, Ball)> {
         let (n, bits) = (self.rows.len(), self.bits);
         let size = |row: &Vec<Ball>| row[..n].iter().filter_map(|entry| entry.middle().binade()).max();
         let mut sizes: Vec<i64> = self.rows.iter().map(|row| size(row).unwrap_or(0)).collect();
         let mut determinant = Ball::exactly(Dyadic::new(1, 0));
         for k in 0..n {
-            // Rows differ in size by any power of two: what counts is the part of its row.
+            // Rows may differ in size by any power of two, so pivots are compared relative to their
+            // rows.
             let candidates = (k..n).filter(|&i| self.rows[i][k].is_not_zero());
             let part = |i: &usize| self.rows[*i][k].middle().binade().map(|binade| binade - sizes[*i]);
             let Some(pivot) = candidates.max_by_key(part) else {
@@ -99,7 +98,6 @@ impl Matrix {
     }
 }
 
-/// x̃ in balls of this precision.
 pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     let right = |i: usize| vec![Ball::exactly(equation.increment(i)).rounded(bits)];
     match Matrix::of(equation, bits, right).solve() {
@@ -113,11 +111,10 @@ pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     }
 }
 
-/// The condition number of the step in (x, ε), max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞, to
-/// a relative 2⁻²⁰; infinite where x̃ is 0, `None` where so many bits do not tell it.
-///
-/// Column j of ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)) are solved
-/// for together.
+/// Returns the condition number of the step in (x, ε), or `None` if `bits` bits don't determine it:
+/// max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞
+/// The result is accurate to a relative 2⁻²⁰ and infinite for x̃ = 0. One elimination solves for
+/// all derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
 pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
     let Eliminated::Solved(next) = next(equation, bits) else { return None };
     let n = next.len();
@@ -125,7 +122,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let moved: Vec<Ball> = next.iter().zip(&equation.x).map(|(y, x)| y.minus(&exactly(x), bits)).collect();
     let right = |i: usize| {
         let row = &equation.rows[i];
-        // f′ at x̃, where its entries are not 0.
+        // Nonzero entries of f′(x̃).
         let mut slopes: Vec<Option<Ball>> = vec![None; n];
         let mut by_eps = exactly(&row.field.clone().scaled(1));
         for (j, slope) in &row.slopes {
@@ -158,12 +155,11 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // above ≤ (1 + 2⁻²⁰)·below, where below is a number that is not negative.
+    // Requires above ≤ (1 + 2⁻²⁰)·below.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }
 
-/// The largest of some numbers, at least 0.
 pub(crate) fn largest(values: impl Iterator<Item = Dyadic>) -> Dyadic {
     values.fold(
         Dyadic::zero(),

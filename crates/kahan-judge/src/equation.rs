@@ -1,8 +1,8 @@
 //! The defining equation at a point, exactly: A(x,ε)(x̃ − x) = 2εf(x).
 //!
-//! In: a field of any number of variables, and floats as they are given. Out: the entries of A and
-//! f, each row multiplied by the denominator of its component. They are evaluated term by term from
-//! the checked field, by other code than the steps that they judge.
+//! In: a field of any number of variables, and floats. Out: the entries of A and f, each row
+//! multiplied by the denominator of its component. They are evaluated term by term from the checked
+//! field, independently of the code of the judged steps.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational_function::RationalFunction;
@@ -11,7 +11,6 @@ use kahan_algebra::system::System;
 use super::dyadic::Dyadic;
 use super::polynomial::{Powers, Terms, common_denominator, greatest_power};
 
-/// ẋᵢ = pᵢ/qᵢ, row by row.
 #[derive(Debug)]
 pub(crate) struct Equation {
     rows: Vec<Row>,
@@ -20,17 +19,16 @@ pub(crate) struct Equation {
     parameters: usize,
 }
 
-/// p, q, and ∂p/∂xⱼ for every state that p depends on.
+/// The polynomials p, q, and ∂p/∂xⱼ for every state that p depends on.
 #[derive(Debug)]
 struct Row {
     field: Terms,
     denominator: Terms,
     slopes: Vec<(usize, Terms)>,
-    /// ∂²p/∂xⱼ∂xₖ, where they are not 0.
+    /// Nonzero second derivatives ∂²p/∂xⱼ∂xₖ.
     curvature: Vec<(usize, usize, Terms)>,
 }
 
-/// An entry ∂²p/∂xⱼ∂xₖ of a row.
 #[derive(Debug)]
 pub(crate) struct Curvature {
     pub(crate) first: usize,
@@ -38,7 +36,6 @@ pub(crate) struct Curvature {
     pub(crate) value: Dyadic,
 }
 
-/// The equation at a point.
 #[derive(Debug)]
 pub(crate) struct AtPoint {
     pub(crate) x: Vec<Dyadic>,
@@ -46,7 +43,7 @@ pub(crate) struct AtPoint {
     pub(crate) rows: Vec<RowAtPoint>,
 }
 
-/// p, q and the entries of ∂p/∂x.
+/// Values of p, q and the entries of ∂p/∂x.
 #[derive(Debug)]
 pub(crate) struct RowAtPoint {
     pub(crate) field: Dyadic,
@@ -90,12 +87,11 @@ impl Equation {
         self.states
     }
 
-    /// The index of ε among the variables: states, parameters, ε.
+    /// Returns the index of ε among the variables: states, parameters, ε.
     pub(crate) fn epsilon(&self) -> usize {
         self.states + self.parameters
     }
 
-    /// The equation at states, parameters and ε.
     pub(crate) fn at(&self, point: &[Dyadic]) -> AtPoint {
         let powers = Powers::of(point, self.degree);
         let row = |row: &Row| RowAtPoint {
@@ -110,7 +106,6 @@ impl Equation {
         }
     }
 
-    /// ∂²p/∂x² at a point, row by row.
     pub(crate) fn curvature(&self, point: &[Dyadic]) -> Vec<Vec<Curvature>> {
         let powers = Powers::of(point, self.degree);
         let row = |row: &Row| {
@@ -124,12 +119,12 @@ impl Equation {
 }
 
 impl AtPoint {
-    /// Whether no component divides by zero.
+    /// Tells whether all denominators q are nonzero.
     pub(crate) fn is_defined(&self) -> bool {
         self.rows.iter().all(|row| !row.denominator.is_zero())
     }
 
-    /// The entries of qᵢ·A(x,ε) in row i, the diagonal first.
+    /// Returns the entries of qᵢ·A(x,ε) in row i, the diagonal first.
     pub(crate) fn row(&self, i: usize) -> Vec<(usize, Dyadic)> {
         let row = &self.rows[i];
         let mut entries = vec![(i, row.denominator.clone())];
@@ -144,12 +139,12 @@ impl AtPoint {
         entries
     }
 
-    /// 2εpᵢ
+    /// Returns 2εpᵢ.
     pub(crate) fn increment(&self, i: usize) -> Dyadic {
         (&self.rows[i].field * &self.eps).scaled(1)
     }
 
-    /// ‖f′(x)‖∞, about.
+    /// Returns ‖f′(x)‖∞ up to rounding.
     pub(crate) fn slope(&self) -> f64 {
         let sum = |row: &RowAtPoint| {
             row.slopes.iter().fold(Dyadic::zero(), |sum, (_, slope)| &sum + &slope.clone().abs())

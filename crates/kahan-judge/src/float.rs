@@ -1,63 +1,57 @@
-//! What is asked of a scalar whose steps are judged: its values as exact numbers, and the limits of
-//! its format.
+//! Scalars whose steps are judged: their exact values, and the limits of their formats.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, ExtendScalars, KahanMap, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
 
-/// The numbers of a format that verdicts use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Format {
     /// The unit u of the promise is 2^−precision.
     pub(crate) precision: i64,
-    /// The binade of the least number that has all of its bits.
+    /// The binade of the least number with full precision.
     pub(crate) least_binade: i64,
-    /// The binade of the largest number.
     pub(crate) greatest_binade: i64,
 }
 
-/// A float that can be judged.
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
-    /// Its name in tables.
+    /// The name in tables.
     const NAME: &'static str;
-    /// The tier whose `step` it is: `fast`, or `accurate`.
+    /// The tier of `step`: `fast` or `accurate`.
     const STEP_TIER: &'static str;
-    /// The tier of the step that is computed in a wider format and rounded once, where there is
-    /// one.
+    /// The tier of the step that is computed in a wider format and rounded once, if one exists.
     const WIDER_TIER: Option<&'static str> = None;
-    /// The format by which its numbers are judged.
+    /// The format in which results are judged.
     const FORMAT: Format;
-    /// How many bits are drawn: all that a number can have.
+    /// The number of bits drawn, which is the most that a number can have.
     const BITS: i64;
-    /// ε is drawn from ±2^±EPS_BINADES, 1e±300 for `f64`.
+    /// ε is drawn from ±2^±EPS_BINADES; this is 1e±300 for `f64`.
     const EPS_BINADES: i64;
-    /// ‖x‖ is drawn from 2^±STATE_BINADES, 1e±150 for `f64`.
+    /// ‖x‖ is drawn from 2^±STATE_BINADES; this is 1e±150 for `f64`.
     const STATE_BINADES: i64;
-    /// A stable step may not be flagged below this condition number; `None` where nothing is
-    /// promised.
+    /// The condition number below which a stable step must not be flagged; `None` without a
+    /// promise.
     const FLAG_CONDITION: Option<f64>;
 
-    /// The nearest number.
     fn of(value: f64) -> Self;
 
-    /// The exact value; `None` if it is not finite.
+    /// Returns the exact value; `None` for infinities and NaN.
     fn exact(self) -> Option<Dyadic> {
         let wide: Dd = self.into();
         Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
     }
 
-    /// A number near `value`, by about one unit; infinite beyond the range.
+    /// Returns a number within about one unit of `value`; infinite beyond the range.
     fn near(value: &Dyadic) -> Self {
         Self::of(value.near_f64())
     }
 
-    /// One of the inputs that are no numbers: ∞, −∞, NaN.
+    /// Returns ∞, −∞ or NaN.
     fn not_finite(which: u64) -> Self {
         Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
     }
 
-    /// The step of [`WIDER_TIER`](Self::WIDER_TIER).
+    /// Makes the step of [`WIDER_TIER`](Self::WIDER_TIER).
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
         M: ExtendScalars<Self, N>,
@@ -105,8 +99,8 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    /// The precision is that of the promise, and an operation is within it; below the least binade
-    /// the low part loses bits.
+    /// The precision of the promise, which every operation meets. Below the least binade the low
+    /// part loses bits.
     const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
     const EPS_BINADES: i64 = 996;

@@ -1,12 +1,10 @@
-//! How far floats can be trusted: steps at the extremes, judged by exact arithmetic.
+//! Single steps at the extremes of floats, judged by exact arithmetic.
 //!
 //! In: systems, a number of trials, a seed ([`Extremes`]). Out: for every regime, tier and scalar
-//! how large the errors are, how many trials are flagged, and how many are silently wrong
-//! ([`Judged`]). The judge knows the reduced map as polynomials and takes the floats as they are
-//! given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed
-//! and its index only: the result is the same for every number of threads.
-//!
-//! This crate must not know terminals, files, flags or HTML; fronts ask and show.
+//! the largest error, the number of flagged trials, and the number of silently wrong ones
+//! ([`Judged`]). Verdicts need no tolerance: the judge compares with the exact map at the given
+//! floats. A trial depends on the seed and its index only, so the number of threads does not
+//! matter. The crate must not know terminals, files, flags or HTML.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -42,56 +40,58 @@ use survey::{Tried, survey, survey_odd, total, total_of_odd};
 pub use regime::Regime;
 pub use tally::{Broken, Cell, Failure, Place, Tally};
 
-/// The systems that are tried where no other is named: the paper's, and the lattice of three sites,
-/// whose det A cancels in long steps.
+/// Returns the default systems: the paper's, and the Volterra lattice of three sites, whose det A
+/// cancels in long steps.
 pub fn usual_subjects() -> impl Iterator<Item = Subject> {
     let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
     entries.map(|entry| Subject::named(entry.command))
 }
 
-/// Asks what steps make of points near poles, of mixed magnitudes, with subnormal and infinite
-/// numbers. Parameters that are not given are drawn for each trial.
+/// A survey of steps near poles, at mixed magnitudes, and with subnormal and infinite inputs.
+///
+/// Parameters without a given value are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
+    /// The number of trials of each scalar. Trials with subnormal inputs, with inputs that are not
+    /// finite, and with large steps come on top: a thirty-second part of this number each, at least
+    /// eight.
     pub trials: u64,
-    /// Besides, so many random fields of two to six variables, which share the trials.
+    /// The number of additional random fields of two to six variables, which share the trials.
     pub random_fields: usize,
-    /// Besides, so many random fields of odd tempers.
+    /// The number of additional random fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar that each field of odd temper has; every twentieth field
-    /// has ten times as many.
+    /// The number of trials of each scalar for a field with extreme coefficients; every twentieth
+    /// field has ten times this number.
     pub odd_trials: u64,
-    /// Another seed draws other points and fields; the same seed draws the same, on any number of
-    /// threads.
+    /// The seed of points and fields; equal seeds draw equal trials on any number of threads.
     pub seed: u64,
 }
 
-/// Forty thousand trials, no random fields.
+/// Forty thousand trials, without random fields.
 impl Default for Extremes {
     fn default() -> Self {
         Extremes { trials: 40_000, random_fields: 0, odd_fields: 0, odd_trials: 300, seed: 1 }
     }
 }
 
-/// What was tried, and what came of it.
+/// The result of a survey.
 #[derive(Clone, Debug, Serialize)]
 pub struct Judged {
-    /// The name of the system, or `catalog` where there are several.
+    /// The name of the system, or `catalog` for several systems.
     pub system: String,
     /// The systems that shared the trials.
     pub systems: Vec<String>,
-    /// The random fields among them, with their equations.
+    /// The random fields among the systems: name and equations.
     pub random_fields: Vec<(String, String)>,
-    /// How many fields of odd tempers were tried besides.
+    /// The number of additional fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar.
+    /// The number of trials of each scalar, without special inputs.
     pub trials: u64,
-    /// What drew points and fields.
+    /// The seed of points and fields.
     pub seed: u64,
-    /// The seconds that it took; `None` without a clock.
+    /// The duration in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// A cell for each regime, tier and scalar, and what broke the promise.
+    /// A cell for each regime, tier and scalar, and the broken promises.
     #[serde(flatten)]
     pub tally: Tally,
     /// The systems that have removable poles.
@@ -100,11 +100,12 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tries the steps of some fields, of which there is at least one, in turn, on the watch's
-    /// threads. The claims of the fields are not looked at.
+    /// Judges steps of the given and the random fields, in turn, on the threads of the watch.
+    ///
+    /// At least one field is needed. Claims of the fields are ignored.
     ///
     /// # Errors
-    /// [`CannotJudge`] where a field has too many variables, or is not defined at its parameters.
+    /// [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
     pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {
@@ -144,7 +145,7 @@ impl Extremes {
         })
     }
 
-    /// How many trials there are in all.
+    /// Returns the number of all trials.
     #[must_use]
     pub fn total(&self) -> u64 {
         total(self.trials) + total_of_odd(self.odd_fields, self.odd_trials)
@@ -152,8 +153,9 @@ impl Extremes {
 }
 
 impl Judged {
-    /// How often the stable tier was silently wrong, and how often it flagged without right: both 0
-    /// where it keeps its promise.
+    /// Counts the silently wrong results and the unjustified flags of the stable tier.
+    ///
+    /// Both are 0 if the promise is kept.
     #[must_use]
     pub fn against_the_promise(&self) -> [u64; 2] {
         let count = |of: fn(&Cell) -> u64| {
@@ -164,12 +166,12 @@ impl Judged {
     }
 }
 
-/// Why the steps of a field cannot be tried.
+/// The reason why the steps of a field cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CannotJudge {
-    /// The field.
+    /// The name of the field.
     pub system: String,
-    /// Why.
+    /// The reason.
     pub why: CannotRun,
 }
 

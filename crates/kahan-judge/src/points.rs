@@ -1,8 +1,8 @@
-//! Seeded points: each trial draws its own from its index, whoever runs it.
+//! Seeded random points; each trial draws its own point from its index, on any thread.
 //!
-//! In: a regime, the exact map, a generator. Out: floats as they are given to the step. Everything
-//! is drawn by binades, so sizes are uniform in their logarithm; a quarter of the significands have
-//! few bits, so that exact poles occur.
+//! In: a regime, the exact map, a generator. Out: floats, the arguments of the step. Numbers are
+//! drawn by binades, uniformly in their logarithm. A quarter of the significands have few bits, so
+//! that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,24 +12,20 @@ use super::judge::{Judge, Zeros};
 use super::regime::Regime;
 use super::roots::root;
 
-/// The arguments of a step.
 #[derive(Clone, Debug)]
 pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The stratum that it came from: mixed magnitudes where a pole was asked for and none was
-    /// found.
+    /// The regime of the point; `MixedMagnitudes` if a pole was asked for and none was found.
     pub(crate) regime: Regime,
 }
 
 impl<T: Float> Inputs<T> {
-    /// The exact values, states, parameters, ε; `None` if one is not finite.
     pub(crate) fn exact(&self) -> Option<Vec<Dyadic>> {
         self.x.iter().chain(&self.parameters).chain([&self.eps]).map(|value| value.exact()).collect()
     }
 
-    /// The variable with this index among states, parameters, ε.
     fn set(&mut self, variable: usize, value: T) {
         let (states, parameters) = (self.x.len(), self.parameters.len());
         match variable {
@@ -40,17 +36,16 @@ impl<T: Float> Inputs<T> {
     }
 }
 
-/// A source of inputs for one system; `fixed` are the parameters that are given.
+/// A source of inputs for one system; `fixed` holds the given parameters.
 pub(crate) struct Points<'a, T> {
     pub(crate) judge: &'a dyn Judge,
     pub(crate) fixed: &'a [Option<T>],
-    /// Whether parameters are drawn from the whole range, and steps often fit the field.
+    /// Draws parameters from the whole range, and often scales ε to the field.
     pub(crate) is_odd: bool,
     pub(crate) random: SplitMix64,
 }
 
 impl<T: Float> Points<'_, T> {
-    /// The inputs of one trial.
     pub(crate) fn draw(&mut self, regime: Regime) -> Inputs<T> {
         match regime {
             Regime::Ordinary => self.ordinary(),
@@ -74,7 +69,7 @@ impl<T: Float> Points<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -20, -1) } else { inputs }
     }
 
-    /// The same with an ε for which ‖εf′‖∞ is from 2^low to 2^high, as nearly as that matters.
+    /// Replaces ε, so that ‖εf′‖∞ lies roughly between 2^low and 2^high.
     fn with_size(&mut self, mut inputs: Inputs<T>, low: i64, high: i64) -> Inputs<T> {
         let binade = self.between(low, high);
         let size: T = self.float(binade);
@@ -84,8 +79,8 @@ impl<T: Float> Points<'_, T> {
         inputs
     }
 
-    /// An ordinary point times 2^binade, with the step divided by it: the same point of a
-    /// homogeneous field.
+    /// Draws an ordinary point times 2^binade and divides ε by that factor. For homogeneous fields
+    /// this is a scaled copy of an ordinary trial.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
         let sizes: Vec<i64> =
             (0..self.judge.equation().dimension()).map(|_| binade + self.between(-5, 1)).collect();
@@ -102,13 +97,13 @@ impl<T: Float> Points<'_, T> {
             return Inputs { regime: Regime::MixedMagnitudes, ..self.scaled(binade) };
         }
         let (sizes, eps): (Vec<i64>, i64) = match kind {
-            // ε‖x‖ from 2^−60 to 2^60, the components of any size.
+            // ε‖x‖ from 2^−60 to 2^60, components of any size.
             1 => {
                 let sizes: Vec<i64> = (0..n).map(|_| self.between(-limit, limit)).collect();
                 let largest = sizes.iter().copied().max().unwrap_or(0);
                 (sizes, self.between(-60, 60) - largest)
             }
-            // Components within some twenty binades, ε‖x‖ not far from 1.
+            // Components within forty binades of each other, ε‖x‖ not far from 1.
             2 => {
                 let binade = self.between(-limit, limit);
                 ((0..n).map(|_| binade + self.between(-20, 20)).collect(), self.between(-30, 30) - binade)
@@ -122,7 +117,7 @@ impl<T: Float> Points<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// A point on a pole, or on a removable one, moved off it by a relative 2^−k.
+    /// Moves one variable of a point to a zero of `zeros`, off by a relative 2^−k.
     fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
@@ -136,7 +131,7 @@ impl<T: Float> Points<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // Beyond the precision the float next to the zero, or the zero, is what is left.
+            // For k beyond the precision, rounding leaves the zero or a neighbour of it.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
@@ -146,8 +141,8 @@ impl<T: Float> Points<'_, T> {
         self.mixed()
     }
 
-    /// An ordinary point with one or more of its numbers replaced: coordinates, ε, and parameters
-    /// that are not given.
+    /// Draws an ordinary point and replaces one or two of its coordinates, ε, or its drawn
+    /// parameters.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
@@ -161,8 +156,7 @@ impl<T: Float> Points<'_, T> {
         inputs
     }
 
-    /// Floats of these binades, one in sixteen of the states 0; parameters of ordinary size, but
-    /// for one in eight of the points of mixed magnitudes, which has them of any size.
+    /// Draws floats of these binades; one state in sixteen is 0.
     fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
@@ -189,7 +183,7 @@ impl<T: Float> Points<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Each of any size, of ordinary size, or near the one before it.
+    /// Draws parameters of any size, of ordinary size, or near the one before.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {
@@ -214,18 +208,16 @@ impl<T: Float> Points<'_, T> {
         drawn
     }
 
-    /// A float in a binade, of either sign, with all bits or with few.
     fn float(&mut self, binade: i64) -> T {
         let few = self.random.below(4) == 0;
         let bits = if few { 1 + self.random.below(6) as i64 } else { T::BITS };
         let drawn = (u128::from(self.random.next_u64()) << 64) | u128::from(self.random.next_u64());
-        // The top bit of so many, and the others as drawn.
+        // Sets the top bit; the others are random.
         let significand = (drawn | 1 << 127) >> (128 - bits);
         let size = Dyadic::new(significand, binade + 1 - bits);
         T::near(&if self.random.below(2) == 0 { size } else { &Dyadic::zero() - &size })
     }
 
-    /// An integer from `low` to `high`.
     fn between(&mut self, low: i64, high: i64) -> i64 {
         low + self.random.below((high - low + 1) as u64) as i64
     }

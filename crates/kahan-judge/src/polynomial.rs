@@ -1,8 +1,8 @@
 //! Polynomials with integer coefficients at exact points.
 //!
-//! In: polynomials of the algebra, whose coefficients are rational. Out: their values, all
-//! multiplied by one integer, so that ratios are unchanged. They are evaluated term by term, by
-//! other code than the steps that they judge.
+//! In: polynomials with rational coefficients. Out: their values, all multiplied by one integer, so
+//! that ratios are unchanged. They are evaluated term by term, independently of the code of the
+//! judged steps.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;
@@ -10,15 +10,13 @@ use num_integer::Integer;
 
 use super::dyadic::Dyadic;
 
-/// A sum of integer multiples of monomials.
 #[derive(Clone, Debug)]
 pub(crate) struct Terms(Vec<(BigInt, Vec<(usize, usize)>)>);
 
-/// A point: the powers of every variable, the zeroth first.
+/// The powers of every coordinate of a point, from the zeroth upwards.
 pub(crate) struct Powers(Vec<Vec<Dyadic>>);
 
 impl Powers {
-    /// All powers up to `degree` of each coordinate.
     pub(crate) fn of(point: &[Dyadic], degree: usize) -> Self {
         let powers = |x: &Dyadic| {
             let mut powers = vec![Dyadic::new(1, 0)];
@@ -30,14 +28,13 @@ impl Powers {
         Self(point.iter().map(powers).collect())
     }
 
-    /// The coordinate of a variable.
     pub(crate) fn coordinate(&self, variable: usize) -> &Dyadic {
         &self.0[variable][1]
     }
 }
 
 impl Terms {
-    /// `scale` times the polynomial; `scale` is a multiple of [`common_denominator`] of it.
+    /// Converts `scale` times the polynomial; [`common_denominator`] must divide `scale`.
     pub(crate) fn of(polynomial: &Polynomial, scale: &BigInt) -> Self {
         let terms = polynomial.terms().map(|(monomial, coefficient)| {
             let powers = monomial.powers().iter().map(|&(v, power)| (usize::from(v.0), power as usize));
@@ -46,7 +43,6 @@ impl Terms {
         Self(terms.collect())
     }
 
-    /// The value at a point.
     pub(crate) fn at(&self, point: &Powers) -> Dyadic {
         self.0.iter().fold(Dyadic::zero(), |sum, (coefficient, powers)| {
             let term = powers.iter().fold(Dyadic::new(coefficient.clone(), 0), |product, &(v, power)| {
@@ -57,29 +53,27 @@ impl Terms {
     }
 }
 
-/// The least common denominator of all coefficients.
+/// Returns the least common denominator of all coefficients.
 pub(crate) fn common_denominator<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> BigInt {
     let coefficients = polynomials.into_iter().flat_map(|p| p.terms().map(|(_, c)| c.denominator()));
     coefficients.fold(BigInt::from(1), |common, denominator| common.lcm(&denominator))
 }
 
-/// The greatest power of one variable.
 pub(crate) fn greatest_power<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> usize {
     let powers = polynomials.into_iter().flat_map(|p| p.terms().flat_map(|(m, _)| m.powers().to_vec()));
     powers.map(|(_, power)| power as usize).max().unwrap_or(0).max(1)
 }
 
-/// A polynomial as one in a single variable, its coefficients in the others, the constant term
-/// first.
+/// A polynomial in one variable; its coefficients, from the constant term upwards, depend on the
+/// other variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Univariate {
-    /// The variable.
     pub(crate) variable: usize,
     coefficients: Vec<Terms>,
 }
 
 impl Univariate {
-    /// One for each variable that occurs.
+    /// Returns one view for each variable that occurs.
     pub(crate) fn all(polynomial: &Polynomial, scale: &BigInt) -> Vec<Self> {
         let of = |variable: Variable| {
             let parts = polynomial.coefficients_in(variable);
@@ -90,7 +84,7 @@ impl Univariate {
         polynomial.variables().into_iter().map(of).collect()
     }
 
-    /// The coefficients at a point, whose own coordinate of the variable is not used.
+    /// Evaluates the coefficients; the point's own coordinate of the variable is not used.
     pub(crate) fn at(&self, point: &Powers) -> Vec<Dyadic> {
         self.coefficients.iter().map(|terms| terms.at(point)).collect()
     }

@@ -1,26 +1,27 @@
 //! The strata from which points are drawn.
 
-/// Where a point lies.
+/// The position of a point relative to poles and to the limits of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Regime {
-    /// At a relative distance from 1 down to rounding from a pole of the reduced map.
+    /// A relative distance between 1 and rounding from a pole of the reduced map.
     NearPole,
-    /// The same from a zero of det A where the reduced map has a value.
+    /// A relative distance between 1 and rounding from a zero of det A at which the reduced map has
+    /// a value.
     NearRemovablePole,
-    /// Components and step of sizes that differ by up to the whole range.
+    /// Components and ε of sizes up to the whole range apart.
     MixedMagnitudes,
-    /// Components below 4, steps below 1.
+    /// Components below 4, ε below 1.
     Ordinary,
-    /// An ordinary point with a component or a step below the normal range.
+    /// An ordinary point with subnormal components, ε or parameters.
     Subnormal,
-    /// An ordinary point with a component or a step that is infinite or not a number.
+    /// An ordinary point with infinite or NaN components, ε or parameters.
     NotFinite,
-    /// An ordinary point with a step for which ‖εf′‖∞ is from 1 to 1000.
+    /// An ordinary point with ε such that ‖εf′‖∞ is roughly between 1 and 1000.
     LargeSteps,
 }
 
 impl Regime {
-    /// All, in the order of tables.
+    /// All regimes, in the order of tables.
     pub const ALL: [Self; 7] = [
         Self::NearPole,
         Self::NearRemovablePole,
@@ -31,7 +32,7 @@ impl Regime {
         Self::LargeSteps,
     ];
 
-    /// Its name in tables and in JSON.
+    /// Returns the name in tables and in JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

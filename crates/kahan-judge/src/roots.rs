@@ -1,7 +1,6 @@
-//! A real root of a polynomial in one variable with exact coefficients, to any number of bits.
+//! Real roots of polynomials in one variable with exact coefficients, to any number of bits.
 //!
-//! Signs are exact, so a bracket is a proof; roots where the sign does not change are not looked
-//! for.
+//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not looked for.
 
 use std::cmp::Ordering;
 
@@ -9,11 +8,10 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// One of the roots of Σ coefficients[k]·v^k, or `None` if no change of sign was met; to a relative
-/// 2^−bits, or exactly where bisection meets it.
-///
-/// A root has about the size |c_i/c_j|^(1/(j−i)) of some pair of terms that balance there; signs
-/// are taken at powers of two around these sizes.
+/// Returns a random root of Σ coefficients[k]·v^k; `None` if no change of sign was found. The root
+/// is accurate to a relative 2^−bits, or exact if bisection hits it. At a root some pair of terms
+/// balances, so its size is about |c_i/c_j|^(1/(j−i)). Signs are compared at powers of two around
+/// these sizes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -22,8 +20,7 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
-    // A bracket across 0 has ends of different signs, and no relative width; a root there is met
-    // beside it.
+    // A bracket across 0 has no relative width. A root in it is found beside 0.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {
@@ -42,7 +39,6 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     Some((&low + &high).scaled(-1))
 }
 
-/// How Σ coefficients[k]·v^k compares to 0: by its leading bits where they tell, else exactly.
 fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     sign_of_leading_bits(coefficients, v).unwrap_or_else(|| {
         let value = coefficients.iter().rev().fold(Dyadic::zero(), |sum, c| &(&sum * v) + c);
@@ -50,7 +46,7 @@ fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     })
 }
 
-/// The sign, where the terms do not cancel to less than 2⁻⁴⁰ of their sizes: each of them is off by
+/// Returns the sign if terms cancel to no less than 2⁻⁴⁰ of their sizes. The error of each term is
 /// a few units of 2⁻⁵² for every power.
 fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
     let (significand, binade) = v.leading();
@@ -66,7 +62,7 @@ fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering>
     if sum.abs() > sizes * 2_f64.powi(-40) { sum.partial_cmp(&0.0) } else { None }
 }
 
-/// The binades at which two of the terms have about one size.
+/// Returns the binades at which two terms have about equal sizes.
 fn balances(coefficients: &[Dyadic]) -> impl Iterator<Item = i64> + '_ {
     let sizes = coefficients.iter().enumerate().filter_map(|(k, c)| Some((k as i64, c.binade()?)));
     let sizes: Vec<(i64, i64)> = sizes.collect();
@@ -82,7 +78,7 @@ mod tests {
     #[test]
     fn roots_are_found_over_the_whole_range() {
         let mut random = SplitMix64::new(1);
-        // 3v − 2^3000, v² − 2·2^−2000, and v³ + v without a change of sign but at 0.
+        // Roots of 3v − 2^3000 and v² − 2·2^−2000; 1 + 5v² and constants have none.
         let linear = [Dyadic::new(-1, 3000), Dyadic::new(3, 0)];
         let third = root(&linear, 60, &mut random).unwrap();
         assert!((&(&third * &Dyadic::new(3, 0)) - &Dyadic::new(1, 3000)).ratio(&third) < 1e-18);
@@ -95,7 +91,7 @@ mod tests {
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
     }
 
-    /// Beside the nearly double root of (v − 3)² − 5·2^(−power), where leading bits cancel.
+    /// Evaluates (v − 3)² − 5·2^(−power) near its nearly double root, where leading bits cancel.
     #[test]
     fn leading_bits_tell_no_wrong_sign() {
         let (mut told, mut silent) = (0, 0);
@@ -104,7 +100,7 @@ mod tests {
                 let v = &Dyadic::new(3, 0) + &Dyadic::new(offset, -power / 2);
                 let lowered = &Dyadic::new(9, 0) - &Dyadic::new(5, -power);
                 let coefficients = [lowered, Dyadic::new(-6, 0), Dyadic::new(1, 0)];
-                // (v − 3)² is 2^(−2·⌊power/2⌋), less than 5·2^(−power).
+                // (v − 3)² = 2^(−2·⌊power/2⌋) < 5·2^(−power).
                 assert_eq!(sign(&coefficients, &v), Ordering::Less);
                 match sign_of_leading_bits(&coefficients, &v) {
                     Some(sign) => told += usize::from(sign == Ordering::Less),

@@ -1,10 +1,9 @@
-//! The steps that are judged: a system's plans, run one operation after the other.
+//! The judged steps: a system's plans, run one operation after the other.
 //!
-//! In: a system at values of its parameters at which it is defined. Out: every step of its map over
-//! a scalar, with the bits of the code that the macro writes for it (which tests show on the whole
-//! catalog), so that a verdict on these is a verdict on that. The types have four or eight
-//! variables, of which those beyond the field's own stand still: `try_step` begins in one way up to
-//! four and in another beyond, and two types take a quarter of the time to compile that eight take.
+//! In: a system at parameters at which it is defined. Out: every step of its map over a scalar,
+//! with the bits of macro-generated code; tests compare them on the whole catalog. Dimensions are
+//! padded to four or eight with states that stand still: the first arithmetic of `try_step` differs
+//! between these, and compiling two dimensions takes a quarter of the time of eight.
 
 use std::fmt::Debug;
 
@@ -15,26 +14,24 @@ use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension};
 
 use super::float::Float;
 
-/// The steps of one map over one scalar. A step has as many components as x.
+/// The steps of one map over one scalar; results have the length of x.
 pub(crate) trait Steps<T>: Debug + Send + Sync {
-    /// x̃ by `step`, whatever it is.
+    /// Makes the step by `step`.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
-    /// x̃ by the step through a wider format; `None` where the scalar has none.
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
-    /// x̃ by elimination with partial pivoting; `None` where det A is zero and the scalar has no
-    /// reciprocal of that.
+    /// Makes the step by elimination with partial pivoting; `None` if det A is zero and the scalar
+    /// has no reciprocal of zero.
     fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
-    /// x̃ by `try_step`; `None` where it is flagged.
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 }
 
-/// Those of a map.
+/// Returns the steps of a map.
 ///
 /// # Errors
-/// Where it has more variables than there are types for.
+/// [`UnsupportedDimension`] for maps with more than eight variables.
 pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn Steps<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
@@ -65,12 +62,10 @@ impl<T: Float, const N: usize> Steps<T> for Interpreted<T, N> {
     }
 }
 
-/// The state among N variables; those beyond its own are 0.
 fn vector<T: Float, const N: usize>(x: &[T]) -> SVector<T, N> {
     SVector::from_fn(|i, _| x.get(i).copied().unwrap_or_else(T::zero))
 }
 
-/// As many components of the next state as the state x has.
 fn own<T: Float, const N: usize>(x: &[T], next: &SVector<T, N>) -> Vec<T> {
     next.as_slice()[..x.len()].to_vec()
 }
@@ -81,8 +76,8 @@ mod tests {
 
     use super::*;
 
-    /// `f32` of up to four variables begins in `f32`, and of more in `f64`: among eight variables
-    /// a field of three would not begin as users' code does.
+    /// `try_step` in `f32` begins in `f32` up to four variables, and in `f64` beyond; padding must
+    /// not change which.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

@@ -1,4 +1,4 @@
-//! Trials of many systems: who is tried, how often, and on how many threads.
+//! Surveys of trials: the systems, the number of trials, and the threads.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -18,26 +18,25 @@ use super::random_fields::odd::odd;
 use super::tally::Tally;
 use super::trial::{Ready, with_special_inputs};
 
-/// A system whose steps are judged.
 #[derive(Debug)]
 pub(crate) struct Tried {
     pub(crate) target: Target,
     pub(crate) map: Map,
 }
 
-/// A system as points are drawn for it and results are judged.
+/// The data that draw and judge the points of a system.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) name: String,
-    /// The values of parameters that are given; the others are drawn.
+    /// The given values of parameters; the others are drawn.
     pub(crate) parameters: Vec<Option<Rational>>,
-    /// Whether they are drawn from the whole range.
+    /// Whether parameters are drawn from the whole range.
     pub(crate) is_odd: bool,
     pub(crate) judge: Box<dyn Judge>,
 }
 
 impl Tried {
-    /// A system under a name, with a value or none for each parameter.
+    /// Prepares a system under a name, with a given value or `None` for each parameter.
     pub(crate) fn new(
         name: &str,
         system: &System,
@@ -54,7 +53,7 @@ impl Tried {
         Ok(Self { target: Target { name: name.to_owned(), parameters, is_odd: false, judge }, map })
     }
 
-    /// A field that was drawn, all of its parameters to be drawn for each trial.
+    /// Prepares a random field whose parameters are drawn for each trial.
     pub(crate) fn drawn(name: &str, block: String) -> Self {
         let system = FieldText::new(block, name.to_owned()).unproved_system();
         let system = system.expect("the generator writes fields that can be read");
@@ -62,16 +61,15 @@ impl Tried {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// The same, its parameters drawn from the whole range, and its ε, for many points, so that
-    /// ‖εf′‖∞ is of ordinary size.
+    /// Draws parameters from the whole range, and for many points an ε with ‖εf′‖∞ of ordinary
+    /// size.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 }
 
-/// The value that is given, or for the k-th parameter a number that no field is likely to divide by
-/// its difference from.
+/// Returns the given value, or for the k-th parameter a number that makes zero divisors unlikely.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -79,11 +77,11 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles,
-/// of mixed magnitudes and ordinary, and a thirty-second part (at least eight) with subnormal
-/// inputs, as many with inputs that are not finite, and as many large steps, for which elimination
-/// is judged besides, over all systems in turn, of which there is at least one. Where none of them
-/// has a removable pole, that quarter goes to the poles.
+/// Runs `trials` trials of `f32`, `f64` and `Dd` each over at least one system, in turn. One
+/// quarter each are near poles, near removable poles, of mixed magnitudes, and ordinary. One
+/// thirty-second part (at least eight) each is added with subnormal inputs, with inputs that are
+/// not finite, and with large steps, for which elimination is judged, too. Without removable poles,
+/// their quarter goes to the poles.
 pub(crate) fn survey(tried: &[Tried], trials: u64, seed: u64, count: &Count<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
@@ -96,13 +94,12 @@ fn on_threads(tried: &[Tried], trials: u64, seed: u64, threads: usize, count: &C
     tally
 }
 
-/// The number of trials that [`survey`] makes in all.
 pub(crate) fn total(trials: u64) -> u64 {
     3 * with_special_inputs(trials)
 }
 
-/// So many trials of `f32`, `f64` and `Dd` of each of `fields` fields of odd tempers alone, with
-/// ten times as many of every twentieth; each is drawn when it is its turn.
+/// Runs trials over `fields` random fields with extreme coefficients; every twentieth field has ten
+/// times as many. Each field is drawn on its thread.
 pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
     for_each(fields, Some(count.threads()), &|k| {
@@ -112,7 +109,7 @@ pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_
         let field = odd(seed, k);
         let tried = [Tried::drawn(&field.name, field.block()).of_odd_temper()];
         let own = if k % 20 == 19 { 10 * trials } else { trials };
-        // Streams of fields have nothing in common.
+        // Different fields draw from different streams.
         let seed = seed.wrapping_add((k as u64 + 1) << 32);
         let tally = on_threads(&tried, own, seed, 1, count);
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
@@ -120,13 +117,12 @@ pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_
     all.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The number of trials that [`survey_odd`] makes in all.
 pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
     let more = (fields / 20) as u64;
     (fields as u64 - more) * total(trials) + more * total(10 * trials)
 }
 
-/// All trials of one scalar, in blocks that threads take as they come free.
+/// Runs all trials of one scalar in blocks, which idle threads take.
 fn of_scalar<T: Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) -> Tally {
     const BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
@@ -139,7 +135,7 @@ fn of_scalar<T: Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) 
         let end = (start + BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
-        // A thread that panics does so outside of the lock; what is in it is whole.
+        // Threads panic outside of the lock only, so its content is valid.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)

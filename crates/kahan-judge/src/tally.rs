@@ -1,5 +1,4 @@
-//! Counts of trials, a cell for each regime, tier and scalar; sums of cells do not depend on their
-//! order.
+//! Counts of trials for each regime, tier and scalar; merged counts do not depend on their order.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -8,22 +7,22 @@ use serde::{Serialize, Serializer};
 
 use super::regime::Regime;
 
-/// What became of the trials of one regime, tier and scalar.
+/// Counts of the trials of one regime, tier and scalar.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
-    /// How many there were.
+    /// The number of trials.
     pub trials: u64,
-    /// The largest ‖error‖∞/‖exact‖∞ of a finite result where the exact step has a value, in units
-    /// of the scalar; `None` without such a result, infinite beside an exact 0.
+    /// The largest ‖error‖∞/‖exact‖∞ of finite results, in units of the scalar, where the exact
+    /// step has a value; infinite beside an exact 0, `None` without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
-    /// How many have no result: refused by `try_step`, or not finite.
+    /// The number of trials without a result: refused by `try_step`, or not finite.
     pub flagged: u64,
-    /// How many flags of the stable tier are against its promise: a condition number below the
-    /// bound, and an exact result that the format holds.
+    /// The number of flags that break the promise of the stable tier: the condition number is below
+    /// the bound, and the format holds the exact result.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// How many results are outside their promise, without a flag.
+    /// The number of wrong results without a flag.
     pub silently_wrong: u64,
 }
 
@@ -34,17 +33,17 @@ pub type Place = (Regime, &'static str, &'static str);
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
 pub struct Failure {
-    /// Whether it is a flag without right; else it is silently wrong, which comes first.
+    /// True for an unjustified flag, false for a silently wrong result, which sorts first.
     #[serde(skip)]
     pub is_flag: bool,
-    /// The trial.
+    /// The index of the trial.
     #[serde(skip)]
     pub index: u64,
-    /// What was promised and what came, with the arguments.
+    /// The promise and the result, with the arguments of the step.
     pub text: String,
 }
 
-/// Cells by their place, and the first failures.
+/// Cells by regime, tier and scalar, and the first failures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
     /// The cells.
@@ -53,26 +52,26 @@ pub struct Tally {
     /// The systems whose stable tier broke its promise, by name.
     #[serde(serialize_with = "by_system")]
     pub broken: BTreeMap<String, Broken>,
-    /// The first failures of the stable tier: silently wrong, then flagged without right, each by
-    /// its index.
+    /// The first failures of the stable tier: silently wrong results, then unjustified flags, each
+    /// by index.
     pub failures: Vec<Failure>,
 }
 
-/// How often a system broke the promise.
+/// The broken promises of one system.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Broken {
-    /// Its equations, where it was drawn.
+    /// The equations of a random field; empty for systems of the catalog.
     pub text: String,
-    /// How often it was silently wrong.
+    /// The number of silently wrong results.
     pub silently_wrong: u64,
-    /// How often it was flagged without right.
+    /// The number of unjustified flags.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// The first failure.
     pub first: Failure,
 }
 
-/// JSON has no infinity.
+/// Writes infinity as `f64::MAX`, as JSON has no infinity.
 fn finite<S: Serializer>(error: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     error.map(|error| error.min(f64::MAX)).serialize(serializer)
 }
@@ -105,7 +104,7 @@ fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -
     serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
 
-/// As many failures of each kind are shown.
+/// The number of failures kept of each kind.
 const SHOWN: usize = 3;
 
 impl Tally {
@@ -134,7 +133,6 @@ impl Tally {
         }
     }
 
-    /// Keeps the failure if it is one of the first.
     fn show(&mut self, failure: Failure) {
         let at = self.failures.partition_point(|known| *known <= failure);
         let is_flag = failure.is_flag;
@@ -146,7 +144,7 @@ impl Tally {
         }
     }
 
-    /// Adds the counts and failures of another.
+    /// Adds the counts and failures of another tally.
     pub fn add(&mut self, other: Self) {
         for (place, theirs) in other.cells {
             let cell = self.cell(place);
@@ -174,7 +172,7 @@ impl Cell {
 mod tests {
     use super::*;
 
-    /// No system of ours breaks the promise, so this is the only one that is written.
+    /// No known system breaks the promise, so only this test writes a broken one.
     #[test]
     fn a_broken_promise_is_written_with_its_first_failure() {
         let mut tally = Tally::default();

@@ -1,4 +1,4 @@
-//! One trial: a point is drawn, stepped by each tier, and judged.
+//! A trial: a point is drawn, stepped by each tier, and judged.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -11,48 +11,43 @@ use super::steps::{Steps, steps};
 use super::survey::{Target, Tried};
 use super::tally::{Cell, Failure, Tally};
 
-/// The trials of one scalar, ready to be drawn in any order.
 pub(crate) struct Trials<'a, T> {
     targets: Vec<&'a Target>,
-    /// The parameters that are given, of each.
     fixed: Vec<Vec<Option<T>>>,
-    /// The targets that have poles and removable poles.
+    /// The indices of the targets with poles, and with removable poles.
     with_poles: Vec<usize>,
     with_removable_poles: Vec<usize>,
     strata: u64,
     seed: u64,
 }
 
-/// The trials of one scalar with the steps that they try.
+/// The trials of one scalar with their steps.
 pub(crate) struct Ready<'a, T> {
     trials: Trials<'a, T>,
     steps: Vec<Box<dyn Steps<T>>>,
 }
 
-/// What a step is given, and what the exact map says of it.
 pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a Target,
-    /// The place of the target.
+    /// The index of the target.
     place: usize,
     inputs: Inputs<T>,
-    /// `None` where the inputs are not finite.
+    /// `None` for inputs that are not finite.
     known: Option<Known>,
 }
 
-/// Finite inputs and the exact step, which is `None` at a pole.
+/// Finite inputs and the exact step; `None` at a pole.
 struct Known {
     point: Vec<Dyadic>,
     exact: Option<Box<dyn Exact>>,
 }
 
-/// The trials of one scalar, those with special inputs included.
+/// Returns the number of trials of one scalar, including special inputs.
 pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
 
-/// The trials with subnormal inputs, and as many with inputs that are not finite, and as many large
-/// steps.
 fn special(trials: u64) -> u64 {
     (trials / 32).max(8)
 }
@@ -66,12 +61,10 @@ impl<'a, T: Float> Ready<'a, T> {
         }
     }
 
-    /// How many trials there are.
     pub(crate) fn count(&self) -> u64 {
         with_special_inputs(self.trials.strata)
     }
 
-    /// The trial with this index.
     pub(crate) fn run(&self, index: u64, tally: &mut Tally) {
         let trial = self.trials.draw(index);
         let steps = &self.steps[trial.place];
@@ -109,7 +102,7 @@ impl<'a, T: Float> Trials<'a, T> {
         }
     }
 
-    /// The trial with this index, and what the exact map says of it.
+    /// Draws the trial with this index and makes its exact step.
     pub(crate) fn draw(&self, index: u64) -> Trial<'a, T> {
         let (place, inputs) = self.inputs(index);
         let target = self.targets[place];
@@ -117,17 +110,16 @@ impl<'a, T: Float> Trials<'a, T> {
         Trial { index, target, place, inputs, known }
     }
 
-    /// The place of the target of a trial, and what its step is given.
+    /// Returns the index of the target of a trial, and the arguments of its step.
     pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
         let (regime, place) = self.stratum(index);
-        // Neighbouring seeds give streams that have nothing in common.
+        // Neighbouring indices get independent streams.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
         let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
         (place, Points { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
     }
 
-    /// The regime and the target of a trial: regimes in turn, and within each the targets that it
-    /// has, in turn.
+    /// Returns regime and target of a trial: regimes take turns, then targets within each regime.
     fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
@@ -152,8 +144,8 @@ impl<'a, T: Float> Trials<'a, T> {
 }
 
 impl<T: Float> Trial<'_, T> {
-    /// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where
-    /// there is none.
+    /// Counts a step without a promise. A finite result is wrong if its error exceeds 1e-3, or if
+    /// the exact step has no value.
     fn count_plain(&self, cell: &mut Cell, next: &[T]) {
         cell.trials += 1;
         match (exact_values(next), &self.known) {
@@ -167,7 +159,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
+    /// Counts a result of `try_step`; an `Ok` is wrong outside the promise and without an exact
+    /// value.
     pub(crate) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
         let Self { inputs, known, target, .. } = self;
         let mut complaint = None;
@@ -211,8 +204,9 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// The condition number at which a flag breaks the promise: where the field has a value, x̃ is
-    /// a number that the format holds, and the condition number is below the bound.
+    /// Returns the condition number at which a flag breaks the promise, otherwise `None`. A flag
+    /// breaks it if the field is defined, the format holds x̃, and the condition number is below
+    /// the bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;
@@ -223,12 +217,10 @@ impl<T: Float> Trial<'_, T> {
     }
 }
 
-/// The exact values of a result; `None` if one is not finite.
 fn exact_values<T: Float>(result: &[T]) -> Option<Vec<Dyadic>> {
     result.iter().map(|value| value.exact()).collect()
 }
 
-/// The scalar near a rational.
 fn rounded<T: Float>(value: &kahan_algebra::rational::Rational) -> T {
     let (high, low) = value.to_double_double();
     let parts = Dyadic::of(high).zip(Dyadic::of(low));

@@ -1,4 +1,4 @@
-//! Heights along exact orbits: how they grow, and what is left when the growth is divided out.
+//! Heights along exact orbits: their growth, and the correction after the growth is divided out.
 
 use maud::{Markup, html};
 
@@ -14,17 +14,16 @@ fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
     Plot::around(description, axes, series).drawing().inline()
 }
 
-/// Heights against n on logarithmic scales, where nᵏ is a straight line of slope k.
+/// Plots heights against n on logarithmic scales, where nᵏ is a straight line of slope k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     drawing(description, ["log n", &format!("log h({of})")], series)
 }
 
-/// The growth of x alone.
 fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// What is left of the heights of x when nᵏ is divided out: the limit is a dashed line.
+/// Plots log(h(xₙ)/nᵏ) against n, with the logarithm of its limit as a dashed line.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));
@@ -32,13 +31,12 @@ fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): 
     drawing(description, ["n", label], vec![series, level])
 }
 
-/// A dashed line at a height as far as a series goes.
+/// Returns a dashed horizontal line over the range of a series.
 fn level(label: &str, colour: usize, height: f64, series: &Series) -> Series {
     let ends = [series.points.first(), series.points.last()];
     Series::new(label, colour, Mark::Level, ends.into_iter().flatten().map(|(n, _)| (*n, height)).collect())
 }
 
-/// Every kind of growth in one drawing.
 pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
     let chosen = [
         (&DE1, "dE1", "z", 6),

@@ -1,5 +1,4 @@
-//! The figures: the paper's, one by one, and two more, drawn from orbits that were computed for
-//! this page.
+//! The figures of the paper, and two more, drawn from orbits that were computed for this page.
 
 mod curve;
 mod heights;
@@ -13,22 +12,21 @@ use super::found::Found;
 use super::words::{badge, link};
 use kahan_draw::document::readable;
 
-/// One figure.
 pub(super) struct Plate {
-    /// Its anchor: `figure-de3`.
+    /// The anchor, for example `figure-de3`.
     pub(super) id: &'static str,
     pub(super) title: &'static str,
-    /// One or more drawings, side by side where there is room.
+    /// One or more drawings, side by side if the page is wide enough.
     pub(super) drawings: Vec<Markup>,
-    /// System, ε, initial point, iterates.
+    /// The system, ε, the initial point and the number of iterates.
     pub(super) data: Markup,
-    /// What is seen and what was measured.
+    /// The visible and the measured result.
     pub(super) result: Markup,
-    /// The parts with which the names of the claims about it begin; empty where there is none.
+    /// Prefixes of the names of the claims about the figure.
     pub(super) claims: &'static [&'static str],
 }
 
-/// The figures that can be drawn from the orbits at hand.
+/// Returns the figures that can be drawn from the computed orbits.
 fn plates(found: &Found<'_>) -> Vec<Plate> {
     let orbits = &found.orbits;
     let drawn = [
@@ -44,12 +42,10 @@ fn plates(found: &Found<'_>) -> Vec<Plate> {
     drawn.into_iter().flatten().collect()
 }
 
-/// The anchors and titles, for the table of contents.
 pub(super) fn titles(found: &Found<'_>) -> Vec<(&'static str, &'static str)> {
     plates(found).iter().map(|plate| (plate.id, plate.title)).collect()
 }
 
-/// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
     html! {
         section #figures {

@@ -1,4 +1,4 @@
-//! An orbit of the paper with its heights, and what is measured on them.
+//! An orbit of the paper with its heights, and measurements of their growth.
 
 use maud::{Markup, html};
 
@@ -9,17 +9,17 @@ use kahan_paper::structure;
 use kahan_study::{Study, Subject, Systems};
 use kahan_systems::registry::find;
 
-/// A measured orbit with its data.
+/// A measured orbit with the figure that defines its data.
 pub(super) struct Orbit<'a> {
     pub(super) figure: &'static Figure,
     pub(super) measured: &'a Measurement,
 }
 
-/// One component's heights h₀, h₁, ….
+/// The logarithmic heights h₀, h₁, … of one component.
 pub(super) struct Heights(pub(super) Vec<f64>);
 
 impl Heights {
-    /// (n, h) from n = 1 on.
+    /// Returns (n, h) from n = 1 on.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
         self.0.iter().enumerate().skip(1).map(|(n, h)| (n as f64, *h))
     }
@@ -28,7 +28,7 @@ impl Heights {
         self.pairs().map(|(n, h)| (n.ln(), h.ln())).collect()
     }
 
-    /// log(h/nᵖ) against n, as far as `end`.
+    /// Returns log(h/nᵖ) against n for n ≤ `end`.
     pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
         self.pairs().take(end).map(|(n, h)| (n, (h / n.powi(power)).ln())).collect()
     }
@@ -37,7 +37,6 @@ impl Heights {
         (self.0.len().saturating_sub(1), self.0.last().copied().unwrap_or(f64::NAN))
     }
 
-    /// The factor of the last step.
     pub(super) fn last_ratio(&self) -> f64 {
         match self.0.as_slice() {
             [.., before, last] => last / before,
@@ -45,13 +44,12 @@ impl Heights {
         }
     }
 
-    /// The least squares slope against n.
     pub(super) fn slope(&self) -> f64 {
         slope(self.pairs())
     }
 
-    /// The leading coefficient of a quadratic through the first, middle and last heights of the
-    /// second half.
+    /// Returns the leading coefficient of the quadratic through the first, middle and last heights
+    /// of the second half.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);
@@ -76,14 +74,14 @@ impl<'a> Orbit<'a> {
         &self.measured.variables[self.measured.survey.largest()]
     }
 
-    /// The decimal digits of a component's last value.
+    /// Returns the number of decimal digits of a component's last value.
     pub(super) fn digits(&self, variable: &str) -> u64 {
         let index = self.measured.variables.iter().position(|known| known == variable);
         let last = self.measured.survey.heights.last();
         last.zip(index).map_or(0, |(heights, index)| heights.digits[index])
     }
 
-    /// What the orbit is: map, parameters, ε, initial point, iterates.
+    /// Describes the orbit: map, parameters, ε, initial point, number of iterates.
     pub(super) fn data(&self) -> Markup {
         let figure = self.figure;
         let fraction = |(p, q): &(i64, i64)| {
@@ -103,10 +101,10 @@ impl<'a> Orbit<'a> {
     }
 }
 
-/// `dE3`; `Lotka–Volterra map`.
+/// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // The maps of its own systems the paper calls by a letter.
+    // The paper writes the maps of its own systems with a prefix d.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

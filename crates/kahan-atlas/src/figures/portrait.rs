@@ -10,23 +10,23 @@ use super::Plate;
 use kahan_draw::decimal;
 use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
 
-/// Half the time step: about twenty steps a cycle.
+/// Half the time step; a cycle has about twenty steps.
 const EPS: f64 = 0.147;
 const STEPS: usize = 360;
-/// The greatest x and y shown.
+/// The upper end of both axes.
 const SHOWN: f64 = 4.2;
 
 type Point = SVector<f64, 2>;
 
-/// The initial points (1 − r, 1).
+/// Values of r; the initial points are (1 − r, 1).
 const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
 
-/// log(xy) − (x + y), the integral of the flow.
+/// Returns log(xy) − (x + y), the integral of the flow.
 fn integral(point: &Point) -> f64 {
     (point[0] * point[1]).ln() - (point[0] + point[1])
 }
 
-/// The orbits from these points, by a method.
+/// Computes the orbits from the initial points by a method.
 fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
     let steps = STEPS as u64 - 1;
     let orbit = |radius: &f64| {
@@ -40,13 +40,12 @@ fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
     RADII.iter().map(orbit).collect()
 }
 
-/// The same as far as they stay in the picture and off the axes.
+/// Cuts each orbit at its first point that leaves the picture or comes near an axis.
 fn inside(orbits: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
     let is_inside = |point: &Point| point.iter().all(|value| (0.05..=SHOWN).contains(value));
     orbits.into_iter().map(|orbit| orbit.into_iter().take_while(is_inside).collect()).collect()
 }
 
-/// The largest change of the flow's integral along an orbit.
 fn change(orbit: &[Point]) -> f64 {
     let first = orbit.first().map_or(0.0, integral);
     orbit.iter().map(|point| (integral(point) - first).abs()).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! All orbits of the figures in one table.
+//! The table of all orbits of the figures.
 
 use maud::{Markup, html};
 
@@ -8,7 +8,6 @@ use super::orbit::{Heights, Orbit};
 use kahan_draw::decimal;
 use kahan_paper::figures::Figure;
 
-/// Every orbit in a table.
 pub(super) fn table(orbits: &Orbits<'_>) -> Markup {
     let rows = Figure::all().filter_map(|figure| Orbit::of(orbits, figure));
     html! {

@@ -1,4 +1,4 @@
-//! A published case: a field, facts on its map, and their source.
+//! A published case: a field, facts about its map, and their source.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,6 @@ use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 use serde::Deserialize;
 
-/// A field, and published facts on its map.
 #[derive(Debug)]
 pub(crate) struct Case {
     pub(crate) name: String,
@@ -21,7 +20,6 @@ pub(crate) struct Case {
     pub(crate) shortest: Vec<String>,
 }
 
-/// Facts on the map that a publication states.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Known {
@@ -42,7 +40,6 @@ pub(crate) struct Known {
     pub(crate) seconds: Option<f64>,
 }
 
-/// A line of a file of cases.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Line {
@@ -76,7 +73,7 @@ impl Case {
     }
 }
 
-/// Reads a field and proves claims of it.
+/// Reads a field and proves claims about it.
 fn proved(field: &str, claims: &[String]) -> Result<System, String> {
     let read = |text: &str| {
         let reading = read(&lexer::lex(text).tokens);
@@ -85,8 +82,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Each claim is read alone, as names may repeat. A drift is read after the earlier drifts,
-    // which it may name.
+    // Names may repeat, so each claim is read on its own, but after earlier drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

@@ -1,4 +1,4 @@
-//! A watch that notes when each claim was found.
+//! A watch that records the time of each finding.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -12,12 +12,11 @@ pub(crate) struct Clock {
 }
 
 impl Clock {
-    /// Starts the clock.
     pub(crate) fn start() -> Self {
         Clock { begun: Instant::now(), found: Mutex::default() }
     }
 
-    /// The time since the start, and the findings with the times at which they came.
+    /// Returns the time since the start, and the findings with their times.
     pub(crate) fn stop(self) -> (Duration, Vec<(Duration, Finding)>) {
         (self.begun.elapsed(), self.found.into_inner().expect("no thread panics"))
     }

@@ -1,6 +1,6 @@
-//! Compares the findings of `discover` with published results: reads cases, one JSON object a line,
-//! and prints a row for each. `cargo run --release -p kahan-discover --example literature --
-//! --help`
+//! Compares findings of `discover` with published results, one row for each case.
+//!
+//! `cargo run --release -p kahan-discover --example literature -- --help`
 
 mod case;
 mod clock;
@@ -13,7 +13,6 @@ use case::Case;
 use clap::Parser;
 use outcome::Outcome;
 
-/// The cases of the repository.
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/cases.jsonl");
 
 /// Compares the findings of `discover` with published results, case by case.
@@ -64,7 +63,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints the table. Returns whether no case disagrees.
+/// Prints the table, and tells whether all cases agree or have a known limit.
 fn compared(arguments: &Arguments) -> Result<bool, String> {
     let path = arguments.file.display();
     let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;
@@ -94,7 +93,6 @@ fn compared(arguments: &Arguments) -> Result<bool, String> {
     }
     println!("\n{} cases: {agree} agree, {limited} have a known limit, {disagree} disagree", cases.len());
     if with_shortest > 0 {
-        // A case in which a claim is missing counts as infinitely long.
         ratios.resize(with_shortest, f64::INFINITY);
         ratios.sort_unstable_by(f64::total_cmp);
         let median = (ratios[(with_shortest - 1) / 2] + ratios[with_shortest / 2]) / 2.0;

@@ -10,7 +10,6 @@ use kahan_discover::{Options, Report, discover};
 use crate::case::Case;
 use crate::clock::Clock;
 
-/// The row of a case.
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
     /// The columns between the name and the times.
@@ -19,10 +18,8 @@ pub(crate) struct Outcome<'a> {
     total: f64,
     /// The claims that the command prints.
     pub(crate) printed: Vec<String>,
-    /// The length of the printed claims divided by that of the shortest ones; `None` if a claim is
-    /// missing or no shortest form is known.
+    /// Printed length over shortest known length; `None` if a claim or a shortest form is missing.
     pub(crate) ratio: Option<f64>,
-    /// The differences between the findings and the known facts.
     pub(crate) differences: Vec<String>,
 }
 
@@ -30,7 +27,6 @@ impl<'a> Outcome<'a> {
     pub(crate) const HEAD: &'static str = "\
 case             integrals written growth      densities drifts ranks          last     all  ratio";
 
-    /// Runs the discovery for a case and compares the result.
     pub(crate) fn of(case: &'a Case, seconds: f64) -> Self {
         let options = Options { parameters: case.parameters.clone(), seconds, ..Options::default() };
         let clock = Clock::start();
@@ -92,7 +88,6 @@ case             integrals written growth      densities drifts ranks          l
             all += found.iter().take(wanted).sum::<usize>();
             least += shortest.iter().sum::<usize>();
             if count < wanted {
-                // Without all claims there is no length to compare.
                 least = 0;
                 break;
             }
@@ -110,8 +105,7 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// The claims that `kahan discover` prints: those of the report, the compact forms of modified
-/// Hamiltonians, and the drifts.
+/// Collects the claims that `kahan discover` prints, with compact forms of modified Hamiltonians.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {
@@ -128,12 +122,11 @@ fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     printed
 }
 
-/// The first word of a claim.
 fn kind(claim: &str) -> &str {
     claim.split_whitespace().next().unwrap_or_default()
 }
 
-/// The lengths of the claims of each kind, ascending, without names and spaces.
+/// Returns the ascending lengths of the claims of each kind, without names and spaces.
 fn by_kind(claims: &[String]) -> BTreeMap<&str, Vec<usize>> {
     let mut lengths: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for claim in claims {

@@ -1,10 +1,7 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
-//! Proofs of found formulas, so that every printed claim is a proved one.
-//!
-//! The text of a claim is read as one about the field and goes through the prover of claims, or it
-//! states exactly a formula that a theorem proves. A formula that does not pass is not returned.
-//! The claim that was read goes on as a value beside its text.
+//! In: polynomials. Out: claims whose text, as read again, the prover of claims accepts, or whose
+//! text states exactly the formula of a theorem. Formulas that fail are not returned.
 
 use std::slice::from_ref;
 
@@ -25,58 +22,56 @@ use kahan_algebra::{lexer, seed};
 use crate::claims::writing::{is_product, quotient, state_factors};
 use crate::poisson::brackets::Bracket;
 
-/// The most work for the comparison of a formula with its text.
+/// Bounds of the comparison of a formula with its text.
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 10_000_000;
 
-/// What densities are called.
 const DENSITY: &str = "rho";
 
 /// A proved claim.
 #[derive(Clone, Debug)]
 pub struct Formula {
-    /// The claim as a line of the language of `kahan!`: `integral H1 = …;`.
+    /// The claim in the language of `kahan!`, for example `integral H1 = …;`.
     pub text: String,
-    /// The claim, an integral or a density, as the field can have it.
+    /// The claim as read from the text: an integral or a density.
     pub claim: Claim,
-    /// The degree in the states of numerator and denominator, the larger.
+    /// The larger degree in the states of numerator and denominator.
     pub degree: u32,
     /// The numerator.
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
-    /// The irreducible factors of an integral that depend on states.
+    /// The irreducible factors of an integral that depend on states; empty for densities.
     pub factors: Vec<Polynomial>,
 }
 
 impl Formula {
-    /// The claim's name.
+    /// Returns the claim's name.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.claim.name.text
     }
 }
 
-/// Writes and proves claims about one field, some of its parameters and ε perhaps fixed.
+/// A writer and prover of claims about one field, whose parameters and ε may be fixed.
 #[derive(Clone, Debug)]
 pub struct Claims<'a> {
     system: &'a System,
-    /// The system without its own claims.
     bare: System,
-    /// The equations, which the seeds of proofs depend on.
+    /// The equations as tokens, which seed the proofs.
     equations: Vec<Token>,
-    /// ` when a = 1, eps = 1/2`, or empty.
+    /// For example ` when a = 1, eps = 1/2`, or empty.
     pub(crate) condition: String,
 }
 
 impl<'a> Claims<'a> {
-    /// For the field of `system`, at these values of parameters and of ε (half the time step).
+    /// Prepares claims about the field of `system` at fixed parameters and ε (half the time step).
     #[must_use]
     pub fn new(system: &'a System, parameters: &[(String, Rational)], eps: Option<&Rational>) -> Self {
         let field = &system.field;
         let symbols = &field.symbols;
         let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
-        // A parameter that cancelled from the equations is unknown to them.
+        // Equations don't know parameters that cancelled.
         let occurs = |name: &str| {
             symbols
                 .named(name)
@@ -94,16 +89,16 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// The name of the density that the field brings along, if one found here would have to stand
-    /// in its place: a block takes one density without `when`.
+    /// Returns the name of the system's own density if a density found here would replace it. A
+    /// block holds only one density without `when`.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
         self.condition.is_empty().then_some(own.name.text.as_str())
     }
 
-    /// A name that nothing else in the block has, but for a density that is replaced: the stem, or
-    /// with a number or more letters.
+    /// Returns an unused name from the stem and index, with underscores appended if needed. The
+    /// name of a density that will be [replaced](Self::own_density) counts as unused.
     pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
@@ -124,9 +119,8 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its
-    /// name. It is written in factors, and by powers of one of the polynomials `by` where that is
-    /// shorter.
+    /// Claims numerator/denominator as the integral H`index`; `None` if the proof fails. The text
+    /// is factored; it uses powers of a polynomial of `by` if that makes it shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -141,9 +135,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// The claim that numerator/denominator is an integral, which a theorem proves; `None` where
-    /// the text, read again, would say something else. A proof would take minutes in hundreds of
-    /// variables.
+    /// Claims numerator/denominator as an integral by a theorem, as a proof may take minutes.
+    /// Returns `None` if the text, read again, states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -179,7 +172,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// The claim that ∏ factorᵏ is an invariant density, if it is proved; written as integrals are.
+    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails. The text is factored;
+    /// it uses powers of a polynomial of `by` if that makes it shorter.
     #[must_use]
     pub fn density(
         &self,
@@ -202,8 +196,7 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, &product(&above), &product(&below)))
     }
 
-    /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the
-    /// diagonal, row by row.
+    /// Writes the factored entries of a bracket; `tensor` has those above the diagonal, row by row.
     pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
         let states = &symbols.states;
         let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));
@@ -214,15 +207,15 @@ impl<'a> Claims<'a> {
         places.zip(tensor).filter_map(entry).collect::<Vec<_>>().join(" ")
     }
 
-    /// The claim of an invariant bracket with these entries, if it is proved.
+    /// Claims an invariant bracket with these entries; `None` if the proof fails.
     pub(crate) fn bracket(&self, index: usize, rank: usize, entries: &str) -> Option<Bracket> {
         let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
         let claim = self.proved(&[], &text)?;
         Some(Bracket { text, claim, rank })
     }
 
-    /// Reads a claim behind earlier ones, which it may name, and returns it if it is proved. The
-    /// earlier ones are not proved again.
+    /// Reads a claim after earlier claims, which it may name, and returns it if it is proved.
+    /// Earlier claims are not proved again.
     pub(crate) fn proved(&self, earlier: &[&str], text: &str) -> Option<Claim> {
         let tokens = lexer::lex(&format!("{} {text}", earlier.join(" "))).tokens;
         let claims = claims_of(self.system, &tokens).ok()?;
@@ -252,7 +245,7 @@ fn formula(
     }
 }
 
-/// Without the sign in front of a product: what is conserved is so with the other sign, too.
+/// Removes the sign in front of a product; it does not affect invariance.
 fn unsigned(value: String) -> String {
     match value.strip_prefix('-') {
         Some(positive) if is_product(&value) => positive.to_owned(),

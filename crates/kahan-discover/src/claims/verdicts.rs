@@ -1,4 +1,4 @@
-//! Verdicts in words: each sentence says what was shown, and no more.
+//! Verdicts in words; each sentence states exactly what was shown.
 
 mod drifts;
 mod plane;
@@ -14,7 +14,7 @@ use crate::report::{Bound, HamiltonianReport, MOST_READABLE, ModifiedPlace, Repo
 use drifts::drifts;
 use structure::structure;
 
-/// `one integral`, `3 integrals`.
+/// Writes a count with its noun, for example `one integral` or `3 integrals`.
 fn counted(count: usize, what: &str) -> String {
     match count {
         0 => format!("no {what}"),
@@ -24,8 +24,7 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// All sentences of a report; `is_stopped` says whether a stage before the search of higher degrees
-/// ran out of time.
+/// Returns all sentences; `is_stopped` tells that time ran out before higher degrees.
 pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
@@ -65,11 +64,11 @@ fn degrees(report: &Report) -> String {
     )
 }
 
-/// What the fixed points say of the number of integrals.
+/// Writes the bound on the number of integrals by the fixed points.
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // With n - 1 the orbits say as much.
+    // For n − 1 integrals the orbits give this bound, too.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }
@@ -96,7 +95,6 @@ fn ceiling(report: &Report) -> Option<String> {
     ))
 }
 
-/// What ended the search for integrals.
 fn bound(report: &Report, is_stopped: bool) -> Option<String> {
     let degree = report.hilbert.as_ref().map_or(0, Hilbert::degree);
     match report.bound {
@@ -118,7 +116,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
         Bound::Degree => Some(format!(
             "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
         )),
-        // What the stages before left out is said once.
+        // The last of all sentences reports earlier omissions.
         Bound::Time if is_stopped => None,
         Bound::Time => Some(format!(
             "The time ended the search beyond degree {degree}: more seconds go on to higher degrees, which may show more integrals."
@@ -127,7 +125,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
             degree + 1
         )),
-        // If there was no orbit at all, the sentences on orbits say so.
+        // Without any orbit, the sentences on orbits say so.
         Bound::Poles => report.hilbert.as_ref().map(|_| {
             format!(
                 "Poles ended the search beyond degree {degree}: no orbit of a random point was long enough."
@@ -164,7 +162,7 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // That there is none is proved then.
+                // In these cases absence is proved.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
@@ -185,10 +183,9 @@ fn orbits(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// A list of more characters is counted.
+/// The most characters of a list; a longer list is replaced by its length.
 const MOST_CHARACTERS: usize = 200;
 
-/// What was found as formulas, and what was not.
 fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();
@@ -264,7 +261,7 @@ fn formulas(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// `the modified Hamiltonian`, `the modified Hamiltonians of K1 and K2`.
+/// Writes `the modified Hamiltonian`, or `the modified Hamiltonians of K1 and K2`.
 fn modified(of: &[&HamiltonianReport]) -> String {
     let plural = if of.len() > 1 { "s" } else { "" };
     match &listed_labels(of)[..] {
@@ -273,7 +270,7 @@ fn modified(of: &[&HamiltonianReport]) -> String {
     }
 }
 
-/// `K1, K2 and K3`; empty if the only K has no number.
+/// Writes `K1, K2 and K3`; empty if the only K has no number.
 fn listed_labels(of: &[&HamiltonianReport]) -> String {
     let numbered = of.iter().filter(|found| found.number.is_some());
     let labels: Vec<String> = numbered.map(|found| found.label("K")).collect();
@@ -337,7 +334,7 @@ fn density(report: &Report) -> String {
     }
 }
 
-/// A block takes one density without `when`.
+/// Writes the sentence on a density of the field itself; a block holds one density without `when`.
 fn own_density(report: &Report) -> Option<String> {
     let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
     Some(format!(

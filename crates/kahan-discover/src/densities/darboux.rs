@@ -1,9 +1,8 @@
-//! Polynomials with a given cofactor under the map: P(φ(x)) = C(x) P(x), linear in P.
+//! Polynomials with a given cofactor under the map φ: P(φ(x)) = C(x) P(x), linear in P.
 //!
 //! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of
-//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density too. Two P with the same C have an
-//! integral as their quotient, so with integrals the P of one degree form a space; its simplest
-//! element is the one to write.
+//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. The quotient of two P with
+//! equal C is an integral, so P is not unique if integrals exist; the simplest P is written.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -19,18 +18,18 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, tidy};
 use crate::report::DensitySearch;
 
-/// How often a point is sampled again.
 const MOST_SAMPLES: usize = 16;
 
 /// The density ρ of an invariant measure ρ dx, in factors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Measure {
-    /// ρ as a product: factors and their exponents.
+    /// The factors of ρ with their exponents.
     pub factors: Vec<(Polynomial, i32)>,
-    /// The degrees of the factors in the states, each as often as it is multiplied or divided by.
+    /// The sum of |exponent|·degree over all factors.
     pub degree: u32,
 }
 
+/// Makes a step from a random point; `None` if no point has an image.
 pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
     (0..MOST_SAMPLES).find_map(|_| {
         let point = map.point(random);
@@ -39,8 +38,8 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
     })
 }
 
-/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no
-/// value, or the deadline passes.
+/// Returns the null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on the monomials of `support`. `None` if
+/// the map has no value or the deadline passes.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
@@ -58,8 +57,8 @@ fn null_vectors(
     })
 }
 
-/// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension
-/// 0; `None` where the map has no value, or the deadline passes.
+/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x; it may have dimension 0.
+/// `None` if the map has no value or the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
     degree: u32,
@@ -72,15 +71,14 @@ pub fn measure_space(
     Some(PolynomialSpace::spanned(map.modulus(), vectors))
 }
 
-/// Products of factors are tried to this degree, beyond what linear algebra reaches.
+/// The highest degree of products 1/∏ factors.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// Quotients are tried up to this sum of the degrees above and below.
+/// The highest degree of quotients of factors, above and below together.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// The measure of least degree, over ℚ with all unknowns, and how the search for it ended; products
-/// of `factors` are preferred to anything else. All P are looked at up to the degree `highest`,
-/// products up to 12.
+/// Finds the measure of least degree, over ℚ with all unknowns, and reports the search. Prefers
+/// products of `factors`, up to degree 12; other P have degrees up to `highest`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -118,7 +116,7 @@ pub fn measure(
     quotient.map_or((None, search), found)
 }
 
-/// The simplest element of a space of P, over ℚ.
+/// Reconstructs the simplest element of a space of P over ℚ.
 fn reconstructed(
     searched: &SearchField,
     map: &ModularMap,
@@ -151,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_density_may_be_a_quotient_of_factors() {
-        // E1, whose density 1/(y²(1 − ε²x²)) is made here of y and y³(1 − ε²x²).
+        // The density of E1, 1/(y²(1 − ε²x²)), as a quotient of y and y³(1 − ε²x²).
         let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens)
             .system()
             .expect("a system")
@@ -164,7 +162,7 @@ mod tests {
         let square = |polynomial: &Polynomial| polynomial * polynomial;
         let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
         let factors = [long.clone(), y.clone()];
-        // One over a polynomial is not looked for up to degree 4, where there is one.
+        // The search stops below degree 4, in which 1/P exists.
         let far = Deadline::never();
         let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));

@@ -1,4 +1,4 @@
-//! The invariant density of a report: found by degree, or read off det A.
+//! The invariant density of a report, found by degree or from det A.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -17,21 +17,18 @@ use crate::modular::subspace::tidy;
 use crate::poisson::brackets::PoissonTensor;
 use crate::report::DensitySearch;
 
-/// The most coefficients of the polynomial of a density.
 const MOST_DENSITY_COEFFICIENTS: usize = 1000;
 
-/// A density of more terms than this is not written.
 const MOST_DENSITY_TERMS: usize = 300;
 
-/// The work that writing det A out may take, in products of terms.
+/// The budget for expanding det A, in products of terms.
 const DETERMINANT_WORK: u64 = 1_000_000;
 
-/// The degree up to which densities are looked for.
 fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }
 
-/// The density 1/Pf(P) of the tensor P of a bracket, if its rank is full.
+/// Returns the density 1/Pf(P) of the tensor P of a bracket, if its rank is full.
 pub(crate) fn pfaffian_density(
     tensor: &PoissonTensor,
     claims: &Claims<'_>,
@@ -43,7 +40,7 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// The density of least degree; or 1/det A where det(I − t f′) is even and that is the only one.
+/// Finds the density of least degree, or else 1/det A if det(I − t f′) is even in t.
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -73,8 +70,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// The linear factors P of components of the field for which P divides ∇P·f. The hyperplane P = 0
-/// is invariant under the flow, and hence under the map.
+/// Returns linear factors P of components of the field for which P divides ∇P·f. The hyperplane
+/// P = 0 is invariant under the flow, and hence under the map.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
@@ -94,7 +91,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// det A(x,ε) up to factors free of states, ε put in where it is fixed, if that has few terms.
+/// Expands det A(x,ε), without factors free of states, at the fixed ε, if it has few terms.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

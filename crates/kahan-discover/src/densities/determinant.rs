@@ -1,26 +1,25 @@
-//! det A(x,ε) as a polynomial, and the numerators over it, where N and D written out are beyond the
-//! budget of the map.
+//! det A(x,ε) and numerators over it as polynomials, for fields beyond the budget of the map.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 
-/// The most variables: so many columns' sets are kept.
+/// The most variables; minors are kept for every set of columns.
 const MOST_VARIABLES: usize = 12;
 
-/// ∏q · det A(x,ε), with qᵢ the denominators of the field's components.
+/// Returns ∏q · det A(x,ε), with qᵢ the denominators of the field's components.
 ///
 /// # Errors
-/// Beyond the budget, or 12 variables.
+/// [`OverBudget`] beyond the budget or 12 variables.
 pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// ∏q · gᵀ adj(A) f, so that gᵀ A⁻¹ f is this over [`determinant`]: minus the determinant of A
-/// bordered by f and g.
+/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`]. Equals minus the
+/// determinant of A bordered by f and g.
 ///
 /// # Errors
-/// As [`determinant`].
+/// [`OverBudget`] beyond the budget or 12 variables.
 pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     let mut rows = scaled_matrix(field);
     for (row, component) in rows.iter_mut().zip(&field.components) {
@@ -30,7 +29,6 @@ pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Res
     Ok(-&of_matrix(&rows, budget)?)
 }
 
-/// The determinant of a matrix of at most one row more than there may be variables.
 fn of_matrix(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     if rows.len() > MOST_VARIABLES + 1 {
         return Err(OverBudget);
@@ -51,7 +49,7 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // With g the i-th unit vector: n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
+        // With the i-th unit vector g: n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];

@@ -1,5 +1,4 @@
-//! Invariant densities: Darboux polynomials with the cofactor of the Jacobian, their products, and
-//! det A.
+//! Invariant densities from Darboux polynomials, their products, and det A.
 
 pub mod darboux;
 pub(crate) mod density;

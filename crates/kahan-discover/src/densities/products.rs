@@ -1,4 +1,4 @@
-//! Products of powers of given polynomials that have a wanted cofactor under the map.
+//! Products of powers of given polynomials with a given cofactor under the map.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -8,8 +8,9 @@ use crate::densities::darboux::random_step;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The simplest product of powers of the given polynomials, exponents of these `signs`, whose
-/// degrees add up to `degree` and whose cofactor is 1/det ∂x̃/∂x.
+/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. Exponents have
+/// these `signs`, and Σ |exponent|·degree = `degree`. Matches are tested at two random points
+/// modulo 2⁶¹ − 1; the caller proves the result.
 pub(crate) fn product(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -20,7 +21,7 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // For each of two points the factors' cofactors, their inverses, and the determinant.
+    // For each of two points: cofactors, their inverses, and the determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -49,7 +50,7 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // Denominators of integrals become constants at ε = 0, as the density of the flow's volume is.
+    // Denominators of integrals are constant at ε = 0, like the density of volume for the flow.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))
@@ -60,8 +61,8 @@ pub(crate) fn product(
     Some(used.collect())
 }
 
-/// Exponents of these signs with Σ |exponent|·degree = total: all, or as many as half a million
-/// steps reach. Many factors have more combinations than can be looked at.
+/// Returns exponents with these signs and Σ |exponent|·degree = total. With many factors the list
+/// may be incomplete: it ends after half a million steps or 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

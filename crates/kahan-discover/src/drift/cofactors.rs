@@ -1,10 +1,9 @@
-//! The cofactors that a space of polynomials can have under the map.
+//! The possible cofactors of a space of polynomials under the map.
 //!
-//! In homogeneous coordinates the map is F = (N₁ … Nₙ, D) of degree δ, where D is the component of
-//! the coordinate x₀ = 1. Let P∘F = C·Q with P and Q of degree d. The polynomial C has the degree
-//! d(δ − 1) and vanishes only on hypersurfaces that F contracts. So C is a product of factors of
-//! the Jacobian determinant of F. This determinant has degree (n + 1)(δ − 1), and x₀ may be a
-//! factor.
+//! In homogeneous coordinates, x₀ = 1, the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
+//! P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces that F
+//! contracts. So C is a product of factors of the Jacobian determinant of F, which has degree (n +
+//! 1)(δ − 1) and perhaps x₀ as a factor.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -14,19 +13,17 @@ use crate::densities::products::exponents;
 use crate::maps::search_field::SearchField;
 use crate::poles::curves::{components, jacobian};
 
-/// The budget for expanding the Jacobian determinant, and for factoring it.
+/// The budget for expanding and factoring the Jacobian determinant.
 const MOST_TERMS: usize = 5_000;
 const MOST_WORK: u64 = 2_000_000;
 
-/// The possible factors of a cofactor, and the degree of the map.
 pub(super) struct Cofactors {
-    /// N₁ … Nₙ, D
+    /// The homogeneous components N₁ … Nₙ, D at x₀ = 1.
     pub(super) components: Vec<Polynomial>,
     /// The factors of the Jacobian determinant that contain states.
     pub(super) factors: Vec<Polynomial>,
     /// The degrees of the factors in the states, and 1 for x₀ if x₀ is a factor.
     degrees: Vec<u32>,
-    /// δ
     degree: u32,
 }
 
@@ -46,12 +43,11 @@ impl Cofactors {
         Some(Cofactors { components, factors, degrees, degree })
     }
 
-    /// D
     pub(super) fn denominator(&self) -> &Polynomial {
         self.components.last().expect("a map has a denominator")
     }
 
-    /// The exponents of the factors in each cofactor of polynomials of degree `degree`.
+    /// Returns the exponents of the factors in each possible cofactor for one degree.
     pub(super) fn of_degree(&self, degree: u32) -> Vec<Vec<i32>> {
         exponents(&self.degrees, degree * (self.degree - 1), &[1])
     }

@@ -1,12 +1,10 @@
-//! Drifts: functions whose next value follows from their value alone. F(x̃) is F(x) + c, c·F(x), or
-//! (aF(x) + b)/(cF(x) + d).
+//! Drifts: functions whose next value F(x̃) is F(x) + c, c·F(x), or (aF(x) + b)/(cF(x) + d).
 //!
-//! Take a space of polynomials with basis P that the map carries into itself up to a cofactor C. It
-//! has a matrix M with P(x̃) = C(x)·M·P(x), and M acts on the quotients of elements. The search
-//! goes through the degrees, lowest first, and the cofactors, and finds the spaces modulo a prime.
-//! If a space has a function that is independent of the integrals and of earlier drifts, its basis
-//! and M are reconstructed over ℚ. Each function that `normal` reads off M is then proved as a
-//! claim.
+//! Let P be a basis of a space of polynomials that the map carries into itself up to a cofactor C,
+//! with P(x̃) = C(x)·M·P(x); then M acts on quotients of elements. The search goes through degrees
+//! and cofactors and finds these spaces modulo a prime. If a space has a function independent of
+//! integrals and earlier drifts, basis and M are reconstructed over ℚ, `normal` reads functions off
+//! M, and each is proved as a claim.
 
 mod cofactors;
 mod normal;
@@ -38,7 +36,7 @@ use normal::{Next, carried};
 use spaces::{Carried, Points};
 use triangular::Triangle;
 
-/// The share of the whole time that the search may take.
+/// The share of the whole time for the search.
 pub(crate) const SHARE: f64 = 0.03;
 
 /// The highest degree of the polynomials.
@@ -47,18 +45,16 @@ const HIGHEST: u32 = 4;
 /// The most products of all eliminations together: a fraction of a second.
 const MOST_PRODUCTS: usize = 20_000_000;
 
-/// The most dimensions of a space that is reconstructed.
 const MOST_DIMENSIONS: usize = 8;
 
-/// The most characters of a claim.
 const MOST_CHARACTERS: usize = 1000;
 
 /// A proved drift.
 #[derive(Clone, Debug)]
 pub struct Drift {
-    /// The claim as a line of the language of `kahan!`: `drift F1 = … by …;`.
+    /// The claim in the language of `kahan!`: `drift F1 = … by …;`.
     pub text: String,
-    /// The claim, as the field can have it.
+    /// The claim as read from the text.
     pub claim: Claim,
     /// The form of the next value.
     pub kind: DriftKind,
@@ -71,13 +67,13 @@ pub struct Drift {
 /// The next value of a drift F.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
-    /// F + c; holds c.
+    /// The sum F + c; holds c.
     Sum(Constant),
-    /// c·F; holds c.
+    /// The multiple c·F; holds c.
     Multiple(Constant),
-    /// (aF + b)/(cF + d), a Möbius image of F.
+    /// A Möbius image (aF + b)/(cF + d).
     Image,
-    /// A function of F, of integrals, and of earlier drifts; holds the names in it.
+    /// A function of F, integrals and earlier drifts; holds their names.
     Link(Vec<String>),
 }
 
@@ -91,8 +87,7 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c no root of unity. The roots of unity among
-    /// rational functions are 1 and −1.
+    /// Tells whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c ≠ ±1, so c is no root of unity.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -103,8 +98,7 @@ impl DriftKind {
     }
 }
 
-/// Finds and proves drifts of a map that are functionally independent of each other and of the
-/// integrals. Calls `tell` for each drift.
+/// Finds and proves drifts independent of each other and of the integrals; `tell` hears of each.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -155,12 +149,11 @@ pub(crate) fn drifts(
     search().unwrap_or_default()
 }
 
-/// The most independent integrals, of any degree, of a map in n dimensions with these drifts.
-///
-/// Let F + c with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts. In the
-/// plane of F and G the closure of a generic orbit is that of the powers of (+c, ·c′), which is all
-/// of 𝔾ₐ × 𝔾ₘ. So the closure of a generic orbit of the map has dimension at least 2. If there is
-/// only one of both drifts, the dimension is at least 1.
+/// Bounds the number of independent integrals of a map in n dimensions with these drifts. Let F + c
+/// with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts. In the plane of F
+/// and G the closure of a generic orbit is that of the powers of (+c, ·c′), which is 𝔾ₐ × 𝔾ₘ. So
+/// generic orbits of the map have closures of dimension at least 2, or at least 1 with only one of
+/// both drifts.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -168,9 +161,9 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Keeps the drifts before the first one that depends on the integrals and earlier drifts, or that
-/// names an integral of `before`, the integrals at its proof, that is no longer among them. A
-/// later drift may need the one that is dropped.
+/// Keeps the drifts before the first one that is no longer valid, as later ones may need it.
+/// Invalid is a drift that depends on the integrals and earlier drifts, or that names an integral
+/// of `before` (the integrals at its proof) that is not among `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -201,9 +194,7 @@ struct Search<'a> {
     integrals: &'a [Formula],
     cofactors: Cofactors,
     sample: Sample,
-    /// The point at which ranks of gradients are computed.
     here: Vec<u64>,
-    /// The gradients of the integrals and of the drifts found so far.
     known: Independent<'a>,
     triangle: Triangle,
     deadline: &'a Deadline<'a>,
@@ -212,13 +203,12 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Whether integrals and drifts together are as many as the states.
+    /// Tells whether integrals and drifts together are as many as the states.
     fn is_done(&self) -> bool {
         self.known.rank_with(Vec::new()) == self.searched.dimension()
     }
 
-    /// Searches the spaces of one degree; `None` if the map has no value at a sampled point or the
-    /// deadline passes.
+    /// Searches the spaces of one degree; `None` if the map has no value or the deadline passes.
     fn of_degree(&mut self, monomials: &Monomials, all: &[Vec<i32>], random: &mut SplitMix64) -> Option<()> {
         let modulus = *self.sample.map.modulus();
         let points = Points::new(self.searched, &self.sample, &self.cofactors, monomials, random)?;
@@ -244,7 +234,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs a space of this form with its matrix, and adds the drifts that it gives.
+    /// Reconstructs the space of this form with its matrix, and adds its drifts.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -269,7 +259,7 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // The polynomial s·Σ vᵢPᵢ with integer coefficients and no factor without states, and s.
+        // Returns s·Σ vᵢPᵢ with integer coefficients and no factor without states, and s.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
@@ -281,7 +271,7 @@ impl Search<'_> {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
-            // 1/F is a drift, too. The simpler side becomes the denominator.
+            // Both F and 1/F are drifts; the simpler side becomes the denominator.
             let size = |side: &Polynomial| (symbols.degree(side), side.len());
             candidates.push(match next.of_reciprocal() {
                 Some(next) if size(&below) > size(&above) => (below, above, next),
@@ -300,12 +290,11 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Names the next drift.
     fn name(&self) -> String {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    /// Adds the drift above/below if its claim is short enough and proved.
+    /// Adds the drift above/below if its claim is short and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
@@ -315,7 +304,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds drifts of the states whose next value follows from earlier drifts.
+    /// Adds drifts of states whose next value follows from earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();
@@ -332,8 +321,8 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds a drift and returns `true` if its claim is short enough and proved. The claim of a link
-    /// is read behind the integrals and the earlier drifts, which it may name.
+    /// Adds a drift if its claim is short and proved, and tells whether. The claim of a link is
+    /// read after integrals and earlier drifts, which it may name.
     fn add(
         &mut self,
         name: &str,

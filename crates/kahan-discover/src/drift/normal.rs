@@ -1,7 +1,5 @@
-//! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), as far as the eigenvalues of M
-//! are rational or quadratic.
-//!
-//! For a row vector v let P_v = Σ vᵢPᵢ. P(x̃) = C(x)·M·P(x) implies P_v(x̃) = C(x)·P_{vM}(x).
+//! Drifts from the Jordan form of M over ℚ(parameters, ε), for eigenvalues of degree at most 2.
+//! For a row vector v let P_v = Σ vᵢPᵢ; P(x̃) = C(x)·M·P(x) implies P_v(x̃) = C(x)·P_{vM}(x).
 //!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
@@ -17,23 +15,22 @@ use kahan_factor::factors;
 type Vector = Vec<RationalFunction>;
 type Matrix = Vec<Vector>;
 
-/// The budget for factoring a characteristic polynomial.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
 /// The next value of F = P_w/P_v.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Next {
-    /// F + c
+    /// The sum F + c.
     Sum(RationalFunction),
-    /// c·F
+    /// The multiple c·F.
     Multiple(RationalFunction),
-    /// (aF + b)/(cF + d)
+    /// The Möbius image (aF + b)/(cF + d).
     Image([RationalFunction; 4]),
 }
 
 impl Next {
-    /// The order of preference: sums, then multiples, then images.
+    /// Returns the order of preference: sums, then multiples, then images.
     pub(super) fn rank(&self) -> u8 {
         match self {
             Next::Sum(_) => 0,
@@ -42,7 +39,6 @@ impl Next {
         }
     }
 
-    /// The next value of F.
     pub(super) fn of(&self, function: &RationalFunction) -> Option<RationalFunction> {
         match self {
             Next::Sum(step) => Some(function + step),
@@ -51,7 +47,6 @@ impl Next {
         }
     }
 
-    /// Replaces the constants by their images under `to`.
     pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
         match self {
             Next::Sum(step) => Next::Sum(to(step)),
@@ -60,7 +55,7 @@ impl Next {
         }
     }
 
-    /// The next value of s·F in terms of s·F.
+    /// Returns the next value of s·F in terms of s·F.
     pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
         Some(match self {
             Next::Sum(step) => Next::Sum(&step * scale),
@@ -69,7 +64,7 @@ impl Next {
         })
     }
 
-    /// The next value of 1/F in terms of 1/F; `None` for F + c.
+    /// Returns the next value of 1/F in terms of 1/F; `None` for F + c.
     pub(super) fn of_reciprocal(&self) -> Option<Next> {
         match self {
             Next::Sum(_) => None,
@@ -79,15 +74,14 @@ impl Next {
     }
 }
 
-/// A function F = P_above/P_below, and its next value.
+/// A function F = P_above/P_below and its next value.
 pub(super) struct Carried {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
 }
 
-/// The functions that M gives: sums, then multiples, then images. `free` is a variable that does
-/// not occur in M.
+/// Returns the functions of M: sums, multiples, images. `free` is a variable that M lacks.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -137,7 +131,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     sums.into_iter().chain(multiples).chain(images).collect()
 }
 
-/// The function of an invariant plane of M.
+/// Returns the function of an invariant plane of M.
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
     // Each basis vector of a null space has an entry 1 in a column in which the other has 0.
     let place = |of: &Vector, other: &Vector| {
@@ -149,7 +143,7 @@ fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> 
     Some(Carried { above: above.clone(), below: below.clone(), next: Next::Image(next) })
 }
 
-/// det(λ − M) times a factor without λ, by the algorithm of Faddeev and LeVerrier.
+/// Returns det(λ − M) times a factor without λ, by the algorithm of Faddeev and LeVerrier.
 fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
     let size = matrix.len();
     let mut coefficients = vec![RationalFunction::one()];
@@ -166,7 +160,7 @@ fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
     numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
 }
 
-/// v·M
+/// Returns v·M.
 pub(super) fn image(vector: &Vector, matrix: &Matrix) -> Vector {
     let entry = |column: usize| {
         let terms = vector.iter().zip(matrix).filter(|(own, _)| !own.is_zero());
@@ -179,7 +173,7 @@ fn product(left: &Matrix, right: &Matrix) -> Matrix {
     left.iter().map(|row| image(row, right)).collect()
 }
 
-/// M + c·I
+/// Returns M + c·I.
 fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     let mut sum = matrix.clone();
     for (i, row) in sum.iter_mut().enumerate() {
@@ -188,8 +182,8 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// A basis of the vectors v with vM = 0 for a square matrix M, by elimination in Mᵀ. Each vector
-/// has 1 in one column without a pivot, and 0 in the other columns without one.
+/// Returns a basis of the row vectors v with vM = 0, by elimination in Mᵀ. Each vector has 1 in one
+/// column without a pivot, and 0 in the other columns without one.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();
@@ -234,7 +228,7 @@ mod tests {
 
     #[test]
     fn every_function_is_carried_as_it_says() {
-        // Blocks: a chain of 2, the eigenvalue 3, and a rotation.
+        // A chain of length 2, the eigenvalue 3, and a rotation.
         let of = matrix(&[
             &[2, 0, 0, 0, 0],
             &[5, 2, 0, 0, 0],
@@ -245,7 +239,7 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // At a column of values P, the next value is the quotient of wM·P and vM·P.
+        // At a column of values P the next value is the quotient of wM·P and vM·P.
         for Carried { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

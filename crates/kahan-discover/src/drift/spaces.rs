@@ -15,17 +15,14 @@ use super::cofactors::Cofactors;
 /// Pairs of polynomials (P, Q) with P(x̃) = C(x)·Q(x); the coefficients of Q follow those of P.
 type Pairs = Vec<Vec<u64>>;
 
-/// Values at random points of a map.
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point: the monomials at the point, the monomials at its image times D^d, and the
-    /// factors at the point.
+    /// For each point: monomials there, monomials at its image times D^d, factors there.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
 impl Points {
-    /// Samples enough points to determine pairs of polynomials on these monomials; `None` if the
-    /// map has no value at one of them.
+    /// Samples enough points to determine pairs on these monomials; `None` if the map has no value.
     pub(super) fn new(
         searched: &SearchField,
         sample: &Sample,
@@ -52,8 +49,7 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Finds the largest space that the map carries into itself with this cofactor: a basis, each
-    /// element with its image.
+    /// Returns a basis, with images, of the largest invariant space with this cofactor.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -77,7 +73,7 @@ impl Points {
     }
 }
 
-/// The linear combinations of pairs (P, Q) for which Q lies in the span of the P of all pairs.
+/// Returns the combinations of pairs (P, Q) for which Q lies in the span of all P.
 fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     let space = Echelon::of(modulus, pairs.iter().map(|pair| pair[..count].to_vec()).collect(), count);
     let outside = |pair: &[u64]| space.remainder(modulus, pair[count..].to_vec());
@@ -94,7 +90,7 @@ pub(super) struct Carried {
 }
 
 impl Carried {
-    /// The space on the support of a form; `None` if the space has another form.
+    /// Restricts the space to the support of a form; `None` if the space has another form.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {
@@ -114,7 +110,7 @@ impl Carried {
         })
     }
 
-    /// Whether M is a multiple of the unit matrix. If so, all quotients of elements are integrals.
+    /// Tells whether M is a multiple of I, so that all quotients of elements are integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

@@ -1,9 +1,9 @@
 //! First-order recurrences: states whose next value follows from their value and earlier drifts.
 //!
-//! Let F be a drift or an integral with a single state xᵢ, numerator and denominator linear in xᵢ.
-//! Then xᵢ is a function of F. Let w be another state whose image contains only w and states that
-//! are known in this way. Then w is a drift, whose next value is a function of w and of earlier
-//! drifts. The product of w and a power of an earlier drift is a drift, too, and may be shorter.
+//! If a drift or integral F contains one state xᵢ only, linearly in numerator and denominator, then
+//! xᵢ is a function of F. If the image of another state w contains only w and states known in this
+//! way, then w is a drift. Its product with a power of an earlier drift is a drift, too, and may be
+//! shorter.
 
 use std::slice::from_ref;
 
@@ -17,29 +17,24 @@ use crate::claims::writing::{is_product, quotient};
 use super::normal::Next;
 use super::{Constant, DriftKind};
 
-/// The budget for composing functions.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
 /// The exponents of an earlier drift in its product with a state.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
-/// States and drifts as the variables of one ring.
 pub(super) struct Triangle {
-    /// The states of the field, followed by the names of drifts and integrals.
+    /// The states of the field, then the names of drifts and integrals.
     symbols: Symbols,
-    /// The symbols of the field.
     own: Symbols,
-    /// N₁ … Nₙ, D
     components: Vec<Polynomial>,
     /// Each state as a function of drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift: its variable, the drift as a function of states, and its next value as a
-    /// function of drifts.
+    /// For each drift: its variable, its value by states, its next value by drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
-/// A candidate for a drift of the form w·F^k, with a state w and an earlier drift F.
+/// A candidate for a drift w·F^k, with a state w and an earlier drift F.
 pub(super) struct Link {
     /// The index of w.
     state: usize,
@@ -49,13 +44,12 @@ pub(super) struct Link {
     pub(super) next_text: String,
     /// The next value as a function of drifts.
     next: RationalFunction,
-    /// w as a function of the drift and of earlier ones.
+    /// The state w as a function of the drift and earlier ones.
     solved: RationalFunction,
 }
 
 impl Triangle {
-    /// Starts without drifts, for the map with these components. `names` lists the possible names
-    /// of drifts and integrals.
+    /// Starts without drifts; `names` lists the possible names of drifts and integrals.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
@@ -68,8 +62,7 @@ impl Triangle {
         self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
     }
 
-    /// The variable of a drift of this name, its next value, the kind of the next value, and the
-    /// text of the next value.
+    /// Returns a drift's variable, its next value, the kind of the next value, and its text.
     pub(super) fn written(
         &self,
         name: &str,
@@ -86,7 +79,7 @@ impl Triangle {
         Some((drift, image, kind, text))
     }
 
-    /// `F1 - 2*eps`
+    /// Writes a sum, for example `F1 - 2*eps`.
     fn sum(&self, first: String, step: &RationalFunction) -> String {
         let size = self.text(step);
         match size.strip_prefix('-') {
@@ -97,7 +90,7 @@ impl Triangle {
         }
     }
 
-    /// The text of a next value of the form a·F + b; `None` if it has another form.
+    /// Writes a next value of the form a·F + b; `None` if it has another form.
     fn affine(&self, next: &RationalFunction, drift: Variable) -> Option<String> {
         let (above, below) = (next.numerator(), next.denominator());
         let is_affine = above.degree_where(|one| one == drift) == 1 && !below.contains(drift);
@@ -123,7 +116,7 @@ impl Triangle {
         RationalFunction::new(above, below).expect("a denominator is not zero")
     }
 
-    /// Adds an integral: a drift that is its own next value.
+    /// Adds an integral, a drift that is its own next value.
     pub(super) fn take_integral(&mut self, formula: &Formula) {
         if let Some(variable) = self.variable(formula.name()) {
             let value = RationalFunction::variable(variable);
@@ -131,8 +124,7 @@ impl Triangle {
         }
     }
 
-    /// Adds a drift above/below with its next value, if a state is then known as a function of the
-    /// drift.
+    /// Adds a drift above/below if it makes a state known.
     pub(super) fn take(&mut self, drift: RationalFunction, sides: [&Polynomial; 2], next: RationalFunction) {
         let [above, below] = sides.map(|side| moved(side, &self.own, &self.symbols));
         let mut states = (0..self.values.len()).filter(|&i| {
@@ -150,13 +142,13 @@ impl Triangle {
         };
         let ([a, b], [c, d]) =
             ([1, 0].map(|power| part(&above, power)), [1, 0].map(|power| part(&below, power)));
-        // F = (a·x + b)/(c·x + d)
+        // F = (a·x + b)/(c·x + d).
         self.values[state] = (&b - &(&d * &drift)).checked_div(&(&(&c * &drift) - &a));
         let in_states = RationalFunction::new(above, below).expect("a denominator is not zero");
         self.steps.push([drift, in_states, next]);
     }
 
-    /// The shortest drift of this name from the first state that can be linked.
+    /// Returns the shortest drift of this name for the first state that can be linked.
     pub(super) fn link(&self, name: &str) -> Option<Link> {
         if self.steps.is_empty() {
             return None;
@@ -201,12 +193,11 @@ impl Triangle {
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 
-    /// The numerator and denominator of a link as a function of the field's states.
+    /// Returns numerator and denominator of a link in the field's states.
     pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
 
-    /// The names of drifts and integrals in the next value of a link.
     pub(super) fn names(&self, link: &Link) -> Vec<String> {
         let own = self.own.dimension();
         let is_used = |index: &usize| {
@@ -216,7 +207,6 @@ impl Triangle {
         (own..self.symbols.dimension()).filter(is_used).map(|i| self.symbols.states[i].clone()).collect()
     }
 
-    /// Adds a link that was proved under this name.
     pub(super) fn keep(&mut self, name: &str, link: Link) {
         let drift = self.variable(name).map(RationalFunction::variable);
         self.values[link.state] = Some(link.solved);
@@ -224,13 +214,13 @@ impl Triangle {
     }
 }
 
-/// f^power; `None` for a negative power of 0.
+/// Returns f^power; `None` for a negative power of 0.
 fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     let base = if power < 0 { function.recip()? } else { function.clone() };
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// Translates a polynomial to other symbols in which the states and parameters have equal indices.
+/// Translates a polynomial to symbols in which states and parameters have equal indices.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

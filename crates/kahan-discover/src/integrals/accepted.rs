@@ -1,5 +1,4 @@
-//! Integrals as they are found: made simpler, proved, and kept where they are independent of those
-//! before.
+//! Acceptance of found integrals: simplified, proved, and kept if independent.
 
 use std::slice::from_ref;
 
@@ -17,11 +16,10 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients of P and Q together in a degree that is searched before an integral of
-/// higher degree is taken that is known already.
+/// The most coefficients of a degree that is searched before known integrals of higher degree.
 const MOST_AHEAD: usize = 150;
 
-/// Other members of the pencil of P and Q are tried if P and Q have more characters in all.
+/// Up to this total length, other members of the pencil of P and Q are not tried.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {
@@ -30,10 +28,8 @@ pub(crate) struct Accepted<'a> {
     pub(crate) wanted: usize,
     pub(crate) known: &'a [(Polynomial, Polynomial)],
     pub(crate) further: &'a [(Polynomial, Polynomial)],
-    /// A point and its image.
     pub(crate) step: Option<SampledStep>,
     pub(crate) independent: Independent<'a>,
-    /// Hears of each formula that is kept.
     pub(crate) tell: &'a dyn Fn(&Formula),
     pub(crate) formulas: Vec<Formula>,
 }
@@ -43,8 +39,7 @@ impl Accepted<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known
-    /// and is proved.
+    /// Keeps P/Q if it is new and proved; if P and Q are integrals each, keeps both instead.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
             && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
@@ -56,8 +51,7 @@ impl Accepted<'_> {
         }
     }
 
-    /// Offers the integrals that were known before the search, once the search reaches their degree
-    /// or becomes expensive.
+    /// Offers known integrals once the search reaches their degree or becomes expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -69,7 +63,6 @@ impl Accepted<'_> {
         }
     }
 
-    /// Offers the integrals of `further` whose degree is below this one.
     pub(crate) fn offer_further(&mut self, degree: u32) {
         let symbols = self.searched.family().symbols();
         for (above, below) in self.further {
@@ -100,8 +93,7 @@ impl Accepted<'_> {
         }
     }
 
-    /// Returns P/Q if it is short. Otherwise, returns the quotient of two members of the pencil of
-    /// P and Q that has the shortest text among those with a limit at ε = 0.
+    /// Returns P/Q if it is short, else the pencil's shortest quotient with a limit at ε = 0.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -118,8 +110,7 @@ impl Accepted<'_> {
         if special.is_empty() {
             return own;
         }
-        // A member without states at ε = 0 is preferred as the denominator: the limit of the
-        // integral is then a polynomial.
+        // Denominators without states at ε = 0 are preferred: the limit is then a polynomial.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -138,17 +129,17 @@ impl Accepted<'_> {
         best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }
 
-    /// The integral combined with those known so that factors of its denominator cancel.
+    /// Combines the integral with known ones so that factors of its denominator cancel.
     fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // A product of known factors over a new denominator may have been all that was new.
+        // The new part may have been a product of known factors, so independence is tested.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// The gradients of what was found, in the coordinates of the whole space in their order on a
-    /// leaf; none on a proper leaf, where all that chooses it is constant.
+    /// Returns the gradients of found integrals in the order of coordinates of a level set. A
+    /// proper level set yields none: the integrals that define it are constants there.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -1,5 +1,6 @@
-//! What survives composition: the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ, the
-//! pattern of every composition of higher order.
+//! Integrals of compositions, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε}.
+//!
+//! Compositions of higher order have this pattern; here γ is random.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,14 +13,14 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::hilbert::{Hilbert, random_relations};
 
-/// What is left of the integrals under composition.
+/// The integrals that survive composition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Survivors {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// For each formula whether it is an integral of the composed map too.
+    /// For each formula, whether the composed map keeps it, too.
     pub formulas: Vec<bool>,
-    /// The pairs of formulas that are no integrals of the composed map while their quotient is.
+    /// Pairs of formulas that are not kept themselves while their quotient is.
     pub quotients: Vec<(usize, usize)>,
 }
 
@@ -42,9 +43,8 @@ impl Stepping for Composed {
     }
 }
 
-/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ sampled at
-/// random; `None` where it has no value, or the deadline passes. A formula that contains ε is meant
-/// at the ε of the whole, as it would be used.
+/// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ. Formulas use
+/// the ε of the composition. `None` if the map has no value or the deadline passes.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],
@@ -68,7 +68,7 @@ pub fn survivors(
         let below = searched.evaluate(&formula.denominator, &sample, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
-    // By which factor each formula changes in a step of the composed map.
+    // The factor by which a step of the composed map multiplies each formula.
     let factor = |formula: &Formula| {
         let (here, there) = (value(formula, &relations.start)?, value(formula, &next)?);
         Some(modulus.times(there, modulus.inverse(here)?))

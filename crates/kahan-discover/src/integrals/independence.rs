@@ -1,5 +1,4 @@
-//! Functional independence of quotients of polynomials: the rank of their gradients at a random
-//! point.
+//! Functional independence of quotients of polynomials by the rank of gradients at a random point.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -9,8 +8,7 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 
-/// ∇(P/Q) Q² at a point of a sampled map; `None` where the prime divides a denominator of the
-/// coefficients.
+/// Returns ∇(P/Q) Q² at a point; `None` if the prime divides a denominator of the coefficients.
 #[must_use]
 pub fn quotient_gradient(
     searched: &SearchField,
@@ -32,8 +30,7 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// Functional independence: the rank of gradients at one random point modulo one prime. (A rank
-/// seen is a rank over ℚ.)
+/// Gradients of functions at a random point modulo a prime; their rank is at most that over ℚ.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
@@ -42,12 +39,11 @@ pub struct Independent<'a> {
 }
 
 impl<'a> Independent<'a> {
-    /// Of nothing yet.
+    /// Starts without functions.
     pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
         Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
 
-    /// Starts with the gradients of known integrals.
     pub(crate) fn of(searched: &'a SearchField, known: &[Formula], random: &mut SplitMix64) -> Self {
         let mut independent = Self::new(searched, random);
         known.iter().for_each(|formula| independent.keep(&formula.numerator, &formula.denominator));
@@ -59,19 +55,19 @@ impl<'a> Independent<'a> {
         quotient_gradient(self.searched, &step.sample, &step.here, numerator, denominator)
     }
 
-    /// Whether P/Q is independent of what was kept.
+    /// Tells whether P/Q is independent of the kept functions.
     #[must_use]
     pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
         let Some(gradient) = self.gradient(numerator, denominator) else { return false };
         self.rank_with(vec![gradient]) == self.gradients.len() + 1
     }
 
-    /// The map and the point at which gradients are taken.
+    /// Returns the map and the point at which gradients are taken.
     pub(crate) fn step(&self) -> Option<&SampledStep> {
         self.step.as_ref()
     }
 
-    /// The rank of the gradients kept and further ones; 0 without a point.
+    /// Returns the rank of kept and further gradients; 0 without a point.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();

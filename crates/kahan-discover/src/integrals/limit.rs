@@ -1,5 +1,4 @@
-//! Integrals that keep a limit at ε = 0: where P/Q becomes a constant there, what it begins with
-//! beyond that is written instead.
+//! Integrals with a limit at ε = 0 that depends on the states.
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational::Rational;
@@ -8,11 +7,11 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::modular::subspace::tidy;
 
-/// The work that one look at ε = 0 may take, in products of terms.
+/// The budget of one limit, in products of terms.
 const LIMIT_WORK: u64 = 2_000_000;
 
-/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ
-/// instead. On a leaf what chooses it counts as constant.
+/// Returns P such that P/Q depends on the states at ε = 0. While P/Q has a constant limit c, P is
+/// replaced by (P − cQ)/εᵏ. On a level set of known integrals, these integrals count as constants.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

@@ -1,19 +1,10 @@
-//! Special members of a pencil: the P + cQ that factor, have lower degree, or do not depend on ε.
+//! Special members P + cQ of a pencil: those that factor, have lower degree, or are free of ε.
 //!
-//! An integral P/Q can be written with any two members of its pencil, and members with factors have
-//! the shortest texts. Let F be a polynomial of degree d in two variables s, t. The equation
-//!
-//!   ∂(G/F)/∂t = ∂(H/F)/∂s
-//!
-//! has solutions G, H of degree d − 1 beside the multiples of ∇F if and only if F factors over the
-//! complex numbers or is divisible by a square (Ruppert, J. reine angew. Math. 369, 1986; Gao,
-//! Math. Comp. 72, 2003). For F = P + cQ on a random plane these linear equations depend linearly
-//! on c, so the c with solutions are the roots of a polynomial modulo a prime.
-//!
-//! The members at different parameters are matched by their [`Kind`]. If a kind has a single
-//! member, the coefficients of this member are interpolated, with one of them set to 1.
-//! Coefficients that are not rational functions are lost, and so are members that take too much
-//! work. Each member found lies in the pencil modulo a prime; the integrals made of members are
+//! Let F be a polynomial of degree d in s, t. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H
+//! of degree d − 1 beside the multiples of ∇F if and only if F factors over ℂ or has a square
+//! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
+//! a random plane it is linear in c, so the wanted c are roots of a polynomial modulo a prime.
+//! Members at different parameters are matched by [`Kind`] and interpolated; their integrals are
 //! proved elsewhere.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
@@ -32,15 +23,14 @@ use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, 
 /// The most products modulo a prime in one search: some tenths of a second.
 const MOST_WORK: u64 = 100_000_000;
 
-/// The products that one evaluation of the pencil takes before the equations are solved.
+/// The cost of one evaluation of the pencil, in products.
 const WORK_OF_LOOK: u64 = 50_000;
 
 /// The number of parameter samples at which the members of each kind are counted.
 const LOOKS: usize = 4;
 
-/// Finds the special members of the pencil of P and Q whose coefficients are rational functions of
-/// the parameters and ε. The factors of a member may have coefficients in a larger field. The list
-/// is empty if the search would take too much work.
+/// Finds the members whose coefficients are rational functions of the parameters and ε. The factors
+/// of a member may have coefficients in a larger field. Members that are too expensive are missing.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
@@ -76,8 +66,7 @@ pub(crate) fn special_members(
     members(searched, &monomials, pair)
 }
 
-/// Like [`special_members`], for a pencil whose coefficients `pair` gives at values of the unknowns
-/// modulo a prime.
+/// Like [`special_members`]; `pair` gives P and Q at values of the unknowns modulo a prime.
 pub(crate) fn members(
     searched: &SearchField,
     monomials: &Monomials,
@@ -129,8 +118,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // The number of members of each kind at each sample. A member whose c is not a rational
-    // function is missing at some samples.
+    // The number of members of each kind at each sample; members with irrational c may be missing.
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -156,7 +144,7 @@ pub(crate) fn members(
     found
 }
 
-/// The polynomial in the intersection of both spans; `None` unless the intersection is a line.
+/// Returns the polynomial in the intersection of both spans, if the intersection is a line.
 fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Option<Vec<u64>> {
     let rows = (0..here[0].len()).map(|index| here.iter().chain(there).map(|side| side[index]).collect());
     let null = Echelon::of(modulus, rows.collect(), 4).null_space(modulus);
@@ -174,12 +162,10 @@ struct Kind {
     solutions: usize,
     /// The degree of the greatest common divisor of the leading form and its derivative.
     at_infinity: usize,
-    /// The monomials that occur, by their indices.
     support: Vec<usize>,
 }
 
-/// The members that factor or have lower degree, at one choice of the parameters and ε; only those
-/// with c in the prime field.
+/// Returns members, with c in the prime field, that factor or have lower degree at one sample.
 fn special(
     modulus: &Modulus,
     monomials: &Monomials,
@@ -190,7 +176,7 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // A random basis of the pencil: no special member is the one of c = ∞.
+    // In a random basis of the pencil, no special member has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
@@ -198,7 +184,7 @@ fn special(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // If F has no term sᵈ, then ∇F solves the equations. The root c of these F is divided out.
+    // For F without the term sᵈ, ∇F solves the equations. The c of this F is divided out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -239,7 +225,7 @@ struct Plane<'a> {
     powers: Vec<Vec<Vec<u64>>>,
 }
 
-/// The index of sᵃtᵇ among the coefficients of a polynomial of this degree.
+/// Returns the index of sᵃtᵇ among the coefficients of a polynomial of this degree.
 fn place(degree: usize, a: usize, b: usize) -> usize {
     a * (degree + 1) + b
 }
@@ -264,8 +250,7 @@ impl<'a> Plane<'a> {
         plane
     }
 
-    /// The product of two polynomials in s and t whose degrees add up to at most that of the
-    /// pencil.
+    /// Multiplies polynomials in s and t; the degree of the product is at most that of the pencil.
     fn product(&self, left: &[u64], right: &[u64]) -> Vec<u64> {
         let mut product = vec![0; left.len()];
         for (i, &own) in left.iter().enumerate().filter(|(_, own)| **own != 0) {
@@ -276,7 +261,6 @@ impl<'a> Plane<'a> {
         product
     }
 
-    /// Restricts the polynomial with these coefficients to the plane.
     fn restricted(&self, coefficients: &[u64]) -> Vec<u64> {
         let mut sum: Vec<u64> = vec![0; self.powers[0][0].len()];
         for (index, &value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0) {
@@ -295,8 +279,8 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// The polynomial whose roots are the c for which the equations p + cq have solutions, as residues,
-/// lowest coefficient first. Each row of `p` and `q` holds the coefficients of one unknown.
+/// Returns the polynomial whose roots are the c for which p + cq has solutions. Coefficients are
+/// residues, lowest first. Each row of `p` and `q` belongs to one unknown.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();
@@ -318,8 +302,8 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     Some(gcd(modulus.field(), &determinants[0], &determinants[1]))
 }
 
-/// The characteristic polynomial det(λ − M), lowest coefficient first, from Hessenberg's form of M
-/// (Cohen, A Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9).
+/// Returns det(λ − M), lowest coefficient first, from Hessenberg's form of M. Source: Cohen, A
+/// Course in Computational Algebraic Number Theory, 1993, algorithm 2.2.9.
 fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     let size = rows.len();
     for column in 1..size.max(1) {
@@ -363,9 +347,8 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     leading.pop().expect("there is one for each size")
 }
 
-/// The coefficients of F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for each monomial of G and of H of
-/// degree below that of F. The highest power of s is left out of G, which excludes ∇F as a
-/// solution.
+/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for monomials G and H of degree below that of F.
+/// The highest power of s is left out of G, which excludes the solution ∇F.
 fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     let wide = 2 * degree;
     let mut columns = Vec::new();
@@ -396,7 +379,7 @@ mod tests {
     use kahan_algebra::symbols::Symbols;
     use kahan_algebra::{lexer, read};
 
-    /// The numerators of expressions in x, y and a, with a field in these symbols.
+    /// Returns numerators of expressions in x, y and a, and a field in these symbols.
     fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
         let field = "xdot = a*x + y^2; ydot = x^2;";
         let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
@@ -408,8 +391,7 @@ mod tests {
         (searched, system.field.symbols.clone(), sides.collect())
     }
 
-    /// In a pencil of conics three members factor, two of them with irrational c. In a pencil of
-    /// cubics one member factors.
+    /// In the conics three members factor, two with irrational c; in the cubics one.
     #[test]
     fn the_member_that_falls_apart_is_found() {
         for (product, other) in [
@@ -424,7 +406,6 @@ mod tests {
         }
     }
 
-    /// Neither polynomial factors, and only one contains ε.
     #[test]
     fn the_member_without_epsilon_is_found() {
         let (free, other) = ("x^3 + y^2 - a", "1 + eps^2*(x^2 + a*y^3)");
@@ -433,7 +414,7 @@ mod tests {
         assert!(special_members(&searched, &sides[0], &sides[1]).contains(&tidy(&symbols, &sides[2])));
     }
 
-    /// The companion matrix of λ⁴ − 2λ³ − 3λ² + 5, a matrix with two blocks, and a full matrix.
+    /// Cases: the companion matrix of λ⁴ − 2λ³ − 3λ² + 5, two blocks, and a full matrix.
     #[test]
     fn characteristic_polynomials_are_right() {
         let modulus = Modulus::mersenne_61();

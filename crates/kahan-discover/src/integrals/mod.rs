@@ -1,6 +1,6 @@
-//! Rational integrals: from null vectors of relations ([`search`]) over their coefficients
-//! (`relation_coefficients`) and special members of a pencil (`members`) to reconstructed,
-//! simplified, proved and independent ones ([`reconstructed`], `accepted`).
+//! Rational integrals: found as null vectors of relations ([`search`]), among entries of relations
+//! (`relation_coefficients`) and as special members of pencils (`members`); then reconstructed,
+//! simplified, proved, and tested for independence ([`reconstructed`], `accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

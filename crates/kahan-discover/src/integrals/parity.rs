@@ -1,25 +1,24 @@
-//! Sign changes of states that carry orbits to orbits, and the characters of monomials under them.
+//! Sign changes of states that map orbits to orbits, and the signs of monomials under them.
 //!
-//! If f(Sx) = ±S f(x) with S = diag(±1), the map satisfies φ(Sx) = Sφ(x), or the same with −ε, the
-//! inverse: the closure of the orbit of Sx is S times that of x. An entry of the reduced relations
-//! then changes by the signs of its two monomials, and P and Q with P/Q equal to it may be looked
-//! for among monomials of one sign each.
+//! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and the closure of the
+//! orbit of Sx is S times that of x. An entry of the reduced relations then changes by the signs of
+//! its two monomials. So P and Q with P/Q equal to it can each be restricted to monomials of one
+//! sign.
 
-/// As many generators are enough; all products of them are gone through.
+/// The most generators returned.
 const MOST: usize = 8;
 
-/// xⱼxₖ, xⱼ or 1 in component i of a field, as the sum over F₂ of their unit vectors and that of
-/// xᵢ.
+/// A term xⱼxₖ, xⱼ or 1 in component i, as the sum over F₂ of unit vectors of i, j and k.
 pub type TermSigns = u64;
 
-/// Generators of the sign changes S, each as the set of states whose sign it changes, one bit a
-/// state; `terms` are all terms of the field in `states` states (at most 63: none beyond).
+/// Returns generators of the sign changes S, each as a bit set of states. `terms` are all terms of
+/// the field in `states` states; above 63 states the list is empty.
 #[must_use]
 pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     if states > 63 {
         return Vec::new();
     }
-    // The sign of every term, σ·sᵢ = sⱼsₖ: linear over F₂ in the bits of s and σ, σ last.
+    // The condition of a term is σ·sᵢ = sⱼsₖ, linear over F₂ in the bits of s and σ; σ is last.
     let time = 1u64 << states;
     let mut rows: Vec<u64> = terms.iter().map(|term| term | time).collect();
     let mut pivots: Vec<(usize, u64)> = Vec::new();
@@ -41,7 +40,7 @@ pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     solutions.filter(|solution| *solution != 0).take(MOST).collect()
 }
 
-/// The signs of a monomial under the generators, one bit each.
+/// Returns the signs of a monomial under the generators, one bit each.
 #[must_use]
 pub fn character(generators: &[u64], exponents: &[u32]) -> u64 {
     let odd = exponents.iter().enumerate().filter(|(_, exponent)| *exponent % 2 == 1);
@@ -56,13 +55,12 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // ẋ = yz, ẏ = zx, ż = xy: every term is xyz, so each state may change its sign, and time
-        // with it.
+        // Every term of ẋ = yz, ẏ = zx, ż = xy is xyz, so each state may flip with time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);
         assert_ne!(character(&generators, &[1, 1, 0]), 0);
-        // x changes its sign with neither term of x² + x.
+        // For x² + x a sign change of x fits neither sign of time.
         assert!(sign_changes(1, &[0b1, 0b0]).is_empty());
     }
 }

@@ -1,5 +1,4 @@
-//! A space of polynomials any two of which have an integral as their quotient, and how it is found
-//! again elsewhere.
+//! Spaces of polynomials whose quotients are integrals, and how to find them at other parameters.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,11 +11,10 @@ use crate::modular::subspace::{Form, PolynomialSpace, scattered};
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// Equations beyond the number of unknowns.
+/// The number of equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 4;
 
-/// A space of polynomials whose quotients are integrals, at one choice of the unknowns, with the
-/// way to find it at others.
+/// A space of polynomials whose quotients are integrals, at one choice of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Pencil {
     /// The degree of the polynomials.
@@ -26,19 +24,19 @@ pub struct Pencil {
     pub(crate) source: Source,
 }
 
-/// How a pencil was found.
+/// The method that finds a pencil.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// As the span of the relations of orbits on its own monomials.
+    /// The span of the relations of orbits on the pencil's monomials.
     Span,
-    /// As numerators and denominators of entries of relations.
+    /// Numerators and denominators of entries of relations.
     Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
 /// An entry of the reduced relations that is P/Q.
 #[derive(Clone, Debug)]
 pub(crate) struct PencilEntry {
-    /// The leading monomial of the relation, and the monomial of the entry.
+    /// The leading monomial of the relation; `lower` is the monomial of the entry.
     pub(crate) leading: usize,
     pub(crate) lower: usize,
     pub(crate) numerator: Vec<usize>,
@@ -46,8 +44,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless
-    /// they are unique, and found before the deadline.
+    /// Solves P − cQ = 0 at the starts of orbits for P and Q. Returns `None` unless the solution is
+    /// unique and found before the deadline.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -73,8 +71,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// The space of another map of the family; `None` where it has another form, the map has no
-    /// value, or the deadline passes.
+    /// Returns the space for another map of the family. `None` if the space has another form, the
+    /// map has no value, or the deadline passes.
     pub fn at(
         &self,
         map: &impl Stepping,
@@ -109,8 +107,7 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// The span of the relations of two orbits on the space's own monomials, if that is all they
-    /// have.
+    /// Returns the span of relations of two orbits on the space's monomials, if equal to the space.
     fn span_at(
         &self,
         map: &impl Stepping,

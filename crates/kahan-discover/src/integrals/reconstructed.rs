@@ -21,35 +21,33 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 use crate::orbits::hilbert::Hilbert;
 
-/// Integrals P/Q are looked for up to this degree at least, as far as the number of their
-/// coefficients allows.
+/// Integrals are searched at least up to this degree, if the number of coefficients allows.
 const HIGHEST: u32 = 8;
 
-/// So few monomials are looked at in every order of the variables.
+/// Up to this number of monomials, all orders of the variables are tried.
 const CHEAP: usize = 100;
 
-/// What to look for.
+/// The goals of a search.
 pub struct Aims<'a> {
-    /// Integrals that are proved already, independent.
+    /// Independent integrals that are already proved.
     pub proved: &'a [Formula],
-    /// Polynomial integrals that are known beforehand.
+    /// Polynomial integrals known beforehand.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q that are known, too, each to be taken unless others are found up to its
-    /// degree, and in any case before this deadline.
+    /// Known integrals P/Q with a deadline. Each is accepted once no others are found up to its
+    /// degree; the rest before this deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
+    /// The number of integrals and their degrees by orbits; without it nothing is searched.
     pub hilbert: Option<&'a Hilbert>,
-    /// Integrals P/Q that need not be looked for, each kept unless others are found below its
-    /// degree.
+    /// Known integrals P/Q, each accepted unless others are found below its degree.
     pub known: &'a [(Polynomial, Polynomial)],
-    /// How large formulas may be.
+    /// The limits on the size of formulas.
     pub reach: Reach,
-    /// Hears of each as soon as it is proved.
+    /// Called with each integral as soon as it is proved.
     pub tell: &'a dyn Fn(&Formula),
 }
 
-/// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as
-/// there are, or as were found before the deadline.
+/// Finds and proves independent integrals over ℚ with all unknowns, of least degree first. Stops at
+/// the number that orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -77,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // They are integrals, however many orbits show.
+        // Known integrals are accepted even beyond the number that orbits show.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -85,7 +83,7 @@ pub fn integrals(
 }
 
 impl Accepted<'_> {
-    /// Looks on the leaves of linear relations, then in the whole space.
+    /// Searches on the level sets of linear relations, then in the whole space.
     fn search(
         &mut self,
         hilbert: &Hilbert,
@@ -111,7 +109,6 @@ impl Accepted<'_> {
         Some(())
     }
 
-    /// Looks for the integrals that are missing on a leaf.
     fn search_leaf(
         &mut self,
         chart: &Chart,
@@ -129,7 +126,7 @@ impl Accepted<'_> {
         self.take(&spanned, chart, limits, random);
         for degree in 1..=limits.highest.max(HIGHEST) {
             self.offer_known(degree);
-            // Which entries of the relations are simple depends on the order of the variables.
+            // The order of the variables determines which entries of the relations are simple.
             let is_cheap = Monomials::count(map.dimension(), degree) <= CHEAP;
             let orders = if is_cheap { usize::MAX } else { limits.reach.orders };
             for leaf in chart.leaf.orders().take(orders) {
@@ -186,8 +183,7 @@ impl Accepted<'_> {
         bases
     }
 
-    /// Special members of a pencil of polynomials in all states, as a basis instead of the reduced
-    /// one; `None` if fewer than two are found.
+    /// Returns special members as a basis of a pencil in all states, if at least two are found.
     fn special_basis(
         &self,
         pencil: &Pencil,
@@ -210,8 +206,7 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the
-    /// leaf.
+    /// Keeps the quotients of a basis by its simplest element that is not 0 on the level set.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
@@ -231,8 +226,7 @@ impl Accepted<'_> {
     }
 }
 
-/// Permutes coefficients: from monomials whose variables are in the order of a leaf to monomials
-/// whose variables are in the order of the states.
+/// Permutes coefficients from a level set's order of variables to the order of the states.
 fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
     let own = |index: usize| {
         let exponents = monomials.exponents(index);
@@ -242,7 +236,6 @@ fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Ve
     (0..monomials.len()).map(|index| own(index).map_or(0, |place| coefficients[place])).collect()
 }
 
-/// How far to look.
 pub(crate) struct SearchLimits<'a> {
     pub(crate) relation_degree: u32,
     highest: u32,
@@ -250,7 +243,7 @@ pub(crate) struct SearchLimits<'a> {
     pub(crate) deadline: &'a Deadline<'a>,
 }
 
-/// Whether the polynomial is not 0 where all states are.
+/// Tells whether the polynomial has a term free of states.
 fn has_constant(symbols: &Symbols, polynomial: &Polynomial) -> bool {
     polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
 }

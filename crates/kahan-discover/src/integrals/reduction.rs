@@ -1,10 +1,8 @@
-//! Integrals made simpler by others: P/Q less a multiple of a product of known factors, so that a
-//! factor of Q cancels.
+//! Integrals P/Q simplified by others: a multiple of a known product cancels a factor of Q.
 //!
-//! Two polynomials with the same cofactor under the map have an integral as their quotient. A
-//! product M of factors of known integrals that has Q's cofactor may therefore be subtracted from
-//! P, times what is free of states; where P and M are proportional on the zeros of a factor q of Q,
-//! some combination αP − βM is divisible by q.
+//! Two polynomials with equal cofactors have an integral as their quotient. Let M be a product of
+//! factors of known integrals with Q's cofactor. If P and M are proportional on the zeros of a
+//! factor q of Q, a combination αP − βM is divisible by q.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -15,8 +13,7 @@ use crate::maps::search_field::{SampledStep, SearchField};
 use crate::maps::stepping::Stepping;
 use crate::modular::subspace::tidy;
 
-/// The integral with factors of its denominator cancelled, as often as that is possible; `factors`
-/// are those of the integrals known.
+/// Cancels factors of the denominator as often as possible; `factors` belong to known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -34,7 +31,7 @@ pub(crate) fn reduced(
     (numerator, denominator)
 }
 
-/// (αP − βM)/q over Q/q for some factor q of Q and some M.
+/// Returns (αP − βM)/q and Q/q for a factor q of Q and a product M.
 fn without_factor(
     searched: &SearchField,
     step: &SampledStep,
@@ -51,8 +48,7 @@ fn without_factor(
     let moves = moving_states(searched, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
-            // What is left of a polynomial where the pole is 0, and the factor that was multiplied
-            // by.
+            // Returns the polynomial's remainder at pole = 0 and the factor it was multiplied by.
             let rest = |polynomial: &Polynomial| {
                 let written = in_powers(symbols, polynomial, pole, variable)?;
                 let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
@@ -61,8 +57,7 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // own = α t and other = β t, α and β integrals: then β own_scale P = α other_scale
-                // M where the pole is 0.
+                // For own = α t, other = β t: β own_scale P = α other_scale M at the pole.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {
@@ -84,7 +79,7 @@ fn without_factor(
     None
 }
 
-/// The states that are no integrals by themselves.
+/// Returns the states that are no integrals by themselves.
 fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomial]) -> Vec<Variable> {
     let symbols = searched.family().symbols();
     let rests = |variable: Variable| {
@@ -94,14 +89,14 @@ fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomi
     (0..searched.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
 
-/// What all coefficients have in common, the polynomial taken as one in these variables.
+/// Returns the common factor of all coefficients of a polynomial in these variables.
 fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     let groups = polynomial.group(|variable| variables.contains(&variable));
     let common = gcd_all(&groups.into_values().collect::<Vec<_>>());
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// The products of factors that have the denominator's cofactor and at most the numerator's degree.
+/// Returns products of factors with the denominator's cofactor and at most the numerator's degree.
 fn products(
     searched: &SearchField,
     step: &SampledStep,
@@ -140,8 +135,7 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states
-        // are integrals.
+        // Integrals of the lattice: xz/((1 + ε(y − w))(1 − ε(y − w))), and the sum of states.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;
@@ -158,7 +152,6 @@ mod tests {
         let factors = [x, z, poles[0].clone(), poles[1].clone()];
         let found = reduced(&searched, &step, &factors, mixed.clone(), below.clone());
         assert_eq!(found, (sum, Polynomial::one()));
-        // Without the factors of the other integral nothing cancels.
         let kept = reduced(&searched, &step, &factors[2..], mixed.clone(), below.clone());
         assert_eq!(kept, (mixed, below));
     }

@@ -1,7 +1,7 @@
 //! Integrals among the entries of reduced relations.
 //!
-//! Where relations of several integrals are mixed, an entry c of the reduced relations is an
-//! integral, and c = P/Q at many starts is a linear system for P and Q.
+//! If relations mix several integrals, an entry c of the reduced relations is an integral. The
+//! condition c = P/Q at many starts is a linear system for P and Q.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -15,7 +15,7 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// Tries P/Q of one degree for the entries of the relations.
+/// Searches P/Q of one degree for the entries of the relations.
 pub(crate) fn entries_of_degree<M: Stepping>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
@@ -27,8 +27,7 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    // P and Q have the signs of their entry and none, so that few monomials of high degree are
-    // left.
+    // By the signs of the entry, few monomials of high degree remain in P and Q.
     let generators = map.sign_changes();
     if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
@@ -51,14 +50,13 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     let invariant = of_sign(0);
     let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
     let width = invariant.len() + widest;
-    // Where no monomial of this degree has the signs, the degree before has shown all.
+    // Without new monomials of these signs, lower degrees have shown all.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
     if width > reach.coefficients || !is_new {
         return;
     }
-    // Of each orbit only the relations whose entries are looked at are kept: all relations of all
-    // orbits might not fit into the memory.
+    // All relations of all orbits might exceed the memory, so only the needed ones are kept.
     let keep_looked_at = |relations: &mut Relations| {
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
     };
@@ -94,8 +92,7 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     }
 }
 
-/// The entries worth looking at: those of relations whose leading monomial no lower one divides, if
-/// they vary.
+/// Returns varying entries of relations whose leading monomial no other leading one divides.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {
@@ -117,7 +114,7 @@ fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usiz
     places
 }
 
-/// Pencils of one degree whose elements share their cofactor P(φ(x))/P(x) become one.
+/// Joins pencils of one degree whose elements share their cofactor P(φ(x))/P(x).
 fn merge_by_cofactor(
     map: &impl Stepping,
     monomials: &Monomials,

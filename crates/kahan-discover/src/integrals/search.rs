@@ -1,9 +1,9 @@
 //! Rational integrals from the relations of orbits.
 //!
-//! Let U be a space of polynomials any two of which have an integral as their quotient (they share
-//! their cofactor under the map). On one orbit the elements of U that vanish are all of those that
-//! vanish at its start: one dimension less. Conversely, relations on orbits span such a space where
-//! their span has one dimension more than those on one orbit.
+//! Let all quotients of a space U of polynomials be integrals, so all cofactors are equal. The
+//! elements of U that vanish on an orbit are those that vanish at its start, a subspace of
+//! codimension 1. Conversely, relations of orbits span such a space if their span has one dimension
+//! more than the relations of one orbit.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -18,28 +18,27 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::{gradient, monomial_gradients};
 
-/// How large formulas are looked for.
+/// The size of formulas that are searched.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// The most unknown coefficients of P and Q together.
     pub coefficients: usize,
     /// The most terms in the states of the shortest polynomial of a pencil.
     pub terms: usize,
-    /// The most orders of the variables in which entries of relations are looked at, where there
-    /// are many monomials.
+    /// The most orders of the variables for entries of relations with many monomials.
     pub orders: usize,
 }
 
 impl Reach {
-    /// As large as the search can reach.
+    /// The full reach of the search.
     pub const FULL: Self = Reach { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// Formulas that can be read, where bases say the rest.
+    /// Readable formulas, for cases in which bases describe the other integrals.
     pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until
-/// `wanted` independent integrals are found.
+/// Finds pencils spanned by relations of orbits, of least degree first up to `relation_degree`.
+/// Stops at `wanted` independent integrals.
 pub fn spanned_pencils<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -59,12 +58,11 @@ pub fn spanned_pencils<M: Stepping>(
     search.pencils
 }
 
-/// The pencils of one degree in which entries of the relations up to `relation_degree` are
-/// quotients P/Q, and of no lower degree, as far as they bring integrals that are independent of
-/// those whose gradients at a point `known` gives; none if the deadline passes first.
+/// Finds pencils of exactly this degree in which entries of relations are quotients P/Q.
 ///
-/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the
-/// relations.
+/// Keeps those with integrals independent of the functions whose gradients `known` returns at a
+/// point. The list is empty if the deadline passes. Cost: for P and Q with N monomials each, 2N
+/// orbits and (2N)³ products for each entry of the relations up to `relation_degree`.
 pub fn pencils_of_entries<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -83,7 +81,7 @@ pub fn pencils_of_entries<M: Stepping>(
 pub(crate) struct Search<'a, M> {
     pub(crate) map: &'a M,
     pub(crate) random: &'a mut SplitMix64,
-    /// Where independence is tested.
+    /// The point at which independence is tested.
     point: Vec<u64>,
     gradients: Vec<Vec<u64>>,
     pencils: Vec<Pencil>,
@@ -99,7 +97,7 @@ impl<'a, M: Stepping> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Keeps a pencil if it brings an integral that is independent of those before.
+    /// Keeps a pencil if it has an integral that is independent of those before.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();
@@ -113,7 +111,7 @@ impl<'a, M: Stepping> Search<'a, M> {
     }
 }
 
-/// The gradients, up to factors, of the quotients of the elements of a space by its first.
+/// Returns gradients, up to factors, of the quotients of the elements of a space by the first one.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,
@@ -130,7 +128,7 @@ pub fn quotient_gradients(
         })
         .collect();
     let Some(((base, base_slope), others)) = evaluated.split_first() else { return Vec::new() };
-    // ∇(P/Q) Q² = Q ∇P − P ∇Q
+    // ∇(P/Q) Q² = Q ∇P − P ∇Q.
     let quotient = |(value, slope): &(u64, Vec<u64>)| {
         let pairs = slope.iter().zip(base_slope);
         pairs
@@ -140,8 +138,7 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// The span of the relations of all orbits up to a degree, if it has one dimension more than those
-/// of one orbit.
+/// Returns the span of the relations of all orbits, if one orbit has one dimension less.
 fn span_of_relations(
     map: &impl Stepping,
     degree: u32,

@@ -1,9 +1,9 @@
-//! Affine leaves: orbits that satisfy linear relations are looked at inside them.
+//! Affine level sets: orbits with linear relations, studied in fewer variables.
 //!
-//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace; their
-//! varying entries c₁, c₂, … are integrals. On one such leaf, with the entries as further unknowns
-//! and fewer variables, other integrals are not mixed with multiples of the linear relations.
-//! Formulas found there hold everywhere once cⱼ is replaced by its own formula.
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace, and their
+//! varying entries c₁, c₂, … are integrals. On one level set of these entries, which become
+//! unknowns, other integrals are not mixed with multiples of the linear relations. Formulas found
+//! there hold everywhere once each cⱼ is replaced by its own formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -22,35 +22,35 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// Which variables remain on a leaf, and which entries of the linear relations choose it.
+/// The coordinates on an affine level set, and the entries of the linear relations that define it.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// The entries that vary: the relation's leading monomial and the entry's.
+    /// The varying entries, each with the leading monomial of its relation.
     places: Vec<(usize, usize)>,
-    /// The states that are coordinates on the leaf, the lowest in the order of monomials last.
+    /// The states that serve as coordinates; the lowest in the order of monomials is last.
     order: Vec<usize>,
 }
 
-/// cⱼ = Pⱼ/Qⱼ.
+/// The quotient cⱼ = Pⱼ/Qⱼ.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// Pⱼ
+    /// The numerator Pⱼ.
     pub numerator: Polynomial,
-    /// Qⱼ
+    /// The denominator Qⱼ.
     pub denominator: Polynomial,
 }
 
-/// The map on one leaf, in the leaf's coordinates.
+/// The map on one affine level set, in its coordinates.
 #[derive(Clone, Debug)]
 pub struct MapOnSubspace {
     map: ModularMap,
     order: Vec<usize>,
-    /// Each leading state with its value: coefficients of 1 and of the coordinates.
+    /// Each dependent state with its coefficients of 1 and of the coordinates.
     leading: Vec<(usize, Vec<u64>)>,
 }
 
 impl Coordinate {
-    /// The weight of cⱼ.
+    /// Returns the weight of cⱼ.
     #[must_use]
     pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
         let of = |side: &Polynomial| {
@@ -61,14 +61,14 @@ impl Coordinate {
 }
 
 impl AffineSubspace {
-    /// The whole space, the coordinates in any order.
+    /// Returns the whole space with its coordinates in a given order.
     #[must_use]
     pub fn whole(order: Vec<usize>) -> Self {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// The leaves of a map; the whole space where there are no linear relations, or where their
-    /// entries depend on each other so that they cannot be chosen.
+    /// Returns the affine level sets of a map. Returns the whole space without linear relations,
+    /// and if their entries can't be chosen independently.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -93,7 +93,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // Chosen at random, do the entries come back from an orbit?
+        // Tests that randomly chosen entries come back from an orbit.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -112,13 +112,13 @@ impl AffineSubspace {
         (found? == chosen).then_some(leaf)
     }
 
-    /// The number of entries that choose a leaf.
+    /// Returns the number of entries that define a level set.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.places.len()
     }
 
-    /// The same leaves with their coordinates in other orders: all rotations, forward and backward.
+    /// Returns the level sets with rotated coordinates, in both directions.
     pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
         let count = self.order.len();
         let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
@@ -128,14 +128,13 @@ impl AffineSubspace {
         })
     }
 
-    /// The states that are coordinates.
+    /// Returns the states that serve as coordinates.
     #[must_use]
     pub fn order(&self) -> &[usize] {
         &self.order
     }
 
-    /// The map on the leaf chosen by `entries`; `None` where the linear relations have another
-    /// form.
+    /// Returns the map on the level set with these entries; `None` if relations have another form.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -166,8 +165,7 @@ impl AffineSubspace {
         Some(MapOnSubspace { map, order: self.order.clone(), leading })
     }
 
-    /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be
-    /// reconstructed.
+    /// Reconstructs the formulas of the cⱼ, if they are quotients of polynomials of degree 1.
     pub fn coordinates(
         &self,
         searched: &SearchField,
@@ -194,7 +192,7 @@ impl AffineSubspace {
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
             let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
-            // One denominator for all entries, so that P and Q are polynomials.
+            // A common denominator of all entries makes P and Q polynomials.
             let (entries, _) = RationalFunction::over_common(&entries);
             let (above, below) = entries.split_at(linear.len());
             let [numerator, denominator] =
@@ -206,7 +204,7 @@ impl AffineSubspace {
 }
 
 impl MapOnSubspace {
-    /// The point of the whole space with these coordinates.
+    /// Returns the point of the whole space with these coordinates.
     #[must_use]
     pub fn embed(&self, point: &[u64]) -> Vec<u64> {
         let modulus = self.map.modulus();
@@ -230,7 +228,7 @@ impl Stepping for MapOnSubspace {
         self.order.len()
     }
 
-    /// Those of the whole space; on a proper leaf none are known.
+    /// Returns the sign changes of the whole space; none are known on a proper level set.
     fn sign_changes(&self) -> Vec<u64> {
         if self.order.len() < self.map.dimension() {
             return Vec::new();

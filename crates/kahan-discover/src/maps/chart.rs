@@ -1,5 +1,4 @@
-//! A leaf together with the formulas of what chooses it, by which formulas on the leaf become
-//! formulas everywhere.
+//! Affine level sets with formulas of their constants, which extend formulas to all states.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -9,16 +8,15 @@ use crate::maps::affine_subspace::{AffineSubspace, Coordinate};
 use crate::maps::search_field::SearchField;
 use crate::modular::subspace::Names;
 
-/// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
+/// The budget for substituting formulas, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
-/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral
-/// on it.
+/// A level set with the formulas of its constants.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The leaf.
+    /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas, in the order of the entries; the value of an integral last.
+    /// The formulas in the order of the entries; the value of an integral last, if any.
     pub coordinates: Vec<Coordinate>,
 }
 
@@ -27,7 +25,7 @@ impl Chart {
         symbols.variable(Symbol::SecondState(j))
     }
 
-    /// Which variables of formulas on the leaf stand for what.
+    /// Returns the variables that occur in formulas on the level set.
     #[must_use]
     pub fn names(&self, searched: &SearchField) -> Names {
         let symbols = searched.family().symbols();
@@ -40,8 +38,7 @@ impl Chart {
         names
     }
 
-    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget,
-    /// and where Q becomes 0.
+    /// Returns P/Q in lowest terms with constants replaced; `None` beyond the budget and for Q = 0.
     #[must_use]
     pub fn substituted(
         &self,

@@ -1,8 +1,7 @@
-//! Orbits on which an integral that is known already has a chosen value.
+//! Orbits on a level set of a known integral.
 //!
-//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are sampled
-//! with F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
-//! integral less.
+//! If relations mix several integrals and one of them, F = P/Q, is known, starts are sampled on P −
+//! cQ = 0, with c as a further unknown. Relations of these orbits mix one integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};
@@ -19,13 +18,12 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 
-/// P − cQ as coefficients of monomials, each a polynomial in unknowns.
+/// The polynomial P − cQ as coefficients of monomials, each a polynomial in unknowns.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
-    /// For each monomial the coefficients of P and Q.
     coefficients: Vec<(Polynomial, Polynomial)>,
-    /// A coordinate in which P and Q are linear, so that starts can be solved for.
+    /// A coordinate in which P and Q are linear, for which starts are solved.
     linear: usize,
 }
 
@@ -38,8 +36,7 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// The constraint that P/Q is given; `coefficients` are those of P and Q on the monomials.
-    /// `None` where they are linear in no coordinate.
+    /// Fixes P/Q, given by coefficients; `None` if no coordinate is linear in both.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -51,7 +48,7 @@ impl Constraint {
         Some(Constraint { monomials, coefficients, linear })
     }
 
-    /// The map with F = `value`; `None` where a coefficient has no value modulo the prime.
+    /// Returns the map with F = `value`; `None` if a coefficient has no value modulo the prime.
     #[must_use]
     pub fn on(
         &self,
@@ -89,7 +86,7 @@ impl Stepping for ConstrainedMap<'_> {
         self.base.next(point)
     }
 
-    /// A random point with P − cQ = 0, solved for the coordinate in which that is linear.
+    /// Samples a point with P − cQ = 0, solved for the linear coordinate.
     fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         let modulus = *self.modulus();
         loop {
@@ -98,7 +95,7 @@ impl Stepping for ConstrainedMap<'_> {
             let base = self.residual(&point);
             point[self.constraint.linear] = modulus.one();
             let slope = modulus.minus(self.residual(&point), base);
-            // The slope is a polynomial that is not zero: almost no point fails.
+            // The slope is a nonzero polynomial, so almost every point succeeds.
             if let Some(inverse) = modulus.inverse(slope) {
                 point[self.constraint.linear] = modulus.opposite(modulus.times(base, inverse));
                 return point;
@@ -108,8 +105,7 @@ impl Stepping for ConstrainedMap<'_> {
 }
 
 impl Accepted<'_> {
-    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of
-    /// the basis.
+    /// Searches on a level set of an integral, the quotient of the first two basis elements.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

@@ -1,14 +1,14 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
-//! A [`Family`](crate::maps::parametric_field::Family) at values of the parameters gives the map,
-//! which steps by elimination on A(x,ε). Removable poles count as poles here: random points meet neither.
+//! Made by a [`Family`](crate::maps::parametric_field::Family) at values of the parameters; steps
+//! by elimination on A(x,ε). Removable poles count as poles; random points almost never meet them.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// c·xⱼxₖ, c·xⱼ or c in one component of f.
+/// A term c·xⱼxₖ, c·xⱼ or c in one component of f.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     pub(crate) component: usize,
@@ -17,12 +17,12 @@ pub(crate) struct Term {
     pub(crate) second: Option<usize>,
 }
 
-/// A step that was taken.
+/// The result of a step.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// x̃
+    /// The next point x̃.
     pub next: Vec<u64>,
-    /// det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε)
+    /// det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε).
     pub jacobian: u64,
 }
 
@@ -50,7 +50,6 @@ impl Stepping for ModularMap {
         sign_changes(self.dimension, &self.terms.iter().map(signs).collect::<Vec<_>>())
     }
 
-    /// x̃; `None` where det A(x,ε) = 0.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
         self.solve(point, self.eps).map(|(next, _)| next)
     }
@@ -61,20 +60,19 @@ impl ModularMap {
         ModularMap { modulus, dimension, eps, terms }
     }
 
-    /// ε, half the time step.
+    /// Returns ε, half the time step.
     #[must_use]
     pub fn eps(&self) -> u64 {
         self.eps
     }
 
-    /// The map with another ε and the same values of the coefficients. The map with −ε is the
-    /// inverse of the map with ε.
+    /// Returns the map with another ε and unchanged coefficients; −ε gives the inverse.
     #[must_use]
     pub fn with_eps(&self, eps: u64) -> Self {
         ModularMap { eps, ..self.clone() }
     }
 
-    /// x̃ with the determinant of the Jacobian; `None` where det A(x,ε) = 0.
+    /// Returns x̃ and the determinant of the Jacobian; `None` where det A(x,ε) = 0.
     #[must_use]
     pub fn step(&self, point: &[u64]) -> Option<Step> {
         let (next, determinant) = self.solve(point, self.eps)?;
@@ -86,8 +84,7 @@ impl ModularMap {
         Some(Step { next, jacobian })
     }
 
-    /// ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, from a point and its image; `None` where det A(x,ε)
-    /// = 0.
+    /// Returns ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row; `None` where det A(x,ε) = 0.
     #[must_use]
     pub fn jacobian(&self, point: &[u64], next: &[u64]) -> Option<Vec<Vec<u64>>> {
         let n = self.dimension;
@@ -102,17 +99,17 @@ impl ModularMap {
         Some(echelon.rows.iter().map(|row| row[n..].to_vec()).collect())
     }
 
-    /// det A(x, ε) for any ε.
+    /// Returns det A(x, ε) for any ε.
     #[must_use]
     pub fn determinant(&self, point: &[u64], eps: u64) -> u64 {
         self.solve(point, eps).map_or(0, |(_, determinant)| determinant)
     }
 
-    /// f(x) and f′(x), row by row.
+    /// Returns f(x) and f′(x), row by row.
     #[must_use]
     pub fn field(&self, point: &[u64]) -> (Vec<u64>, Vec<Vec<u64>>) {
         let n = self.dimension;
-        // I − ε f′ at ε = −1
+        // I − ε f′ at ε = −1.
         let matrix = self.extended_matrix(point, self.modulus.opposite(self.modulus.one()));
         let mut values = Vec::with_capacity(n);
         let mut slopes = Vec::with_capacity(n);
@@ -125,12 +122,10 @@ impl ModularMap {
         (values, slopes)
     }
 
-    /// The terms of f.
     pub(crate) fn terms(&self) -> &[Term] {
         &self.terms
     }
 
-    /// The terms of f, component by component.
     pub(crate) fn components(&self) -> Vec<Vec<Term>> {
         let mut components = vec![Vec::new(); self.dimension];
         for term in &self.terms {
@@ -139,7 +134,7 @@ impl ModularMap {
         components
     }
 
-    /// The matrix (A | f), row by row.
+    /// Returns the matrix (A | f), row by row.
     fn extended_matrix(&self, point: &[u64], eps: u64) -> Vec<u64> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;
@@ -168,14 +163,13 @@ impl ModularMap {
         matrix
     }
 
-    /// x̃ = x + 2ε A⁻¹f and det A, with one inversion: elimination multiplies rows instead of
-    /// dividing them.
+    /// Returns x̃ = x + 2ε A⁻¹f and det A, with one inversion by elimination without divisions.
     fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;
         let mut matrix = self.extended_matrix(point, eps);
         let mut is_negative = false;
-        // How many rows were multiplied by each pivot.
+        // The number of rows multiplied by each pivot.
         let mut multiplied = vec![0u32; n];
         for k in 0..n {
             let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;

@@ -1,5 +1,5 @@
-//! The maps that a search looks at: Kahan's map of a field modulo a prime, with parameters and ε
-//! that are fixed or generic, on an invariant affine subspace, or on the level sets of an integral.
+//! The maps of a search: Kahan's map of a field modulo a prime, with fixed or generic parameters
+//! and ε, on an invariant affine subspace, or on the level sets of an integral.
 
 pub mod affine_subspace;
 pub mod chart;

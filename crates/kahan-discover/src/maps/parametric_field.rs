@@ -1,5 +1,4 @@
-//! A field whose coefficients are polynomials in the parameters and ε. It is evaluated modulo a
-//! prime at values of the parameters and ε.
+//! Fields whose coefficients are polynomials in the parameters and ε, evaluated modulo a prime.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -14,7 +13,7 @@ use crate::modular::modulus::Modulus;
 pub struct Family {
     dimension: usize,
     symbols: Symbols,
-    /// qᵢ, by component.
+    /// The denominators qᵢ of the components.
     divisors: Vec<Polynomial>,
     terms: Vec<FamilyTerm>,
 }
@@ -46,33 +45,31 @@ impl Family {
         }
     }
 
-    /// The number of states n.
+    /// Returns the number of states n.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.dimension
     }
 
-    /// The names of the states and parameters.
+    /// Returns the names of the states and parameters.
     #[must_use]
     pub fn symbols(&self) -> &Symbols {
         &self.symbols
     }
 
-    /// Whether a coefficient depends on ε.
     pub(crate) fn depends_on_eps(&self) -> bool {
         let coefficients = self.terms.iter().map(|term| &term.coefficient);
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
     }
 
-    /// Whether the field has a value at ε = 0. A divisor can vanish there at some values of the
-    /// parameters: 1/(a + ε²) has no value at ε = 0 for a = 0.
+    /// Tells whether the field has a value at ε = 0 for generic parameters. At special parameters
+    /// it may have none: 1/(a + ε²) at a = 0.
     pub(crate) fn has_limit(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }
 
-    /// The map at these parameters and ε (half the time step); `None` where the field then divides
-    /// by zero.
+    /// Returns the map at these parameters and ε (half the time step), if no divisor vanishes.
     ///
     /// # Panics
     /// If there are fewer values than parameters.
@@ -81,7 +78,6 @@ impl Family {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => parameters[k],
             Symbol::Epsilon => eps,
-            // No coefficient contains a state.
             _ => 0,
         };
         let mut inverses = Vec::with_capacity(self.dimension);
@@ -103,7 +99,7 @@ impl Family {
     }
 }
 
-/// The value of a polynomial; `None` where the prime divides a denominator of its coefficients.
+/// Evaluates a polynomial; `None` if the prime divides a denominator of its coefficients.
 pub(crate) fn evaluate(
     modulus: &Modulus,
     polynomial: &Polynomial,

@@ -1,4 +1,4 @@
-//! What is fixed and what is generic: the maps that a search looks at.
+//! Fields with fixed or generic ε, and their sampled maps.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -12,7 +12,7 @@ use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
-/// A field, and ε where it is fixed.
+/// A field, with ε if it is fixed.
 #[derive(Clone, Debug)]
 pub struct SearchField {
     family: Family,
@@ -20,31 +20,30 @@ pub struct SearchField {
     weights: Weights,
 }
 
-/// A map at values of the unknowns: the parameters in order, then ε where it is not fixed.
+/// A map at values of the unknowns: the parameters in order, then ε unless it is fixed.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// The map.
     pub map: ModularMap,
-    /// The values.
+    /// The values of the unknowns.
     pub unknowns: Vec<u64>,
 }
 
-/// How often values are sampled again before the map counts as undefined.
 const MOST_SAMPLES: usize = 16;
 
 /// A point of a sampled map, and its image.
 #[derive(Clone, Debug)]
 pub struct SampledStep {
-    /// The map.
+    /// The sampled map.
     pub sample: Sample,
-    /// x
+    /// The point x.
     pub here: Vec<u64>,
-    /// x̃
+    /// The image x̃.
     pub there: Vec<u64>,
 }
 
 impl Sample {
-    /// A random point, and its image; `None` at a pole.
+    /// Returns a random point with its image; `None` at a pole.
     pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;
@@ -53,20 +52,19 @@ impl Sample {
 }
 
 impl SampledStep {
-    /// The values of a polynomial at both points; `None` where the prime divides a denominator of
-    /// its coefficients.
+    /// Evaluates a polynomial at both points; `None` if the prime divides a denominator.
     fn values(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<[u64; 2]> {
         let value = |point| searched.evaluate(polynomial, &self.sample, point);
         Some([value(&self.here)?, value(&self.there)?])
     }
 
-    /// Whether a polynomial has the same value at both points.
+    /// Tells whether a polynomial has equal values at both points.
     #[must_use]
     pub fn keeps(&self, searched: &SearchField, polynomial: &Polynomial) -> bool {
         self.values(searched, polynomial).is_some_and(|[here, there]| here == there)
     }
 
-    /// P(x̃)/P(x); `None` also where P(x) = 0.
+    /// Returns P(x̃)/P(x); `None` if P(x) = 0 or the prime divides a denominator.
     #[must_use]
     pub fn cofactor(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<u64> {
         let modulus = self.sample.map.modulus();
@@ -76,44 +74,44 @@ impl SampledStep {
 }
 
 impl SearchField {
-    /// The maps of a field at every ε (half the time step), or at one.
+    /// Prepares the maps of a field at generic ε (half the time step), or at a fixed one.
     #[must_use]
     pub fn new(field: &Field, eps: Option<Rational>) -> Self {
         let weights = Weights::of(field, eps.is_some());
         SearchField { family: Family::of(field), eps, weights }
     }
 
-    /// The field's coefficients.
+    /// Returns the field's coefficients.
     #[must_use]
     pub fn family(&self) -> &Family {
         &self.family
     }
 
-    /// The scaling symmetries.
+    /// Returns the scaling symmetries.
     #[must_use]
     pub fn weights(&self) -> &Weights {
         &self.weights
     }
 
-    /// ε, where it is fixed.
+    /// Returns ε if it is fixed.
     #[must_use]
     pub fn eps(&self) -> Option<&Rational> {
         self.eps.as_ref()
     }
 
-    /// The number of states n.
+    /// Returns the number of states n.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.family.dimension()
     }
 
-    /// The number of unknowns: the parameters, and ε unless it is fixed.
+    /// Returns the number of unknowns: the parameters, and ε unless it is fixed.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.family.symbols().parameters.len() + usize::from(self.eps.is_none())
     }
 
-    /// The variables of the unknowns in formulas, in order.
+    /// Returns the variables of the unknowns in formulas, in order.
     #[must_use]
     pub fn unknown_variables(&self) -> Vec<Variable> {
         let symbols = self.family.symbols();
@@ -121,8 +119,7 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// The map at these values of the unknowns; `None` where the field divides by zero, or p
-    /// divides the denominator of ε.
+    /// Returns the map at these unknowns, unless a divisor or the denominator of ε is 0 modulo p.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -135,8 +132,7 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// The map at random values of the unknowns, at which a random point has an image; `None` if 16
-    /// samples bring none.
+    /// Returns a random map at which a random point has an image; `None` after 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -146,14 +142,13 @@ impl SearchField {
         })
     }
 
-    /// A random point of a map with random unknowns, and its image.
+    /// Returns a random point of a random map with its image.
     pub fn step(&self, random: &mut SplitMix64) -> Option<SampledStep> {
         self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
-    /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another
-    /// than 0, as it is seen at one of three random points modulo a prime. At a fixed ε a map may
-    /// collapse the space.
+    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points. A map
+    /// with a fixed ε may collapse the space.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {
@@ -163,7 +158,7 @@ impl SearchField {
         })
     }
 
-    /// The polynomial at the ε that is fixed.
+    /// Substitutes the fixed ε, if any.
     #[must_use]
     pub fn at_eps(&self, polynomial: Polynomial) -> Polynomial {
         match &self.eps {
@@ -172,8 +167,8 @@ impl SearchField {
         }
     }
 
-    /// The value of a polynomial in states, parameters and ε at a point of a sampled map; `None`
-    /// where the prime divides a denominator of its coefficients.
+    /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map. `None` if
+    /// the prime divides a denominator of its coefficients.
     #[must_use]
     pub fn evaluate(&self, polynomial: &Polynomial, sample: &Sample, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();

@@ -1,5 +1,4 @@
-//! The ansatz for one function that is reconstructed: N/D, each a sum over the same monomials of
-//! the unknowns.
+//! The ansatz for a reconstructed function: N/D, both sums over equal monomials of the unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -12,14 +11,14 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 /// The most unknown coefficients of one function.
 const MOST_COEFFICIENTS: usize = 500;
 
-/// The monomials of numerator and denominator of one entry, as exponents of the unknowns.
+/// The monomials of numerator and denominator, as exponents of the unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct Shape {
     pub(crate) monomials: Vec<Vec<u32>>,
 }
 
 impl Shape {
-    /// All monomials within a degree for each unknown and one for all; `None` if they are too many.
+    /// Returns all monomials within degrees in each unknown and in total, if they are few.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {
@@ -36,13 +35,11 @@ impl Shape {
         (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(Shape { monomials })
     }
 
-    /// The values of the monomials.
     pub(crate) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// The function whose coefficients modulo several primes are known; `None` if those are not of
-    /// small rationals.
+    /// Returns the function from coefficients modulo several primes, if they are small rationals.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],
@@ -67,12 +64,12 @@ impl Shape {
     }
 }
 
-/// The small rational with these residues.
+/// Returns the small rational with these residues, by the Chinese remainder theorem.
 fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
     let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
     for (prime, residue) in residues {
         let prime = BigInt::from(prime);
-        // value + product·k ≡ residue modulo the new prime
+        // Solves value + product·k ≡ residue modulo the new prime.
         let inverse = product.extended_gcd(&prime).x;
         let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
         value += &product * step;

@@ -1,5 +1,6 @@
-//! Rational reconstruction with the help of weights: as many unknowns as the weights separate are
-//! set to 1, and every term gets its powers of them back from its weight.
+//! Rational reconstruction with weights of scaling symmetries.
+//!
+//! Unknowns with independent weights are set to 1; the weight of each term restores its powers.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -11,18 +12,17 @@ use crate::modular::modulus::Modulus;
 use crate::modular::reconstruction::{Oracle, confirms, reconstruct};
 use crate::modular::weights::{reduce, weight_of};
 
-/// The weights of the unknowns of a reconstruction and of the entries it looks for.
+/// The weights of the unknowns and entries of a reconstruction.
 #[derive(Clone, Debug)]
 pub struct Grading {
-    /// One for each unknown.
+    /// The weight of each unknown.
     pub unknowns: Vec<Vec<Rational>>,
-    /// One for each entry.
+    /// The weight of each entry.
     pub entries: Vec<Vec<Rational>>,
 }
 
 impl Grading {
-    /// Unknowns whose weights are independent, the last ones first: their values can be scaled to
-    /// 1.
+    /// Returns unknowns with independent weights, last one first; they can be scaled to 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
@@ -37,7 +37,7 @@ impl Grading {
         chosen
     }
 
-    /// The k with Σ kⱼ wⱼ = target over the chosen unknowns, if it is one of integers.
+    /// Returns integers k with Σ kⱼ wⱼ = target over the chosen unknowns, if they exist.
     fn exponents(&self, chosen: &[usize], target: &[Rational]) -> Option<Vec<i64>> {
         let mut rows: Vec<Vec<Rational>> = (0..target.len())
             .map(|index| {
@@ -54,7 +54,7 @@ impl Grading {
         rows[..pivots.len()].iter().map(|row| row[chosen.len()].as_i64()).collect()
     }
 
-    /// The function with its powers of the chosen unknowns put back.
+    /// Restores the powers of the chosen unknowns in a function.
     fn homogenised(
         &self,
         function: &RationalFunction,
@@ -110,8 +110,7 @@ impl Grading {
     }
 }
 
-/// [`reconstruct`] with some unknowns scaled to 1 where the entries are homogeneous; without, where
-/// that comes to nothing.
+/// Runs [`reconstruct`] with some unknowns scaled to 1, and without scaling if that fails.
 pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

@@ -1,8 +1,8 @@
-//! Matrices modulo a prime: reduced echelon form, rank and null space.
+//! Matrices modulo a prime: reduced row echelon form, rank and null space.
 //!
-//! Rows are equations, columns unknowns in an order that matters: a column becomes a pivot if it is
-//! no combination of the columns before it, so with monomials in ascending order every null vector
-//! expresses one monomial by lower ones.
+//! Rows are equations, columns unknowns. The order of columns matters: a column becomes a pivot if
+//! it is no combination of earlier columns. With monomials in ascending order, every null vector
+//! expresses a monomial by lower ones.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
@@ -12,20 +12,20 @@ use crate::modular::modulus::Modulus;
 pub struct Echelon {
     /// The pivot columns, ascending.
     pub pivots: Vec<usize>,
-    /// One row a pivot: 1 in its own pivot column, 0 in the others.
+    /// One row for each pivot: 1 in its own pivot column, 0 in the others.
     pub rows: Vec<Vec<u64>>,
     columns: usize,
 }
 
 impl Echelon {
-    /// The echelon form of `rows`, each with `columns` entries. Cost: rows · rank · columns / 2
-    /// products, of which one in eight is reduced.
+    /// Computes the echelon form of `rows`, each with `columns` entries. Cost: rows · rank ·
+    /// columns / 2 products, one in eight with a reduction.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::within(modulus, rows, columns, &Deadline::never()).expect("there is no deadline")
     }
 
-    /// The same, if it is done before the deadline.
+    /// Like [`of`](Self::of); `None` if the deadline passes.
     #[must_use]
     pub fn within(
         modulus: &Modulus,
@@ -55,19 +55,19 @@ impl Echelon {
         Some(Echelon { pivots, rows: echelon, columns })
     }
 
-    /// The rank.
+    /// Returns the rank.
     #[must_use]
     pub fn rank(&self) -> usize {
         self.pivots.len()
     }
 
-    /// The rank of the first `columns` columns.
+    /// Returns the rank of the first `columns` columns.
     #[must_use]
     pub fn rank_of_first(&self, columns: usize) -> usize {
         self.pivots.partition_point(|&pivot| pivot < columns)
     }
 
-    /// The vectors that rows of so many columns send to zero; `None` if the deadline passes first.
+    /// Returns a basis of the null space of `rows`; `None` if the deadline passes.
     pub(crate) fn null_vectors(
         modulus: &Modulus,
         rows: Vec<Vec<u64>>,
@@ -78,13 +78,13 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// The row minus a combination of the rows of the form: 0 in every pivot column.
+    /// Subtracts a combination of the form's rows, so that all pivot columns become 0.
     pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
 
-    /// A basis of the null space: for each column without a pivot the vector with 1 there, 0 in the
-    /// other such columns.
+    /// Returns a basis of the null space. Each vector has 1 in one column without a pivot, and 0 in
+    /// the other columns without one.
     #[must_use]
     pub fn null_space(&self, modulus: &Modulus) -> Vec<NullVector> {
         let mut is_pivot = vec![false; self.columns];
@@ -104,8 +104,6 @@ impl Echelon {
     }
 }
 
-/// What is left of a row without its parts along the rows of an echelon form: 0 in every pivot
-/// column.
 fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec<u64>]) -> Vec<u64> {
     let mut row = Sums::of(row);
     for (&pivot, own) in pivots.iter().zip(echelon) {
@@ -115,8 +113,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Clears what stands in the pivot columns of later rows. A row that is cleared has entries in its
-/// own pivot column and in those without a pivot alone, so only the latter are computed.
+/// Clears the pivot columns of later rows above each pivot. Cleared rows have entries only in their
+/// own pivot column and in columns without a pivot, so only the latter are computed.
 fn cleared(
     modulus: &Modulus,
     pivots: &[usize],
@@ -125,7 +123,7 @@ fn cleared(
     deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
-    // What cleared rows have in the columns without a pivot, the last row first.
+    // The entries of cleared rows in columns without a pivot, the last row first.
     let mut tails: Vec<Vec<u64>> = Vec::with_capacity(rows.len());
     for (row, pivot) in rows.iter_mut().zip(pivots).rev() {
         if deadline.passed() {
@@ -146,10 +144,10 @@ fn cleared(
     Some(())
 }
 
-/// A row to which multiples of others are added and which is reduced only when it must be.
+/// A row of sums of products, reduced only before they overflow.
 struct Sums {
     sums: Vec<u128>,
-    /// How many products an entry holds at most.
+    /// The most products in an entry.
     products: usize,
 }
 
@@ -158,8 +156,7 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row` to the entries from `from` on, which is no smaller than before: the
-    /// entries below it are done with.
+    /// Adds a multiple of `row` from column `from` on, which must never decrease.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -181,11 +178,10 @@ impl Sums {
     }
 }
 
-/// Equations beyond the number of unknowns.
+/// The number of equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 6;
 
-/// The vectors that random rows of so many columns all send to zero; `None` where a row is, or the
-/// deadline passes.
+/// Returns a basis of the null space of random rows; `None` if a row is missing or time is over.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,
@@ -202,10 +198,10 @@ pub(crate) fn sampled_null_vectors(
     Echelon::null_vectors(modulus, rows, columns, deadline)
 }
 
-/// A vector that the matrix sends to zero.
+/// A vector of the null space.
 #[derive(Clone, Debug)]
 pub struct NullVector {
-    /// The column whose entry is 1; it is the highest that is not zero.
+    /// The column with entry 1, which is the last nonzero one.
     pub free: usize,
     /// All entries.
     pub entries: Vec<u64>,
@@ -217,7 +213,7 @@ mod tests {
 
     use super::*;
 
-    /// A rank of a third, columns of zeros, rows that repeat: more products than a sum holds.
+    /// Includes low ranks, zero columns, repeated rows, and more products than a sum holds.
     #[test]
     fn the_form_is_reduced_and_spans_the_same_rows() {
         let mut random = SplitMix64::new(3);
@@ -227,7 +223,6 @@ mod tests {
                     let mut entry = |column: usize| match column % 7 {
                         3 => 0,
                         _ if rank == height => modulus.sample(&mut random),
-                        // Near the prime, where sums are largest.
                         _ => modulus.opposite(modulus.sample(&mut random) % 5),
                     };
                     (0..height).map(|_| (0..width).map(&mut entry).collect()).collect()
@@ -247,7 +242,6 @@ mod tests {
                         assert_eq!(row[*other], if *other == pivot { modulus.one() } else { 0 });
                     }
                 }
-                // Each row is what its entries in the pivot columns say; no fewer rows span them.
                 for row in &rows {
                     let factors: Vec<u64> = echelon.pivots.iter().map(|&pivot| row[pivot]).collect();
                     assert_eq!(sum(&factors, &echelon.rows), *row);

@@ -1,7 +1,7 @@
 //! Arithmetic modulo a prime, linear algebra there, and the way back to ℚ.
 //!
 //! In: functions that can be evaluated modulo primes. Out: null spaces, degrees, and rational
-//! functions with rational coefficients. These modules know nothing of fields and maps.
+//! functions with rational coefficients.
 
 pub(crate) mod ansatz;
 pub mod grading;

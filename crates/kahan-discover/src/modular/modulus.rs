@@ -1,10 +1,8 @@
-//! Arithmetic modulo a prime of 61 bits in Montgomery form: the orbits, matrices and interpolations
-//! of this crate are some millions of products each, and a remainder of 128 bits a product would be
-//! most of their time.
+//! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
 //!
-//! In and out go rationals; between them every residue a stands for a·2⁶⁴ mod p. What holds:
-//! residues are below p, so equal residues are equal numbers. Conversions back to ℚ
-//! ([`rational_from_residue`]) are guesses that a proof confirms.
+//! In and out: rationals. Residues are below p, so equal residues are equal numbers. Conversions
+//! back to ℚ ([`rational_from_residue`]) are guesses that a proof confirms. Orbits, matrices and
+//! interpolations take millions of products each, and 128-bit remainders would dominate their time.
 
 use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
@@ -17,30 +15,28 @@ use num_traits::{Signed, Zero};
 pub struct Modulus {
     plain: PrimeField,
     prime: u64,
-    /// −1/p modulo 2⁶⁴.
+    /// The number −1/p modulo 2⁶⁴.
     negated_inverse: u64,
-    /// 2⁶⁴ and 2¹²⁸ modulo p.
+    /// The numbers 2⁶⁴ and 2¹²⁸ modulo p.
     one: u64,
     square: u64,
 }
 
 impl Modulus {
-    /// The field of 2⁶¹ − 1 elements.
+    /// Returns the field of 2⁶¹ − 1 elements.
     #[must_use]
     pub fn mersenne_61() -> Self {
         Self::of(PrimeField::MERSENNE_61)
     }
 
-    /// A field with a uniformly sampled prime of 61 bits.
+    /// Returns a field with a uniformly sampled prime of 61 bits.
     pub fn random(random: &mut dyn Random) -> Self {
         Self::of(PrimeField::random(random))
     }
 
-    /// A field with this odd prime.
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p itself is
-        // right to three.
+        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p has three.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -50,30 +46,30 @@ impl Modulus {
         Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
     }
 
-    /// The field, whose elements are ordinary residues.
+    /// Returns the field with ordinary residues as elements.
     pub(crate) fn field(&self) -> PrimeField {
         self.plain
     }
 
-    /// p
+    /// Returns p.
     #[must_use]
     pub fn prime(&self) -> u64 {
         self.prime
     }
 
-    /// The number 1.
+    /// Returns the number 1.
     #[must_use]
     pub fn one(&self) -> u64 {
         self.one
     }
 
-    /// An integer.
+    /// Converts an integer.
     #[must_use]
     pub fn integer(&self, value: u64) -> u64 {
         self.times(value % self.prime, self.square)
     }
 
-    /// a + b
+    /// Returns a + b.
     #[inline]
     #[must_use]
     pub fn plus(&self, a: u64, b: u64) -> u64 {
@@ -81,14 +77,14 @@ impl Modulus {
         if sum >= self.prime { sum - self.prime } else { sum }
     }
 
-    /// a − b
+    /// Returns a − b.
     #[inline]
     #[must_use]
     pub fn minus(&self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.prime - b }
     }
 
-    /// a·b
+    /// Returns a·b.
     #[inline]
     #[must_use]
     pub fn times(&self, a: u64, b: u64) -> u64 {
@@ -96,24 +92,24 @@ impl Modulus {
         if quotient >= self.prime { quotient - self.prime } else { quotient }
     }
 
-    /// What is s/2⁶⁴ modulo p, below s/2⁶⁴ + p; s ≤ 2¹²⁸ − 2⁶⁴p.
+    /// Returns s/2⁶⁴ modulo p, below s/2⁶⁴ + p, for s ≤ 2¹²⁸ − 2⁶⁴p.
     #[inline]
     fn quotient(&self, sum: u128) -> u64 {
         let multiple = (sum as u64).wrapping_mul(self.negated_inverse);
         ((sum + u128::from(multiple) * u128::from(self.prime)) >> 64) as u64
     }
 
-    /// So many products may be added to [`unreduced`](Self::unreduced) before the sum is reduced:
-    /// p < 2⁶², so that a·2⁶⁴ and eight products are below 3·2¹²⁶ together.
+    /// The most products added to [`unreduced`](Self::unreduced) before a reduction. As p < 2⁶²,
+    /// a·2⁶⁴ and eight products are together below 3·2¹²⁶.
     pub(crate) const PRODUCTS: usize = 8;
 
-    /// A number as a sum of products of elements, each as it comes.
+    /// Starts a sum of products with an element.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64
     }
 
-    /// The number that is such a sum.
+    /// Reduces a sum of products of elements.
     #[inline]
     pub(crate) fn reduced(&self, sum: u128) -> u64 {
         // s/2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, hence the quotient below 4p.
@@ -122,23 +118,22 @@ impl Modulus {
         if quotient >= self.prime { quotient - self.prime } else { quotient }
     }
 
-    /// −a
+    /// Returns −a.
     #[inline]
     #[must_use]
     pub fn opposite(&self, a: u64) -> u64 {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// 1/a; `None` for 0.
+    /// Returns 1/a; `None` for 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
-        // a stands for ã = a·2⁶⁴, and 1/ã must be multiplied by 2¹²⁸ to stand for the inverse.
+        // For the stored ã = a·2⁶⁴, 1/ã must be multiplied by 2¹²⁸.
         let inverse = self.plain.inverse(a)?;
         Some(self.times(self.times(inverse, self.square), self.square))
     }
 
-    /// Replaces every value by its inverse at the price of one inversion; `false`, and nothing is
-    /// changed, if one is 0.
+    /// Replaces all values by their inverses with one inversion; returns `false` if one is 0.
     pub fn invert_all(&self, values: &mut [u64]) -> bool {
         let mut products = Vec::with_capacity(values.len());
         let mut product = self.one;
@@ -155,7 +150,7 @@ impl Modulus {
         true
     }
 
-    /// a^exponent; 0⁰ is 1.
+    /// Returns a^exponent; 0⁰ is 1.
     #[must_use]
     pub fn power(&self, a: u64, exponent: u32) -> u64 {
         let (mut power, mut base, mut exponent) = (self.one, a, exponent);
@@ -169,7 +164,7 @@ impl Modulus {
         power
     }
 
-    /// Σ aᵢ bᵢ
+    /// Returns Σ aᵢ bᵢ.
     #[must_use]
     pub fn dot(&self, a: &[u64], b: &[u64]) -> u64 {
         a.chunks(Self::PRODUCTS).zip(b.chunks(Self::PRODUCTS)).fold(0, |sum, (a, b)| {
@@ -178,34 +173,33 @@ impl Modulus {
         })
     }
 
-    /// ∏ xᵢ^eᵢ
+    /// Returns ∏ xᵢ^eᵢ.
     #[must_use]
     pub fn monomial(&self, exponents: &[u32], point: &[u64]) -> u64 {
         let powers = exponents.iter().zip(point);
         powers.fold(self.one, |product, (&exponent, &x)| self.times(product, self.power(x, exponent)))
     }
 
-    /// A rational; `None` where p divides its denominator.
+    /// Converts a rational; `None` if p divides its denominator.
     #[must_use]
     pub fn rational(&self, value: &Rational) -> Option<u64> {
         self.plain.reduce(value).map(|residue| self.times(residue, self.square))
     }
 
-    /// The ordinary residue 0 ≤ r < p that `a` stands for.
+    /// Returns the ordinary residue 0 ≤ r < p of an element.
     #[must_use]
     pub fn residue(&self, a: u64) -> u64 {
         self.times(a, 1)
     }
 
-    /// A uniformly sampled element.
+    /// Samples an element uniformly.
     pub fn sample(&self, random: &mut dyn Random) -> u64 {
         random.below(self.prime)
     }
 }
 
-/// The fraction num/den with |num|, den ≤ √(m/2) that is r modulo m, by Euclid's algorithm; there
-/// is at most one, and `None` where there is none (Wang, Guy and Davenport, "P-adic reconstruction
-/// of rational numbers", SIGSAM 1982).
+/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2), if it exists (Wang, Guy
+/// and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
 #[must_use]
 pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
     let bound = (m / 2i32).sqrt();
@@ -247,7 +241,7 @@ mod tests {
         }
     }
 
-    /// The largest prime below 2⁶², and the largest numbers.
+    /// Uses the largest prime below 2⁶² and the largest numbers.
     #[test]
     fn the_largest_sums_of_products_fit() {
         let plain = PrimeField::new((1 << 62) - 57).unwrap();

@@ -1,22 +1,20 @@
-//! All monomials of the states up to a degree, ascending, and their values at a point.
+//! Monomials of the states up to a degree, ascending, and their values at a point.
 
 use crate::modular::modulus::Modulus;
 
-/// The monomials of n variables of degree 0, 1, 2, …: by degree, and within a degree in
-/// lexicographic order with the last variable lowest.
+/// The monomials of n variables by degree, then lexicographic with the last variable lowest.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,
-    /// The exponents of each monomial.
     exponents: Vec<Vec<u32>>,
-    /// Each monomial but 1 as an earlier one times a variable.
+    /// Each monomial except 1 as an earlier one times a variable.
     recipes: Vec<(usize, usize)>,
     /// The number of monomials of degree ≤ 0, ≤ 1, ….
     counts: Vec<usize>,
 }
 
 impl Monomials {
-    /// The monomials of degree at most `degree` in n variables.
+    /// Lists the monomials of degree at most `degree` in n variables.
     #[must_use]
     pub fn new(variables: usize, degree: u32) -> Self {
         let mut monomials = Monomials {
@@ -30,7 +28,7 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // Every monomial is made once: by its first variable.
+                    // Each monomial is made only from its first variable.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;
@@ -44,7 +42,7 @@ impl Monomials {
         monomials
     }
 
-    /// How many there are of degree at most `degree` in n variables, C(n + degree, n).
+    /// Returns the number of monomials of degree at most `degree` in n variables, C(n + degree, n).
     #[must_use]
     pub fn count(variables: usize, degree: u32) -> usize {
         (1..=variables as u128)
@@ -53,31 +51,31 @@ impl Monomials {
             .unwrap_or(usize::MAX)
     }
 
-    /// How many there are.
+    /// Returns the number of monomials.
     #[must_use]
     pub fn len(&self) -> usize {
         self.exponents.len()
     }
 
-    /// Never: there is always the monomial 1.
+    /// Returns `false`, as the monomial 1 is always present.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         false
     }
 
-    /// The number of variables.
+    /// Returns the number of variables.
     #[must_use]
     pub fn variables(&self) -> usize {
         self.variables
     }
 
-    /// The highest degree.
+    /// Returns the highest degree.
     #[must_use]
     pub fn degree(&self) -> u32 {
         self.counts.len() as u32 - 1
     }
 
-    /// How many have degree at most `degree`.
+    /// Returns the number of monomials of degree at most `degree`.
     ///
     /// # Panics
     /// Beyond the highest degree.
@@ -86,13 +84,13 @@ impl Monomials {
         self.counts[degree as usize]
     }
 
-    /// The exponents of monomial `index`.
+    /// Returns the exponents of monomial `index`.
     #[must_use]
     pub fn exponents(&self, index: usize) -> &[u32] {
         &self.exponents[index]
     }
 
-    /// The values of all of them. Cost: one product each.
+    /// Evaluates all monomials, with one product each.
     #[must_use]
     pub fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let mut values = Vec::with_capacity(self.len());

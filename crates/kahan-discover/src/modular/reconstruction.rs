@@ -1,11 +1,10 @@
-//! From residues to formulas: functions that can be evaluated modulo primes become rational
-//! functions over ℚ.
+//! Reconstruction of rational functions over ℚ from values modulo primes.
 //!
-//! An [`Oracle`] gives a vector of values at any values of the unknowns (the parameters and ε). Its
-//! degrees in each unknown and in all together bound an ansatz N/D for each entry, whose
-//! coefficients are a null vector; coefficients modulo one prime, or several by the Chinese
-//! remainder theorem, become rationals. What holds: the result agrees with the oracle at a random
-//! point modulo a prime that was not used. That is evidence; proofs are made elsewhere.
+//! An [`Oracle`] returns a vector of values at any values of the unknowns (parameters and ε).
+//! Degrees in each unknown and in all together bound an ansatz N/D for each entry, whose
+//! coefficients are a null vector. Coefficients modulo several primes become rationals by the
+//! Chinese remainder theorem. The result agrees with the oracle at a random point modulo an unused
+//! prime: evidence, not a proof.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
@@ -18,27 +17,25 @@ use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::thiele::{SPARE, degree};
 
-/// Gives the values of rational functions at these unknowns, always equally many; `None` where they
-/// are not defined.
+/// A function that returns the values of rational functions at the unknowns; `None` where
+/// undefined. The number of values never changes.
 pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
-/// The most points on a line; degrees up to some twenty in one unknown.
+/// The most points on a line, enough for degrees of about twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
 
-/// The most primes that are joined.
 const MOST_PRIMES: usize = 24;
 
-/// The most digits, above and below, of coefficients that so many primes of 61 bits tell.
+/// The most digits of numerators and denominators that `MOST_PRIMES` primes of 61 bits determine.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
-/// How often a point is sampled again where the oracle has no value.
+/// The most points tried where the oracle has no value.
 const MOST_SAMPLES: usize = 8;
 
-/// The functions behind an oracle, over ℚ; unknown k becomes `variables[k]`. `None` if degrees or
-/// coefficients are out of reach, the deadline passes, or the values are those of no rational
-/// function.
+/// Reconstructs the functions behind an oracle over ℚ; unknown k becomes `variables[k]`.
 ///
-/// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for
+/// `None` if degrees or coefficients are out of reach, time is over, or the values are not
+/// rational. Cost: for functions of m coefficients, m + 4 calls for each prime, m³ products for
 /// each entry.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
@@ -80,7 +77,7 @@ impl Reconstruction<'_> {
         (0..self.unknowns).map(|_| modulus.sample(self.random)).collect()
     }
 
-    /// The oracle's values somewhere.
+    /// Returns a random point and the oracle's values there.
     fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
         (0..MOST_SAMPLES).find_map(|_| {
             if self.deadline.passed() {
@@ -92,7 +89,7 @@ impl Reconstruction<'_> {
         })
     }
 
-    /// The degrees of all entries on the line base + t·direction.
+    /// Returns the degrees of all entries on the line base + t·direction.
     fn degrees_on_line(&mut self, modulus: Modulus, direction: &[u64]) -> Option<Vec<usize>> {
         let base = self.point(&modulus);
         let (mut points, mut values): (Vec<u64>, Vec<Vec<u64>>) = (Vec::new(), Vec::new());
@@ -150,8 +147,7 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// The coefficients of each entry: numerator, then denominator, the last that is not zero being
-    /// 1.
+    /// Returns the coefficients of each entry, numerator first; the last nonzero one is 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[Shape]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);
@@ -176,7 +172,7 @@ impl Reconstruction<'_> {
     }
 }
 
-/// Whether functions agree with the oracle at a random point modulo a random prime.
+/// Tells whether functions agree with the oracle at a random point modulo a random prime.
 pub fn confirms(
     oracle: &mut Oracle<'_>,
     functions: &[RationalFunction],
@@ -207,7 +203,6 @@ mod tests {
 
     #[test]
     fn rational_functions_come_back_from_their_values() {
-        // (3a²b − 1/7)/(a − b), the constant 123456789012345678901/2 (more than one prime), and 0.
         let large = Rational::parse("123456789012345678901/2").unwrap();
         let (a, b) = (Variable(4), Variable(9));
         let mut oracle = |modulus: Modulus, at: &[u64], _: &mut SplitMix64| {

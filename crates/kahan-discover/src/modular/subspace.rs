@@ -1,7 +1,7 @@
 //! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
 //!
-//! A space that depends on parameters and ε has a basis in reduced form whose entries are rational
-//! functions of them; this is what is reconstructed.
+//! If a space depends on parameters and ε, the entries of its reduced basis are rational functions
+//! of them, which can be reconstructed.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -19,28 +19,31 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
 use crate::modular::weights::Weights;
 
-/// The shape of a space's basis: which monomials occur, and which lead.
+/// The form of a basis: the monomials that occur, and the leading ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
-    /// The monomials that occur, by their indices, ascending or descending.
+    /// The indices of the monomials that occur, ascending or descending.
     pub support: Vec<usize>,
-    /// The places in `support` of the first monomial of each basis element.
+    /// The places in `support` of the leading monomial of each basis element.
     pub pivots: Vec<usize>,
 }
 
-/// A basis in reduced form: each element begins, in the order of the support, with the monomial of
-/// its pivot with coefficient 1, and the others lack it.
+/// A space of polynomials with a basis in reduced form.
+///
+/// In the order of the support, each element begins with the monomial of its pivot, with
+/// coefficient
+/// 1. The other elements do not contain that monomial.
 #[derive(Clone, Debug)]
 pub struct PolynomialSpace {
-    /// The shape.
+    /// The form of the basis.
     pub form: Form,
-    /// One row of coefficients for each element, on the support.
+    /// The coefficients of each element on the support.
     pub rows: Vec<Vec<u64>>,
 }
 
 impl PolynomialSpace {
-    /// The space spanned by vectors of coefficients of all monomials: of the two reduced bases,
-    /// that begin with low monomials or with high ones, the one with fewer terms.
+    /// Returns the span of vectors of coefficients of all monomials. The reduced basis begins with
+    /// low or with high monomials, whichever has fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -59,33 +62,33 @@ impl PolynomialSpace {
         if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
-    /// The space spanned by vectors on a known support, if it has the known form.
+    /// Returns the span of vectors on a known support; `None` if it has another form.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());
         (echelon.pivots == form.pivots).then(|| PolynomialSpace { form: form.clone(), rows: echelon.rows })
     }
 
-    /// The number of basis elements.
+    /// Returns the number of basis elements.
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.rows.len()
     }
 
-    /// The coefficients of element `index` on all `count` monomials.
+    /// Returns the coefficients of element `index` on all `count` monomials.
     #[must_use]
     pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
         scattered(&self.form.support, &self.rows[index], count)
     }
 
-    /// The number of terms of element `index`.
+    /// Returns the number of terms of element `index`.
     #[must_use]
     pub fn terms(&self, index: usize) -> usize {
         self.rows[index].iter().filter(|&&value| value != 0).count()
     }
 }
 
-/// A vector of this length with entries at these places, and zeros elsewhere.
+/// Returns a vector of this length with entries at these places, and zeros elsewhere.
 pub(crate) fn scattered<'a>(
     places: impl IntoIterator<Item = &'a usize>,
     entries: &[u64],
@@ -98,19 +101,19 @@ pub(crate) fn scattered<'a>(
     all
 }
 
-/// Which variables of formulas stand for what.
+/// The variables of formulas on a space.
 #[derive(Clone, Debug)]
 pub struct Names {
-    /// The parameters and ε, and what else a space depends on.
+    /// The parameters, ε, and further unknowns that the space depends on.
     pub unknowns: Vec<Variable>,
-    /// The states that the monomials are made of.
+    /// The states in the monomials.
     pub states: Vec<Variable>,
-    /// The scaling symmetries, with the weights of all unknowns, where they are known.
+    /// The scaling symmetries with the weights of all unknowns, if known.
     pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
 }
 
 impl Names {
-    /// Those of a map in all its states.
+    /// Returns the variables of a map in all its states.
     #[must_use]
     pub fn of(searched: &SearchField) -> Self {
         let symbols = searched.family().symbols();
@@ -123,8 +126,7 @@ impl Names {
         }
     }
 
-    /// The coefficient of m in a basis element that begins with the monomial p weighs as much as
-    /// p/m.
+    /// Weighs the entries: the coefficient of m after the leading monomial p has the weight of p/m.
     fn grading(
         &self,
         weights: &(Weights, Vec<Vec<Rational>>),
@@ -146,8 +148,8 @@ impl Names {
     }
 }
 
-/// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the
-/// space at any values of the unknowns, always of the same form; `None` as for [`reconstruct`].
+/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. `at`
+/// returns the space at any unknowns. `None` for a changing form, and as for [`reconstruct`].
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
@@ -171,7 +173,7 @@ pub fn reconstruct_space(
     Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
 }
 
-/// Σ cₘ m times the least common denominator, with coprime integer coefficients.
+/// Returns Σ cₘ m times the least common denominator, with coprime integer coefficients.
 #[must_use]
 pub fn cleared(
     states: &[Variable],
@@ -182,7 +184,7 @@ pub fn cleared(
     combination(states, monomials, support, &RationalFunction::over_common(coefficients).0).primitive_part()
 }
 
-/// Σ cₘ m over the monomials m of a support, in these states.
+/// Returns Σ cₘ m over the monomials m of a support, in these states.
 pub(crate) fn combination(
     states: &[Variable],
     monomials: &Monomials,
@@ -195,8 +197,7 @@ pub(crate) fn combination(
     })
 }
 
-/// The polynomial divided by every factor that is free of states, its first term in writing
-/// positive.
+/// Divides a polynomial by all factors free of states, and makes its first written term positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let primitive = symbols.primitive_part(polynomial);

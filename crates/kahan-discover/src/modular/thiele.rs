@@ -1,19 +1,19 @@
 //! The degree of a rational function of one variable, from its values.
 //!
 //! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function ends:
-//! after the coefficient with index L its inverted differences are the same at all further points,
-//! and the function has degree ⌈L/2⌉. The points that are left over then are the verification.
+//! after the coefficient with index L all further inverted differences are equal, and the degree is
+//! ⌈L/2⌉. The remaining points verify the result.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
 
-/// The number of points beyond those needed on which a function must agree with its continued
-/// fraction: a wrong degree passes with a probability below (degree/p)^4.
+/// The number of points that must agree with the continued fraction beyond those needed. A wrong
+/// degree passes with a probability below (degree/p)⁴.
 pub(crate) const SPARE: usize = 4;
 
-/// max(deg P, deg Q) of the function P/Q in lowest terms with `values` at the different `points`;
-/// `None` if it needs more points, or the deadline passes. Cost: 4 products for each pair of
-/// points, up to twice the degree of them.
+/// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
+/// `points`. `None` if more points are needed or the deadline passes. Cost: 4 products for each
+/// pair of points, up to twice the degree of them.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();
@@ -27,7 +27,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         if differences.iter().all(|&difference| difference == 0) {
             return Some(usize::div_ceil(level, 2));
         }
-        // A value may come twice by accident; that point then says nothing.
+        // Points with an accidentally equal value are dropped.
         let mut kept = differences.iter().map(|&difference| difference != 0);
         points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);
@@ -48,7 +48,6 @@ mod tests {
     use super::*;
     use kahan_algebra::prime_field::SplitMix64;
 
-    /// (t^a + 3)/(t^b − 5) at `count` random points.
     fn sampled(a: u32, b: u32, count: usize) -> Option<usize> {
         let modulus = Modulus::mersenne_61();
         let mut random = SplitMix64::new(11);
@@ -71,7 +70,7 @@ mod tests {
         assert_eq!(sampled(40, 40, 60), None);
     }
 
-    /// P/Q of degree d is fixed by 2d + 1 values; no degree is told before four more agree.
+    /// P/Q of degree d is determined by 2d + 1 values; four more must agree.
     #[test]
     fn a_degree_is_told_when_four_points_to_spare_agree() {
         for d in [0, 1, 2, 7, 20] {
@@ -81,7 +80,7 @@ mod tests {
         }
     }
 
-    /// Values of a function of degree 1 but for one: wherever that is, the degree is not 1.
+    /// Changes one value of a function of degree 1: the degree is then never 1.
     #[test]
     fn one_spare_point_that_does_not_agree_is_enough() {
         let modulus = Modulus::mersenne_61();

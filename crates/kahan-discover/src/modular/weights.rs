@@ -1,9 +1,7 @@
-//! Scaling symmetries, so that fewer unknowns have to be interpolated.
+//! Scaling symmetries, which reduce the number of unknowns to interpolate.
 //!
-//! Weights of states, parameters and ε under which every equation ε ẋᵢ ~ xᵢ is homogeneous form a
-//! lattice; under each of them the coefficients of what the map preserves are homogeneous too. As
-//! many unknowns as the weights separate are set to 1, and every term gets its powers of them back
-//! from its weight.
+//! Weights of states, parameters and ε under which all equations ε ẋᵢ ~ xᵢ are homogeneous form a
+//! lattice. Coefficients of preserved quantities are homogeneous under each of them.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};
@@ -12,13 +10,12 @@ use kahan_algebra::rational::Rational;
 /// The weights of variables: one entry for each independent scaling symmetry.
 #[derive(Clone, Debug, Default)]
 pub struct Weights {
-    /// By variable: states, parameters, ε.
+    /// Weights by variable: states, parameters, ε.
     by_variable: Vec<Vec<Rational>>,
 }
 
 impl Weights {
-    /// The scaling symmetries of a field's map; with ε (half the time step) fixed only those that
-    /// leave ε alone.
+    /// Returns the scaling symmetries of a field's map; with fixed ε only those that keep ε.
     #[must_use]
     pub fn of(field: &Field, eps_is_fixed: bool) -> Self {
         let count = usize::from(field.symbols.epsilon().0) + 1;
@@ -38,7 +35,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // ε p/q ~ xᵢ
+                // Homogeneity of ε p/q ~ xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();
@@ -64,13 +61,13 @@ impl Weights {
         Weights { by_variable: (0..count).map(weight).collect() }
     }
 
-    /// The weight of a variable; of one that is none of the map's, nothing.
+    /// Returns the weight of a variable; empty for a foreign variable.
     #[must_use]
     pub fn of_variable(&self, variable: Variable) -> Vec<Rational> {
         self.by_variable.get(usize::from(variable.0)).cloned().unwrap_or_default()
     }
 
-    /// The weight of a monomial of the map's variables.
+    /// Returns the weight of a monomial of the map's variables.
     #[must_use]
     pub fn of_monomial(&self, monomial: &Monomial) -> Vec<Rational> {
         let rank = self.by_variable.first().map_or(0, Vec::len);
@@ -79,8 +76,7 @@ impl Weights {
     }
 }
 
-/// The weight of a monomial, of so many entries, from those of its variables; `None` where one has
-/// none.
+/// Returns the weight of a monomial, with `rank` entries; `None` if a variable has no weight.
 pub(crate) fn weight_of<'a>(
     monomial: &Monomial,
     rank: usize,
@@ -96,7 +92,7 @@ pub(crate) fn weight_of<'a>(
     Some(sum)
 }
 
-/// Reduced echelon form in place; returns the pivot columns among the first `columns`.
+/// Computes the reduced echelon form in place; returns the pivot columns among the first `columns`.
 pub(crate) fn reduce(rows: &mut [Vec<Rational>], columns: usize) -> Vec<usize> {
     let mut pivots = Vec::new();
     for column in 0..columns {

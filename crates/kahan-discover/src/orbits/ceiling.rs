@@ -1,20 +1,8 @@
-//! How many integrals there can be at most, read off the fixed points of the map.
+//! Upper bounds of the number of integrals, from the fixed points of the map.
 //!
-//! At a zero x₀ of f, with L = f′(x₀), the map has the Jacobian (I − εL)⁻¹(I + εL). Its eigenvalues
-//! are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. If k independent rational integrals exist,
-//! their lowest terms at x₀ give k independent rational functions that this matrix keeps (Ziglin's
-//! lemma), and with the matrix its diagonal part, diag(μ₁, …, μₙ), keeps them. So at most n − s
-//! exist, where s is the number of multiplicatively independent μ.
-//!
-//! As functions of ε, μ has the zero −1/λ and the pole 1/λ. Hence s is the number of different
-//! λ² ≠ 0: two μ are equal or inverse to each other where λ² is the same, and otherwise have no
-//! zero or pole in common.
-//!
-//! All of this holds over every field but those of characteristic 2, and integrals over ℚ(ε)
-//! remain as many independent integrals when the map is reduced modulo p and parameters are
-//! replaced by values (the same lemma, for the valuation at p). So one zero modulo one prime is a
-//! proof. It is found by trial: the values of some states are sampled, and the equations that then
-//! have one unknown are solved for it.
+//! In: a field. Out: the least bound found, with a zero of the field modulo a prime that proves it.
+//! Zeros are found by trial: the values of some states are sampled, and equations with one unknown
+//! left are solved. The proof stands at [`ceiling`].
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -23,42 +11,52 @@ use crate::maps::map::{ModularMap, Term};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// Why there are no more than so many integrals.
+/// An upper bound of the number of integrals, with its proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ceiling {
     /// The most independent rational integrals that the map can have at generic ε.
     pub integrals: usize,
-    /// The prime modulo which a zero of the field shows it.
+    /// The prime of the proof.
     pub prime: u64,
-    /// The zero modulo that prime.
+    /// The zero of the field modulo the prime.
     pub zero: Vec<u64>,
-    /// The values of the parameters modulo that prime.
+    /// The values of the parameters modulo the prime.
     pub parameters: Vec<u64>,
 }
 
-/// Primes in whose fields zeros are looked for. All are 3 modulo 4, where a square root is a power.
-/// Small fields have zeros that are found by chance, in large ones eigenvalues are seldom equal by
-/// chance.
+/// The primes of the search, all 3 modulo 4, so a square root is a power. Zeros are found by chance
+/// in small fields; in large ones eigenvalues are seldom equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
-/// More variables are not looked at: the eigenvalues cost n⁴ products.
+/// The most variables; the eigenvalues cost n⁴ products.
 const MOST_VARIABLES: usize = 24;
 
-/// As many trials are made at most, the same on every machine, where the answer spares no search.
+/// The most trials if the answer shortens no search; the number does not depend on the machine.
 pub const FEW_TRIALS: usize = 24_000;
 
-/// As many trials are made at most where the answer may spare a long search.
+/// The most trials if the answer may save a long search.
 pub const MANY_TRIALS: usize = 400_000;
 
-/// A trial costs about n³ products, and all together so many.
+/// The most products of all trials; one trial takes about n³.
 const WORK: usize = 100_000_000;
 
-/// As many trials are made with the same values of the parameters.
+/// The number of trials at equal values of the parameters.
 const TRIALS_A_SAMPLE: usize = 40;
 
-/// Returns the lowest ceiling of at most `trials` trials; the search ends with the first ceiling
-/// that is `enough` or lower. `None` if no zero was found, if ε is fixed, if the field depends on
-/// ε, or in more than 24 variables.
+/// Returns the least bound found in `trials` trials, or the first that is at most `enough`.
+///
+/// `None` if no zero was found, ε is fixed, the field depends on ε, or in more than 24 variables.
+///
+/// At a zero x₀ of f with L = f′(x₀) the map has the Jacobian (I − εL)⁻¹(I + εL). Its eigenvalues
+/// are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. The lowest terms at x₀ of k independent
+/// rational integrals give k independent rational functions that the Jacobian preserves (Ziglin's
+/// lemma); its diagonal part diag(μ₁, …, μₙ) preserves them, too. So k ≤ n − s with s
+/// multiplicatively independent μ. As a function of ε, μ has the zero −1/λ and the pole 1/λ, so s
+/// is the number of different λ² ≠ 0.
+///
+/// The argument holds over every field of characteristic ≠ 2. Integrals over ℚ(ε) remain equally
+/// many and independent when the map is reduced modulo p and parameters get values (Ziglin's lemma
+/// for the valuation at p). One zero modulo one prime is therefore a proof.
 pub fn ceiling(
     searched: &SearchField,
     enough: usize,
@@ -101,7 +99,7 @@ pub fn ceiling(
     lowest
 }
 
-/// A zero of the field, if the states sampled have led to one.
+/// Returns a zero of the field if the sampled states lead to one.
 fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -> Option<Vec<u64>> {
     let components = map.components();
     let mut values: Vec<Option<u64>> = vec![None; components.len()];
@@ -124,7 +122,7 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
                 if open.is_empty() {
                     return values.into_iter().collect();
                 }
-                // Zeros often lie where states vanish or are equal.
+                // Zeros often have states that vanish or are equal.
                 let value = match random.below(4) {
                     0 => 0,
                     1 => modulus.one(),
@@ -137,13 +135,13 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
     }
 }
 
-/// A component of the field at the states whose values are known.
+/// A component of the field at the known states.
 enum Restricted {
-    /// It depends on no other state.
+    /// The component depends on no other state.
     Constant(u64),
-    /// It depends on one, x: c₀ + c₁x + c₂x².
+    /// The component is c₀ + c₁x + c₂x² in one other state x.
     Single { state: usize, coefficients: [u64; 3] },
-    /// It depends on several.
+    /// The component depends on several other states.
     Several,
 }
 
@@ -172,7 +170,7 @@ fn restricted(terms: &[Term], values: &[Option<u64>], modulus: &Modulus) -> Rest
     }
 }
 
-/// A root of c₀ + c₁x + c₂x², where c₁ and c₂ are not both 0; either of two by chance.
+/// Returns a root of c₀ + c₁x + c₂x², with c₁ and c₂ not both 0; one of two by chance.
 fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> Option<u64> {
     let quotient = |above: u64, below: u64| Some(modulus.times(above, modulus.inverse(below)?));
     if c2 == 0 {
@@ -180,7 +178,6 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
     }
     let four = modulus.integer(4);
     let discriminant = modulus.minus(modulus.times(c1, c1), modulus.times(four, modulus.times(c0, c2)));
-    // The primes are 3 modulo 4 and below 2³².
     let sqrt = modulus.power(discriminant, ((modulus.prime() + 1) / 4) as u32);
     if modulus.times(sqrt, sqrt) != discriminant {
         return None;
@@ -189,11 +186,11 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
     quotient(modulus.minus(sqrt, c1), modulus.plus(c2, c2))
 }
 
-/// The number of different λ² ≠ 0 for the eigenvalues λ of a matrix, in the algebraic closure; the
-/// prime must be larger than the number n of its rows. Cost: n⁴ products.
+/// Returns the number of different λ² ≠ 0 over the eigenvalues λ, in the algebraic closure. The
+/// prime must exceed the number n of rows. Cost: n⁴ products.
 fn different_squares(modulus: &Modulus, matrix: &[Vec<u64>]) -> usize {
     let mut polynomial = characteristic(modulus, &product(modulus, matrix, matrix));
-    // Eigenvalues 0 are left out.
+    // Removes eigenvalues 0.
     polynomial.drain(..polynomial.iter().take_while(|&&coefficient| coefficient == 0).count());
     let slope = (1..polynomial.len())
         .map(|power| modulus.times(modulus.integer(power as u64), polynomial[power]))
@@ -210,14 +207,14 @@ fn product(modulus: &Modulus, left: &[Vec<u64>], right: &[Vec<u64>]) -> Vec<Vec<
     left.iter().map(entries).collect()
 }
 
-/// det(t − M) by Faddeev and LeVerrier's recursion, the constant coefficient first.
+/// Returns det(t − M) by Faddeev and LeVerrier's recursion, constant coefficient first.
 fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     let n = matrix.len();
     let mut coefficients = vec![0; n + 1];
     coefficients[n] = modulus.one();
     let mut auxiliary = vec![vec![0; n]; n];
     for k in 1..=n {
-        // Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k
+        // Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k.
         auxiliary = product(modulus, matrix, &auxiliary);
         for (i, row) in auxiliary.iter_mut().enumerate() {
             row[i] = modulus.plus(row[i], coefficients[n - k + 1]);
@@ -230,8 +227,7 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     coefficients
 }
 
-/// The degree of the greatest common divisor of two polynomials, constant coefficients first; the
-/// first is not 0.
+/// Returns the degree of the greatest common divisor; constant terms come first, `above` ≠ 0.
 fn common_degree(modulus: &Modulus, mut above: Vec<u64>, mut below: Vec<u64>) -> usize {
     loop {
         while below.last() == Some(&0) {
@@ -268,7 +264,7 @@ mod tests {
         let modulus = Modulus::of(PrimeField::new(1_000_003).unwrap());
         let count = |values: &[i64]| {
             let n = values.len();
-            // A triangular matrix, so that equal eigenvalues make Jordan blocks.
+            // In a triangular matrix, equal eigenvalues make Jordan blocks.
             let entry = |i: usize, j: usize| match j.cmp(&i) {
                 std::cmp::Ordering::Less => 0,
                 std::cmp::Ordering::Equal if values[i] < 0 => {
@@ -288,33 +284,31 @@ mod tests {
         assert_eq!(count(&[0, 1, -1, 2, -2, 5]), 3);
     }
 
-    /// No ceiling lies below what is known to exist.
+    /// No bound lies below the number of known integrals.
     #[test]
     fn ceilings_of_fields_whose_integrals_are_known() {
-        // The pendulum-like Weierstrass equation, the chains of three and five sites, the Euler
-        // top.
+        // The Weierstrass equation, the chains of three and five sites, the Euler top.
         assert_eq!(of("xdot = y; ydot = 6*x^2 - a;", None), Some(1));
         assert_eq!(of("xdot = x*(y - z); ydot = y*(z - x); zdot = z*(x - y);", None), Some(2));
         assert_eq!(of("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", None), Some(2));
         let five = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
             ddot = d*(e + a - b - c); edot = e*(a + b - c - d);";
         assert_eq!(of(five, None), Some(3));
-        // Every linear diagonal field is solved by powers, which have no rational quotients here.
+        // Solutions are powers of exponentials, without rational combinations here.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", None), Some(0));
         assert_eq!(of("xdot = x; ydot = -y;", None), Some(1));
-        // Nothing at all.
         assert_eq!(of("xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;", None), Some(0));
         assert_eq!(of("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", None), Some(0));
-        // There is no zero, or its eigenvalues are 0.
+        // Fields without a zero, or with eigenvalues 0 there.
         assert_eq!(of("xdot = 1; ydot = x;", None), None);
         assert_eq!(of("xdot = y^2; ydot = 0;", None), Some(2));
-        // Four dense components, whose zeros are found by chance.
+        // Zeros of four dense components are found by chance.
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
-        // μ₁ = μ₂² for λ₁ = 2/(1 + ε²), λ₂ = 1, whose squares differ.
+        // For λ₁ = 2/(1 + ε²), λ₂ = 1, μ₁ = μ₂² though the squares differ.
         assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
-        // At one ε there may be more: Lotka and Volterra's map at ε = 1.
+        // A fixed ε may allow more integrals, like Lotka and Volterra's map at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);
     }
 }

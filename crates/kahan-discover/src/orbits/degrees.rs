@@ -1,10 +1,9 @@
-//! The degrees of the iterates of the map, common factors removed.
+//! Degrees of the iterates of the map as a projective map, without common factors.
 //!
-//! The n-th iterate is evaluated along a line through random points (with a random Möbius
-//! parameter, so that infinity is not special on it); a random combination of its components is a
-//! rational function of the parameter, and its degree is that of the iterate as a projective map: a
-//! factor common to all numerators and the denominator never appears in values. No polynomial is
-//! ever formed.
+//! The n-th iterate is evaluated along a random line, with a random Möbius parameter so that
+//! infinity is not special. A random combination of its components is a rational function of the
+//! parameter, and its degree is that of the iterate: common factors of numerators and denominator
+//! never appear in values. No polynomial is formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -14,29 +13,27 @@ use crate::maps::stepping::Stepping;
 use crate::modular::thiele::{SPARE, degree};
 use crate::orbits::growth::{Growth, GrowthVerdict};
 
-/// Where to stop.
+/// The limits of a computation of degrees.
 #[derive(Clone, Copy)]
 pub struct DegreeLimits<'a> {
     /// The number of iterates.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken; up to four times as much for the first
-    /// five while nothing can be said of growth.
+    /// The degree after which no further iterate is taken; four times as large for the first five
+    /// iterates while growth is undecided.
     pub degree: usize,
-    /// When to stop in any case.
+    /// The deadline.
     pub deadline: &'a Deadline<'a>,
 }
 
-/// As many degrees are taken while growth is undecided, and four times as far.
+/// The number of degrees for which the larger limit holds while growth is undecided.
 const FEWEST: usize = 6;
 
-/// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if
-/// the map has no value anywhere on it.
-///
+/// Returns the degrees d₀ = 1, d₁, … of iterates on a random line; empty without values there.
 /// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
-    // One iterate more than the limit on degrees lets pass, and never more points than it may need.
+    // Enough for one iterate beyond the limit on degrees.
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();
@@ -52,7 +49,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // Not one more iterate has a value on the line.
+                // No further iterate has a value on the line.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
@@ -80,7 +77,6 @@ struct Line<'a> {
     direction: Vec<u64>,
     /// The coefficient c of the Möbius parameter t/(1 + ct).
     bend: u64,
-    /// The combination of components.
     weights: Vec<u64>,
     samples: Vec<Sample>,
 }
@@ -103,8 +99,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at
-    /// poles, or the deadline passes.
+    /// Brings at least `count` samples to the iterate `steps`. Returns `false` if points keep
+    /// ending at poles or the deadline passes.
     fn prepare(
         &mut self,
         count: usize,
@@ -140,7 +136,7 @@ impl<'a> Line<'a> {
 }
 
 impl Sample {
-    /// `false` at a pole.
+    /// Steps the sample; returns `false` at a pole.
     fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
         while self.steps < steps {
             match map.next(&self.state) {

@@ -4,37 +4,37 @@ use std::fmt;
 
 use crate::orbits::plane::GrowthProof;
 
-/// How the degrees grow with the number of steps.
+/// The growth of degrees with the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// Constant from some iterate on: the iterates are all of one family.
+    /// Constant from some iterate on: the iterates belong to one family.
     Bounded,
-    /// dₙ ~ n: curves of genus 0, or a map that can be made linear.
+    /// dₙ ~ n: curves of genus 0, or a linearisable map.
     Linear,
     /// dₙ ~ n²: an integrable map on curves of genus 1 or abelian surfaces.
     Quadratic,
     /// dₙ ~ eⁿ·ˢ: not integrable.
     Exponential {
-        /// s = log of the ratio of successive degrees: the algebraic entropy.
+        /// The algebraic entropy s, the logarithm of the ratio of successive degrees.
         entropy: f64,
     },
-    /// Too few iterates, or none of these.
+    /// Too few iterates, or another growth.
     Undecided,
 }
 
-/// A growth class with what it rests on.
+/// A growth class with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthVerdict {
     /// The class.
     pub growth: Growth,
-    /// What was seen, as a sentence.
+    /// The observation in words.
     pub evidence: String,
-    /// The proof that the growth is exponential; `None` if the class of growth was only observed.
+    /// The proof of exponential growth; `None` if growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 
 impl Growth {
-    /// The class in one word.
+    /// Returns the class in one word.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl Growth {
         }
     }
 
-    /// The algebraic entropy; 0 unless growth is exponential.
+    /// Returns the algebraic entropy; 0 unless growth is exponential.
     #[must_use]
     pub fn entropy(&self) -> f64 {
         match self {
@@ -62,20 +62,19 @@ impl fmt::Display for Growth {
     }
 }
 
-/// Two successive ratios of an exponential sequence differ by at most this; those of n^k fall like
-/// 1 + k/n.
+/// The largest relative difference of steady ratios; those of n^k fall like 1 + k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
-    /// The class of d₀, d₁, …, by these rules, the first that applies:
+    /// Classifies d₀, d₁, … by the first rule that applies:
     ///
-    /// 1. The differences over k steps, dₙ₊ₖ − dₙ, are constant over the last max(4, 2k) of them,
-    ///    for the least such k: *bounded* where the constant is 0 and k = 1, *linear* else. (k > 1
-    ///    is a pattern that repeats.)
-    /// 2. The same of the second differences over k steps: *quadratic*.
-    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 8 %
-    ///    from the one two steps before nor has the excess over 1 fallen by a third over the second
-    ///    half of the sequence.
+    /// 1. *Bounded* or *linear*: for the least possible k the differences dₙ₊ₖ − dₙ are constant
+    ///    over the last max(4, 2k) of them. Bounded means constant 0 and k = 1; k > 1 is a
+    ///    repeating pattern.
+    /// 2. *Quadratic*: the second differences over k steps are constant in this sense.
+    /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last differs by at most
+    ///    8 % from the one two steps before and keeps two thirds of the excess over 1 at half the
+    ///    sequence.
     /// 4. *Undecided*.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {
@@ -117,8 +116,7 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// The least k for which the differences of this order over k steps are constant at the end, with
-/// the constant and how many of them agree.
+/// Returns the least k with constant final differences over k steps, and their value and number.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();
@@ -132,7 +130,7 @@ fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     })
 }
 
-/// The ratio that successive degrees tend to.
+/// Returns the ratio of successive degrees if it is steady.
 fn exponential(values: &[i128]) -> Option<f64> {
     if values.len() < 5 {
         return None;
@@ -164,7 +162,7 @@ mod tests {
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
         assert!((entropy - 3f64.ln()).abs() < 1e-12);
         assert_eq!(growth([1, 2, 4]), Growth::Undecided);
-        // Cubic growth is none of the classes, however long one looks.
+        // Cubic growth is not one of the classes, for any number of degrees.
         assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
         assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
     }

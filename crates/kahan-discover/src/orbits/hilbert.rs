@@ -9,49 +9,46 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
 
-/// h(d) for a generic orbit: the number of monomials of degree ≤ d that are independent on it.
-///
-/// That all monomials up to degree d are independent bounds the degree of a relation from below; it
-/// does not prove that there is none.
+/// The Hilbert function h(d) of a generic orbit: the number of independent monomials of degree ≤ d.
+/// Without a relation up to degree d, relations of higher degrees may exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
-    /// h(1), h(2), ….
+    /// The values h(1), h(2), ….
     pub values: Vec<usize>,
-    /// The number of monomials of degree ≤ 1, ≤ 2, …: what h is where nothing is conserved.
+    /// The number of monomials of degree ≤ 1, ≤ 2, …, which h equals without relations.
     pub full: Vec<usize>,
-    /// The codimension of the orbit's closure as cut out by the relations seen: the number of
+    /// The codimension of the orbit's closure as defined by the observed relations: the number of
     /// independent algebraic integrals visible up to this degree.
     pub integrals: usize,
     /// The least degree of a relation.
     pub relation_degree: Option<u32>,
-    /// The points of the longest orbit looked at.
+    /// The number of points of the longest orbit.
     pub points: usize,
-    /// The period, if every orbit looked at closed with the same one.
+    /// The common period, if every orbit closed.
     pub period: Option<usize>,
-    /// The orbits looked at: two primes, two points each, unless time ran out.
+    /// The number of orbits: two primes with two points each, unless time ran out.
     pub orbits: usize,
-    /// Whether all of them gave the same.
+    /// Whether all orbits gave equal results.
     pub agree: bool,
 }
 
-/// As many monomials as an orbit is looked at for, unless a degree is asked for.
+/// The most monomials for the default degree.
 const MOST_MONOMIALS: usize = 220;
 
-/// As many for degree 2, which is looked at in more variables.
+/// The most monomials for the default degree 2, which allows more variables.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
-/// The highest degree, unless one is asked for.
 const HIGHEST_DEGREE: u32 = 10;
 
-/// The most monomials that are looked at, whatever the time: the relations on one orbit take their
-/// square in numbers of eight bytes several times over, and their cube in products.
+/// The most monomials for any time limit. Relations on one orbit take several times the square of
+/// this number in words of eight bytes, and its cube in products.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
-/// How often a start is sampled again when its orbit ends at a pole.
+/// The most starts tried whose orbits end at poles.
 const MOST_SAMPLES: usize = 8;
 
-/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow,
-/// between 2 and 10 (in more than 40 variables 1).
+/// Returns the default degree of relations in n variables: as high as 220 monomials allow, 2 to 10.
+/// In more than 40 variables the degree is 1.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
@@ -61,7 +58,7 @@ pub fn default_degree(variables: usize) -> u32 {
         .unwrap_or(1)
 }
 
-/// The relations on a random orbit; `None` if all of 8 orbits end at poles, or the deadline passes.
+/// Returns relations on a random orbit; `None` if 8 orbits end at poles or the deadline passes.
 pub fn random_relations(
     map: &impl Stepping,
     monomials: &Monomials,
@@ -81,10 +78,8 @@ pub fn random_relations(
 }
 
 impl Hilbert {
-    /// Looks at orbits modulo two primes from two points each, with random unknowns, as many as the
-    /// deadline allows. `None` if the map, or every orbit, has no value, or not even one is done in
-    /// time.
-    ///
+    /// Follows orbits modulo two primes from two points each, with random unknowns, before the
+    /// deadline. `None` if the map or every orbit has no value, or if time suffices for no orbit.
     /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
     pub fn of(
         searched: &SearchField,
@@ -110,11 +105,9 @@ impl Hilbert {
         found
     }
 
-    /// Looks at one orbit up to a higher degree. Its ranks are those of a generic orbit or lower,
-    /// so that one orbit on which no integral is added shows that none is; where some are added,
-    /// all four orbits are looked at. `None` as for [`of`](Self::of).
-    ///
-    /// Cost: N² h products where nothing is added.
+    /// Follows one orbit up to a higher degree, and all four if it shows more integrals. Ranks on
+    /// an orbit are at most generic, so one orbit without new integrals excludes them. `None` as
+    /// for [`of`](Self::of). Cost: N² h products without new integrals.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -133,7 +126,7 @@ impl Hilbert {
         Self::of(searched, degree, random, deadline)
     }
 
-    /// What one orbit shows.
+    /// Summarises one orbit.
     #[must_use]
     pub fn from_relations(relations: &Relations, modulus: &Modulus, monomials: &Monomials) -> Self {
         let full: Vec<usize> = (1..=monomials.degree()).map(|degree| monomials.up_to(degree)).collect();
@@ -151,7 +144,7 @@ impl Hilbert {
         }
     }
 
-    /// Two findings as one. Where they differ the larger ranks are the generic ones.
+    /// Joins two results; different ranks are generic if they are larger.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {
@@ -165,8 +158,8 @@ impl Hilbert {
         self
     }
 
-    /// The least degree up to which the relations of a generic orbit of `map` define its closure;
-    /// `None` if there are none, or the deadline passes.
+    /// Returns the least degree up to which the relations of a generic orbit define its closure.
+    /// `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,
         map: &impl Stepping,
@@ -180,19 +173,19 @@ impl Hilbert {
         })
     }
 
-    /// The highest degree looked at.
+    /// Returns the highest degree searched.
     #[must_use]
     pub fn degree(&self) -> u32 {
         self.values.len() as u32
     }
 
-    /// The dimension of the orbit's closure, n minus the number of integrals.
+    /// Returns the dimension of the orbit's closure, n minus the number of integrals.
     #[must_use]
     pub fn dimension(&self, variables: usize) -> usize {
         variables - self.integrals
     }
 
-    /// Whether nothing is conserved up to this degree.
+    /// Tells whether no relation was found.
     #[must_use]
     pub fn is_full(&self) -> bool {
         self.relation_degree.is_none()

@@ -1,10 +1,10 @@
-//! The polynomial relations that hold on one orbit.
+//! Polynomial relations on one orbit.
 //!
-//! The values of all monomials up to a degree along an orbit form a matrix; its null vectors are
+//! The values of all monomials up to a degree along an orbit form a matrix. Its null vectors are
 //! the polynomials that vanish on the orbit, hence on its Zariski closure. In reduced form each
-//! expresses one monomial by lower ones, and what it expresses it by is the same along the orbit:
-//! every entry, as a function of the orbit's start, is an integral (Petrera, Pfadler, Suris, "On
-//! integrability of Hirota–Kimura type discretizations", 2011).
+//! expresses one monomial by lower ones, and every entry, as a function of the orbit's start, is an
+//! integral (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations",
+//! 2011).
 
 use crate::deadline::Deadline;
 use crate::maps::stepping::Stepping;
@@ -12,30 +12,27 @@ use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
-/// The points of an orbit beyond the number of monomials: a polynomial that vanishes on all by
-/// accident is one that vanishes on so many random points.
+/// The points beyond the number of monomials, at which accidental relations would fail.
 const SPARE: usize = 6;
 
-/// What holds on one orbit.
+/// The relations on one orbit.
 #[derive(Clone, Debug)]
 pub struct Relations {
     /// The first point.
     pub start: Vec<u64>,
     /// The rank of the monomials of degree ≤ 0, ≤ 1, … on the orbit.
     pub ranks: Vec<usize>,
-    /// The relations, in reduced form, by their leading monomials.
+    /// The relations in reduced form, by their leading monomials.
     pub vectors: Vec<NullVector>,
-    /// The number of points looked at.
+    /// The number of points used.
     pub points: usize,
-    /// The period, if the orbit came back to its start.
+    /// The period, if the orbit returned to its start.
     pub period: Option<usize>,
 }
 
 impl Relations {
-    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that
-    /// ends at a pole, or the deadline passes.
-    ///
-    /// Cost: with N monomials and rank r, N + 6 steps and N² r products.
+    /// Returns the relations up to the degree of `monomials` on an orbit; `None` at a pole or
+    /// deadline. Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
     pub fn on_orbit(
         map: &impl Stepping,
@@ -58,14 +55,14 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// The rank of the gradients of all relations at the start: the codimension of the orbit's
-    /// closure, as far as the relations up to this degree define it.
+    /// Returns the codimension of the orbit's closure as defined by these relations. Computed as
+    /// the rank of their gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()
     }
 
-    /// A basis of the space that the gradients of all relations span at the start.
+    /// Returns a basis of the span of the gradients of all relations at the start.
     #[must_use]
     pub fn normals(&self, modulus: &Modulus, monomials: &Monomials) -> Vec<Vec<u64>> {
         let gradients = monomial_gradients(modulus, monomials, &self.start);
@@ -74,7 +71,6 @@ impl Relations {
     }
 }
 
-/// The gradient of a monomial at a point.
 pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> Vec<u64> {
     let slope = |variable: usize| {
         let mut lowered = exponents.to_vec();
@@ -88,13 +84,13 @@ pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u
     (0..exponents.len()).map(slope).collect()
 }
 
-/// The gradients of all monomials at a point: one row of n entries each.
+/// Returns the gradients of all monomials at a point: one row of n entries each.
 #[must_use]
 pub fn monomial_gradients(modulus: &Modulus, monomials: &Monomials, point: &[u64]) -> Vec<Vec<u64>> {
     (0..monomials.len()).map(|index| monomial_gradient(modulus, monomials.exponents(index), point)).collect()
 }
 
-/// The gradient of Σ cₘ m from those of the monomials m.
+/// Returns the gradient of Σ cₘ m from the gradients of the monomials m.
 #[must_use]
 pub fn gradient(modulus: &Modulus, gradients: &[Vec<u64>], coefficients: &[u64]) -> Vec<u64> {
     let mut sum = vec![0; gradients.first().map_or(0, Vec::len)];

@@ -1,5 +1,5 @@
 //! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
-//! and n − 2 integrals, which are Casimir functions of the bracket.
+//! and n − 2 integrals, which are their Casimir functions.
 
 mod constant;
 mod construct;
@@ -22,48 +22,44 @@ pub(crate) use constant::of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
-/// The work that one bracket may take, in products of terms.
+/// The budget of one bracket, in terms and products of terms.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// So many choices of n − 2 integrals are tried, and so many of the brackets written.
+/// The most choices of n − 2 integrals, and the most brackets written.
 const MOST_CHOICES: usize = 12;
 const MOST_BRACKETS: usize = 3;
 
-/// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 that stands beside a bracket of full rank in four
-/// dimensions. In more dimensions no bracket of rank 2 stands beside one of full rank.
+/// The most characters of a bracket of rank 2 beside one of full rank in four dimensions.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
 #[derive(Clone, Debug)]
 pub struct Bracket {
-    /// The claim as a line of the language of `kahan!`: `bracket P1 { … };`.
+    /// The claim in the language of `kahan!`: `bracket P1 { … };`.
     pub text: String,
-    /// The claim, as the field can have it.
+    /// The claim as read from the text.
     pub claim: Claim,
     /// The rank at a general point.
     pub rank: usize,
 }
 
-/// Proved brackets.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
-    /// The brackets, in the order of their numbers.
     pub(crate) proved: Vec<Bracket>,
-    /// The number of brackets with polynomial entries; these come first.
+    /// The number of brackets with polynomial entries, which come first.
     pub(crate) polynomial: usize,
-    /// The indices of the constant tensors K for which (I − ε² f′²)K is proved to be a bracket.
-    /// The claims leave such a bracket out if it is too long or others are chosen in its place.
+    /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Long
+    /// brackets, and those implied by others, are missing among the claims.
     pub(crate) structures: Vec<usize>,
 }
 
-/// Proves brackets. Brackets with the given tensors come first, sorted by descending rank and then
-/// by length. Brackets of rank 2 from the density and n − 2 integrals follow, the shortest first.
-/// A bracket has at most 2500 characters. Beside a bracket of full rank, a bracket of rank 2 has at
-/// most 400 characters in four dimensions, and is left out in more dimensions.
+/// Proves brackets: those with the given tensors by descending rank and ascending length, then
+/// brackets of rank 2 from the density and n − 2 integrals, the shortest first. Lengths are limited
+/// to 2500 characters, and to 400 for rank 2 beside full rank in four dimensions. In more
+/// dimensions, rank 2 is left out beside full rank.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -132,13 +128,12 @@ pub(crate) fn brackets(
     Brackets { proved, polynomial: count, structures }
 }
 
-/// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices
-/// first.
+/// Returns all choices of `count` indices below `of`, each ascending, lowest indices first.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    // Without this the recursion would go through all sets, also where none is large enough.
+    // Without this test the recursion would go through all smaller sets.
     if of < count {
         return Vec::new();
     }
@@ -151,8 +146,7 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// The bracket with the chosen integrals as Casimir functions, its entries above the diagonal row
-/// by row; `None` beyond the budget.
+/// Returns the entries, above the diagonal, of the bracket with the chosen Casimirs.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],
@@ -170,9 +164,8 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// Divides a tensor by the factors of all its numerators that are free of states, so that the
-/// coefficients are coprime integers and the first is positive. A multiple of a bracket by such a
-/// factor is a bracket.
+/// Divides a tensor by common factors of its numerators that are free of states. Coefficients
+/// become coprime integers, the first one positive. The result is still a bracket.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

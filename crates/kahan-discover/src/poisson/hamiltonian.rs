@@ -1,4 +1,4 @@
-//! A constant Poisson structure of the field: f = K∇H, and what the map keeps of H.
+//! Constant Poisson structures of the field, f = K∇H, and modified Hamiltonians of the map.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial, Variable, gcd_within};
@@ -21,38 +21,37 @@ use crate::modular::reconstruction::reconstruct;
 use crate::modular::subspace::combination;
 use crate::orbits::relations::monomial_gradients;
 
-/// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
+/// The most terms of the modified Hamiltonian, and its budget in products of terms.
 const MOST_TERMS: usize = 1500;
 const MODIFIED_WORK: u64 = 10_000_000;
 
-/// The most K that are written out.
 const MOST_STRUCTURES: usize = 4;
 
-/// Equations beyond the number of unknowns, a component.
+/// The number of equations beyond the number of unknowns, for each component.
 const SPARE: usize = 6;
 
-/// f = K∇H with K constant and antisymmetric.
+/// A decomposition f = K∇H with K constant and antisymmetric.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
-    /// K, row by row; its entries are free of states.
+    /// The matrix K, row by row; its entries are free of states.
     pub tensor: Vec<Vec<RationalFunction>>,
-    /// H, a polynomial in the states over parameters, of degree at most three.
+    /// The function H, a polynomial in the states over parameters, of degree at most three.
     pub hamiltonian: RationalFunction,
 }
 
-/// The most coefficients of H.
 const MOST_COEFFICIENTS: usize = 400;
 
-/// Whether H in n variables is looked for at all: it has at most 400 coefficients.
+/// Tells whether H in n variables is searched: it has at most 400 coefficients.
 #[must_use]
 pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// Finds the K of a reduced basis with f = K∇H, each with its H, by linear algebra: f′(x)K is
-/// symmetric for all x, which is linear in K; then f = K∇H is linear in the coefficients of a cubic
-/// H. If no K of the basis has an H, the sum of the basis is tried. The list is empty if the sum
-/// has no H, if H has more than 400 coefficients, or if the field is zero.
+/// Finds the K of a reduced basis with f = K∇H, each with its H.
+///
+/// By linear algebra: f′(x)K is symmetric for all x, which is linear in K; then f = K∇H is linear
+/// in the coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried.
+/// The list is empty if that fails, if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -78,7 +77,7 @@ pub fn hamiltonians(
     choices.into_iter().take(MOST_STRUCTURES).filter_map(over_the_rationals).collect()
 }
 
-/// The K of a choice among the basis of `count` tensors, and its H, over ℚ with all unknowns.
+/// Reconstructs the K of a choice and its H over ℚ with all unknowns.
 fn reconstructed(
     searched: &SearchField,
     monomials: &Monomials,
@@ -117,23 +116,21 @@ fn reconstructed(
     Some(Hamiltonian { tensor, hamiltonian })
 }
 
-/// The places above the diagonal, row by row.
 fn pairs(n: usize) -> Vec<(usize, usize)> {
     (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
 }
 
-/// A basis of the antisymmetric K with f′(x)K symmetric for all x, each by its entries above the
-/// diagonal.
+/// Returns a basis, above the diagonal, of antisymmetric K with f′(x)K symmetric for all x.
 fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
     let places = pairs(n);
     let mut rows = Vec::new();
-    // f′ is affine in x: n + 1 points in general position say all.
+    // f′ is affine in x, so n + 1 points in general position suffice.
     for _ in 0..n + 2 {
         let (_, slopes) = map.field(&map.point(random));
         for &(i, j) in &places {
-            // (f′K)ᵢⱼ − (f′K)ⱼᵢ = Σₗ f′ᵢₗ Kₗⱼ − f′ⱼₗ Kₗᵢ
+            // (f′K)ᵢⱼ − (f′K)ⱼᵢ = Σₗ f′ᵢₗ Kₗⱼ − f′ⱼₗ Kₗᵢ.
             let mut row = vec![0; places.len()];
             let mut add = |a: usize, b: usize, value: u64| {
                 if a == b {
@@ -153,7 +150,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).expect("there is no deadline")
 }
 
-/// Choice 0 is the sum of the basis, choice k its element k − 1.
+/// Returns the sum of the basis for choice 0, and element k − 1 for choice k.
 fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
     if choice > 0 {
         return tensors.get(choice - 1).cloned();
@@ -165,8 +162,7 @@ fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none, or
-/// the deadline passes.
+/// Returns the coefficients of a cubic H with K∇H = f, without that of 1; `None` without H or time.
 fn potential(
     map: &ModularMap,
     monomials: &Monomials,
@@ -208,8 +204,8 @@ fn potential(
 }
 
 impl Hamiltonian {
-    /// Whether f = K∇H, by expansion over ℚ. Then the theorem of Celledoni, McLachlan, Owren and
-    /// Quispel proves that H̃ is an integral of the map.
+    /// Tests f = K∇H by expansion over ℚ. The theorem of Celledoni, McLachlan, Owren and Quispel
+    /// then proves that H̃ is an integral of the map.
     #[must_use]
     pub fn holds(&self, field: &Field) -> bool {
         let slopes: Vec<RationalFunction> =
@@ -221,8 +217,8 @@ impl Hamiltonian {
         })
     }
 
-    /// H̃ in its compact form H + (x̃ − x)·∇H/3, which is another writing of the one in
-    /// [`modified`](Self::modified), since x̃ − x = 2ε (I − ε f′)⁻¹ f; x̃ is written `x~` in text.
+    /// Writes H̃ in its compact form H + (x̃ − x)·∇H/3; x̃ is `x~` in text. As x̃ − x = 2ε (I − ε
+    /// f′)⁻¹ f, the value is that of [`modified`](Self::modified).
     #[must_use]
     pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
         let written = |function: &RationalFunction| notation.function(symbols, function);
@@ -238,7 +234,7 @@ impl Hamiltonian {
         format!("{} + {moved}", written(&self.hamiltonian))
     }
 
-    /// ∇H̃ at a point of a sampled map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.
+    /// Returns ∇H̃ at a point of a sampled map, up to a factor, from H̃ = H + (x̃ − x)·∇H/3.
     #[must_use]
     pub fn modified_gradient(
         &self,
@@ -251,7 +247,7 @@ impl Hamiltonian {
         let there = sample.map.next(here)?;
         let jacobian = sample.map.jacobian(here, &there)?;
         let symbols = searched.family().symbols();
-        // The denominator of H is free of states: a factor.
+        // The denominator of H is free of states, a factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =
@@ -271,17 +267,17 @@ impl Hamiltonian {
             .collect()
     }
 
-    /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni,
-    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013), as numerator and
-    /// denominator up to a factor free of states. `None` where ε makes det A vanish, or beyond 1500
-    /// terms.
+    /// Returns numerator and denominator of H̃, up to a factor free of states.
     ///
-    /// A common factor of numerator and denominator may be left where it is expensive to find.
+    /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε is an integral of the map (Celledoni,
+    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). `None` if det A
+    /// vanishes at ε, or beyond 1500 terms. A common factor may remain where it is expensive to
+    /// find.
     #[must_use]
     pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;
         let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
-        // With H = P/q: H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD)
+        // With H = P/q: H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD).
         let potential = self.hamiltonian.numerator();
         let slopes: Vec<Polynomial> =
             (0..field.dimension()).map(|i| potential.derivative(symbols.state(i))).collect();

@@ -1,5 +1,4 @@
-//! Poisson structures: the constant one of the field with its modified Hamiltonians, and brackets
-//! that the map preserves.
+//! Poisson structures: constant ones with modified Hamiltonians, and invariant brackets.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;

@@ -1,5 +1,4 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and the choice of
-//! the form in which each is given.
+//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and their form.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -16,14 +15,13 @@ use crate::modular::subspace::tidy;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
-/// The compact form of a modified Hamiltonian replaces an equivalent formula of more characters
-/// than this, if the compact form is far shorter.
+/// Above this length in characters, a formula may be replaced by a far shorter compact form.
 const LONG: usize = 1000;
 
-/// A far shorter text is shorter by this factor.
+/// The least quotient of the lengths.
 const FAR_SHORTER: usize = 4;
 
-/// K and H with f = K∇H, and the integral H̃ that they give.
+/// K and H with f = K∇H, and their integral H̃.
 pub(crate) struct Modified {
     pub(crate) found: Hamiltonian,
     /// The numerator and denominator of H̃, if they are within the budget.
@@ -31,8 +29,7 @@ pub(crate) struct Modified {
 }
 
 impl Modified {
-    /// Finds the modified Hamiltonians of a field, sorted by the number of terms. Those beyond the
-    /// budget come last.
+    /// Finds the modified Hamiltonians by ascending number of terms; last those beyond the budget.
     pub(crate) fn all(
         searched: &SearchField,
         field: &Field,
@@ -53,8 +50,7 @@ impl Modified {
     }
 }
 
-/// Adds the modified Hamiltonians that are proved and independent of the other integrals. Returns
-/// for each whether it is proved.
+/// Adds modified Hamiltonians that are proved and independent; tells for each whether proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -78,7 +74,6 @@ pub(crate) fn add_modified(
     all.iter().map(&mut add).collect()
 }
 
-/// Adds a formula if it is functionally independent of the others.
 fn add_if_independent(
     searched: &SearchField,
     integrals: &mut Vec<Formula>,
@@ -91,21 +86,18 @@ fn add_if_independent(
     }
 }
 
-/// The gradients of integrals at one point.
 pub(crate) struct Gradients<'a> {
     /// The gradient of each formula, up to a factor.
     pub(crate) formulas: Vec<Option<Vec<u64>>>,
-    /// The gradients of the integrals that bases give.
     pub(crate) in_bases: Vec<Vec<u64>>,
-    /// The gradient of each modified Hamiltonian.
     pub(crate) modified: &'a [Option<Vec<u64>>],
-    /// Computes the rank of gradients.
+    /// The rank of gradients.
     pub(crate) rank: &'a dyn Fn(&[Vec<u64>]) -> usize,
 }
 
 impl Gradients<'_> {
-    /// Chooses the form in which each modified Hamiltonian is given: alone if it is independent of
-    /// the integrals given, in place of the longest formula that it can replace, or not at all.
+    /// Chooses the form of each modified Hamiltonian. An independent one stands alone, another may
+    /// replace the longest formula that it can, or is left out.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -116,8 +108,7 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // The rank of the kept formulas without one, the bases, the compact forms, and maybe
-            // H̃.
+            // Returns the rank of kept formulas except one, bases, compact forms, perhaps H̃.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

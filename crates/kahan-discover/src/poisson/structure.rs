@@ -1,5 +1,4 @@
-//! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I
-//! − t f′) is even in t.
+//! Structure of the field: divergence, linear and quadratic integrals, parity of det(I − t f′).
 
 use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
@@ -19,7 +18,7 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::{Names, PolynomialSpace, reconstruct_space, tidy};
 use crate::orbits::relations::monomial_gradients;
 
-/// div f = Σ ∂fᵢ/∂xᵢ.
+/// Returns div f = Σ ∂fᵢ/∂xᵢ.
 #[must_use]
 pub fn divergence(field: &Field) -> RationalFunction {
     field.components.iter().enumerate().fold(RationalFunction::zero(), |sum, (i, component)| {
@@ -27,8 +26,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
     })
 }
 
-/// Whether det(I − t f′(x)) is even in t, as it is at three random points modulo a prime. Then
-/// dx/det A(x,ε) is an invariant measure of the map, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+/// Tells whether det(I − t f′(x)) is even in t at three random points modulo a prime. If so, dx/det
+/// A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -42,17 +41,17 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
 /// The most variables in which the search finds all integrals of degree 2 within seconds.
 const FEW_VARIABLES: usize = 10;
 
-/// Integrals P/Q of the map that the field shows by linear algebra alone.
+/// Integrals P/Q of the map that linear algebra on the field yields.
 #[derive(Default)]
 pub(crate) struct ByRules {
-    /// Those to be taken before all others.
+    /// Integrals that are taken before all others.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Those of a field in few variables by rotation, and of a linear field: others of their degree
-    /// come before them, which may have one denominator.
+    /// Integrals by rotation in few variables, and of linear fields. Others of their degree come
+    /// before them, as they may share one denominator.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
-/// The integrals of the map by the rules of polarisation and rotation, at the ε that is fixed.
+/// Returns the integrals of the map by the rules of polarisation and rotation, at the fixed ε.
 pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
     let has_few = field.dimension() <= FEW_VARIABLES;
     let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());
@@ -70,7 +69,7 @@ pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
 }
 
 impl ByRules {
-    /// Those to be taken before all others, independent ones.
+    /// Returns the independent and proved ones of `at_once`.
     pub(crate) fn proved(
         &self,
         searched: &SearchField,
@@ -96,16 +95,15 @@ impl ByRules {
 /// Polynomial integrals of the flow ẋ = f(x).
 #[derive(Clone, Debug, Default)]
 pub struct FlowIntegrals {
-    /// Functionally independent ones, lowest degree first.
+    /// Functionally independent integrals, lowest degree first.
     pub found: Vec<Polynomial>,
-    /// The degree up to which these are all: lower than asked for where the time ran out, or a
-    /// formula was out of reach.
+    /// The degree up to which the list is complete, which may be lower than requested.
     pub degree: u32,
 }
 
 impl FlowIntegrals {
-    /// Those that the map keeps as they stand, as it is seen at one point modulo a prime: the
-    /// linear ones, and where the field is linear all.
+    /// Returns the integrals that the map keeps unchanged, as observed at one point modulo a prime.
+    /// Linear integrals are kept; of a linear field, all are.
     #[must_use]
     pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
         let Some(step) = searched.step(random) else { return Vec::new() };
@@ -113,12 +111,11 @@ impl FlowIntegrals {
     }
 }
 
-/// More monomials are not looked at: the cost grows with their cube.
+/// The most monomials; the cost grows with their cube.
 const MOST_MONOMIALS: usize = 900;
 
-/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
-/// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random
-/// parameters.
+/// Finds independent polynomial integrals P of the flow up to a degree, from ∇P·f = 0. The equation
+/// is solved modulo primes at random parameters; coefficients are reconstructed.
 pub fn flow_integrals(
     searched: &SearchField,
     degree: u32,
@@ -142,7 +139,7 @@ pub fn flow_integrals(
     integrals
 }
 
-/// A basis of the polynomial integrals of the flow up to a degree, but for constants.
+/// Returns a basis of the polynomial integrals of the flow up to a degree, without constants.
 fn flow_space(
     searched: &SearchField,
     degree: u32,
@@ -159,7 +156,7 @@ fn flow_space(
     if vectors.is_empty() {
         return Some(Vec::new());
     }
-    // The constant 1 is left out of the columns and stands in front again.
+    // Restores the column of the constant 1.
     let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
     let form = PolynomialSpace::spanned(sample.map.modulus(), spread).form;
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
@@ -170,7 +167,7 @@ fn flow_space(
     reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
 }
 
-/// The null vectors of ∇P·f on some monomials; `None` if the deadline passes.
+/// Returns the null vectors of ∇P·f on some monomials; `None` if the deadline passes.
 fn flow_null_vectors(
     map: &ModularMap,
     monomials: &Monomials,

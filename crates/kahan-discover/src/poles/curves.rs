@@ -1,5 +1,5 @@
-//! Which curves (in three variables surfaces) a map sends to infinity or may blow down: the factors
-//! of its common denominator and of its Jacobian determinant, in lowest terms.
+//! Curves (surfaces in three variables) that a map may send to infinity or blow down: factors of
+//! its denominator and of its Jacobian determinant, in lowest terms.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
@@ -8,22 +8,22 @@ use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
 use crate::claims::writing::state_factors;
 use crate::maps::search_field::SearchField;
 
-/// What writing the Jacobian determinant out may cost.
+/// The budget for expanding the Jacobian determinant.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// The map in lowest terms where ε may be fixed, and the curves to follow.
+/// The map in lowest terms, possibly at a fixed ε, and the curves to follow.
 pub(crate) struct Curves {
-    /// N₁ … Nₙ, D: the map is x̃ᵢ = Nᵢ/D.
+    /// The components N₁ … Nₙ, D of the map x̃ᵢ = Nᵢ/D.
     pub(crate) components: Vec<Polynomial>,
     /// The irreducible factors that contain states.
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether those of the Jacobian determinant are among them: it may be too long to write out.
+    /// Whether the factors of the Jacobian determinant are included; it may be too long to expand.
     pub(crate) has_jacobian: bool,
 }
 
 impl Curves {
-    /// `None` where the map is beyond its budget.
+    /// Lists the curves; `None` if the map is beyond its budget.
     pub(crate) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let components = components(field, searched)?;
@@ -39,8 +39,7 @@ impl Curves {
     }
 }
 
-/// The components N₁ … Nₙ, D of the map in lowest terms, at the ε of `searched` if it is fixed.
-/// `None` if the map is beyond its budget.
+/// Returns N₁ … Nₙ, D in lowest terms, at the fixed ε if any; `None` beyond the budget.
 pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Polynomial>> {
     let reduced = RationalMap::of(field)?.reduced;
     let mut components = reduced.numerators(&field.symbols);
@@ -53,8 +52,8 @@ pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Po
     Some(components)
 }
 
-/// Dⁿ⁺¹ det ∂x̃/∂x, the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D; `None`
-/// beyond the budget.
+/// Returns Dⁿ⁺¹ det ∂x̃/∂x; `None` beyond the budget. Computed as the determinant of the rows
+/// (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D.
 pub(crate) fn jacobian(field: &Field, components: &[Polynomial], budget: &mut Budget) -> Option<Polynomial> {
     let row = |component: &Polynomial| {
         let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));

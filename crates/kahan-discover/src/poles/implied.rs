@@ -1,20 +1,18 @@
-//! The degrees of iterates that the patterns imply.
+//! Degrees of iterates implied by singularity patterns, without confinement.
 //!
-//! The n-th iterate runs along a generic line. Zₙ(C) counts the points of the line that come to the
-//! curve C at step n for the first time of any curve that is followed. What comes to C later is
-//! known from the patterns, with multiplicity, so that (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order
-//! to which B meets C after k steps). The step after n multiplies degrees by the degree of the map,
-//! less the common factors: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ that B's step after k divides out).
-//! No confinement is asked for. (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.)
+//! The n-th iterate runs along a generic line. Zₙ(C) counts points of the line that reach the curve
+//! C at step n as their first followed curve; later arrivals follow from the patterns: (degree of
+//! C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps). The next step divides common
+//! factors out: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ shared in B's step after k). (Halburd, Proc. R.
+//! Soc. A 473, 2017, for mappings of second order.)
 
 use super::jet::Image;
 
-/// d₀, d₁, … for a map of degree `degree` and curves of these degrees with their images, as far as
-/// the images go.
+/// Returns d₀, d₁, … for a map of this degree and curves (degrees and images), as far as images go.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];
-    // By step, then by curve.
+    // Counts Zₙ(C) by step, then by curve.
     let mut first_times: Vec<Vec<usize>> = Vec::new();
     for n in 0..steps {
         let last = degrees[n];
@@ -28,7 +26,7 @@ pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec
     Some(degrees)
 }
 
-/// Σ Zₘ(B) · weight(image of B after n − m steps) over all earlier steps m and curves B.
+/// Returns Σ Zₘ(B) · weight(image of B after n − m steps) over all earlier steps m and curves B.
 fn later(
     first_times: &[Vec<usize>],
     curves: &[(usize, &[Image])],

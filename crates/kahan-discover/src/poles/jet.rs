@@ -1,9 +1,9 @@
 //! A piece of a curve (or surface), moved by δ and followed through poles modulo a prime.
 //!
 //! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
-//! coordinates [X : W], which are power series in δ, and powers of δ that all of them share are
-//! divided out after every step. At δ = 0 stands the image of the point. The rank of that image
-//! and its derivatives along the curve is one more than the dimension of the curve's image.
+//! coordinates [X : W], power series in δ; shared powers of δ are divided out after every step. At
+//! δ = 0 this is the image of the point. The rank of the image and its derivatives along the curve
+//! is one more than the dimension of the curve's image.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -15,15 +15,14 @@ use crate::maps::parametric_field::evaluate;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// Polynomials at sampled parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last
-/// exponent that of W.
+/// Homogeneous polynomials at sampled parameters and ε: terms c · ∏ Xᵢ^eᵢ, the exponent of W last.
 pub(crate) struct Homogeneous {
     modulus: Modulus,
     components: Vec<Vec<(u64, Vec<u32>)>>,
     degree: u32,
 }
 
-/// A point of a curve in homogeneous coordinates, W last, and a basis of the tangents there.
+/// A point of a curve in homogeneous coordinates, W last, with a basis of its tangents.
 pub(crate) struct Place {
     point: Vec<u64>,
     tangents: Vec<Vec<u64>>,
@@ -32,22 +31,22 @@ pub(crate) struct Place {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// Its dimension: one less than the number of variables where it is a curve (surface) again.
+    /// The dimension; one less than the number of variables if the image is a curve again.
     pub dimension: usize,
-    /// Whether it lies at infinity.
+    /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that the last step brought into all homogeneous coordinates.
+    /// The power of δ that all homogeneous coordinates shared after the last step.
     pub shared: usize,
-    /// The order in δ to which the moved image meets each curve that is followed.
+    /// The order in δ to which the moved image meets each followed curve.
     pub contacts: Vec<usize>,
 }
 
-/// Why no image is known.
+/// The reason why no image is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lost {
-    /// All known coefficients of the series vanish: longer series see further.
+    /// All known coefficients of the series vanish; longer series may decide.
     TooShort,
-    /// The point is a special one of its curve.
+    /// The point is special on its curve.
     SpecialPoint,
 }
 
@@ -59,7 +58,7 @@ pub(crate) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// A polynomial by its monomials in the states; `None` where the prime divides a denominator.
+    /// Sorts a polynomial by monomials in the states; `None` if the prime divides a denominator.
     fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => self.parameters[k],
@@ -76,13 +75,13 @@ impl Values<'_> {
 }
 
 impl Homogeneous {
-    /// A map, its components all of the highest degree among them.
+    /// Makes a map of homogeneous components of equal degree.
     pub(crate) fn map(modulus: Modulus, components: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let degree = components.iter().map(|component| values.symbols.degree(component)).max()?;
         Self::of(modulus, components, values, |_| degree)
     }
 
-    /// Curves, each of its own degree, and W, which vanishes at infinity.
+    /// Makes curves, each of its own degree, followed by W, which vanishes at infinity.
     pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
         let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));
@@ -108,8 +107,7 @@ impl Homogeneous {
         Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
     }
 
-    /// The images of the curve at `place` after 1, 2, … `steps` steps, with their contacts with the
-    /// curves, by series of `length` coefficients.
+    /// Returns the images of the curve after 1, 2, … `steps` steps by series of this length.
     pub(crate) fn follow(
         &self,
         place: &Place,
@@ -135,7 +133,7 @@ impl Homogeneous {
         Ok(images)
     }
 
-    /// The point with its slopes, and δ times a random direction added.
+    /// Adds δ times a random direction to the point with its slopes.
     fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
         let series = |(i, value): (usize, &u64)| {
             let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();
@@ -146,7 +144,6 @@ impl Homogeneous {
         place.point.iter().enumerate().map(series).collect()
     }
 
-    /// The value of every component on a jet.
     fn values(&self, jet: &[Series]) -> Vec<Series> {
         let (modulus, length) = (&self.modulus, jet[0].length());
         let slopes = vec![0; jet[0].rows.len() - 1];
@@ -176,8 +173,7 @@ impl Homogeneous {
 }
 
 impl Place {
-    /// A random point where a polynomial vanishes; `None` where none is found, or its gradient
-    /// vanishes there.
+    /// Returns a random zero of a polynomial; `None` if none is found or the gradient is 0.
     pub(crate) fn on(
         modulus: &Modulus,
         curve: &Polynomial,
@@ -217,7 +213,6 @@ impl Place {
         Some(Place { point, tangents: tangents.collect() })
     }
 
-    /// A random point at infinity of so many variables.
     pub(crate) fn at_infinity(modulus: &Modulus, n: usize, random: &mut SplitMix64) -> Self {
         let mut point: Vec<u64> = (0..n).map(|_| modulus.sample(random)).collect();
         point[0] = modulus.one();

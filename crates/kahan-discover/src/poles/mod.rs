@@ -1,13 +1,10 @@
-//! What a map does after a pole: which curves (in three variables surfaces) it sends to infinity or
-//! blows down, and whether what is lost there comes back.
+//! Maps at their poles: curves (surfaces in three variables) sent to infinity or blown down.
 //!
-//! In: a system. Out: a [`Pattern`] for each curve. A curve is *blown down* where its image has a
-//! lower dimension: its points can no longer be told apart. The singularity is *confined* after k
-//! steps if the image of the curve under k steps is a curve (surface) again. Everything is seen
-//! modulo two primes at random parameters, ε and points; where they disagree nothing is said.
-//!
-//! Confinement alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998)
-//! confines and is chaotic. So the growth of degrees stands beside the patterns.
+//! In: a system. Out: a [`Pattern`] for each curve. A curve is *blown down* if its image has a
+//! lower dimension. The singularity is *confined* after k steps if the k-th image is a curve again.
+//! Results must agree modulo two primes at random parameters, ε and points. Confinement alone
+//! proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998) confines and is
+//! chaotic. So the degrees of iterates are reported, too.
 
 pub(crate) mod curves;
 mod implied;
@@ -33,72 +30,66 @@ use curves::Curves;
 pub use jet::Image;
 use jet::{Homogeneous, Lost, Place, Values};
 
-/// What becomes of one curve.
+/// The singularity pattern of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
-    /// The curve, as the polynomial that vanishes on it; `None` is the points at infinity.
+    /// The polynomial that vanishes on the curve; `None` for the points at infinity.
     pub curve: Option<Polynomial>,
-    /// The images of the curve after 1, 2, … steps; empty where nothing could be decided.
+    /// The images of the curve after 1, 2, … steps; empty if undecided.
     pub images: Vec<Image>,
-    /// After how many steps the image is a curve again, or how many were looked at.
+    /// The number of steps until the image is a curve again, or the number of steps followed.
     pub steps: usize,
-    /// Whether an image is a curve again; `None` where time, or the length of the series, ran out,
-    /// or the primes disagree.
+    /// Whether an image is a curve again; `None` if undecided or the primes disagree.
     pub confined: Option<bool>,
 }
 
-/// What is known of a map's poles.
+/// The singularity patterns of a map.
 #[derive(Clone, Debug)]
 pub struct Poles {
     /// The names of states and parameters.
     pub symbols: Symbols,
     /// A pattern for each curve.
     pub patterns: Vec<Pattern>,
-    /// How many steps were looked at.
+    /// The number of steps followed.
     pub bound: usize,
-    /// Whether all curves that are blown down are listed: the Jacobian determinant of some maps is
-    /// too long to factor.
+    /// Whether all blown down curves are listed; some Jacobians are too long to factor.
     pub is_complete: bool,
-    /// d₀, d₁, …: the degrees of iterates, measured.
+    /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,
-    /// The degrees that the patterns imply, as far as these were followed; `None` where one is
-    /// undecided or missing.
+    /// The degrees implied by the patterns; `None` if a pattern is undecided or missing.
     pub implied_degrees: Option<Vec<usize>>,
 }
 
 impl Pattern {
-    /// Whether the first step already loses dimension.
+    /// Tells whether the first step already loses dimension.
     #[must_use]
     pub fn is_blown_down(&self) -> bool {
         self.confined != Some(true) || self.steps > 1
     }
 
-    /// The curve in words.
+    /// Writes the curve in words.
     #[must_use]
     pub fn name(&self, symbols: &Symbols) -> String {
         self.curve.as_ref().map_or_else(|| "infinity".to_owned(), |curve| Text.polynomial(symbols, curve))
     }
 }
 
-/// The lengths of the power series that are tried.
+/// The least and greatest length of the power series.
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// How often parameters, ε and a point are sampled again: not every sampled line meets its curve
-/// modulo the prime.
+/// The most samples of parameters, ε and a point; some lines miss their curve modulo the prime.
 const MOST_SAMPLES: usize = 40;
 
-/// The share of the time that the degrees of iterates may take.
+/// The share of the time for the degrees of iterates.
 const FOR_DEGREES: f64 = 0.4;
 
-/// What the map of a system does after its poles, within so many steps. Of the options the fixed
-/// values and the bounds on degrees and time count. `watch` is told of every curve before it is
-/// followed: how many are done, and of how many.
-///
-/// Equal fields and options give equal results, unless time runs out.
+/// Follows the curves of a system's map through its poles, for a number of steps. Of the options,
+/// fixed values and the bounds on degrees and time apply. `watch` hears of every curve before it is
+/// followed. Equal fields and options give equal results, unless time runs out.
 ///
 /// # Errors
-/// Where there is no map to look at, or its closed form is beyond the budget of terms.
+/// If the field has no invertible map, or its closed form is beyond the budget of terms.
 pub fn poles(
     system: &System,
     options: &Options,
@@ -143,7 +134,7 @@ pub fn poles(
     let degree = curves.components.iter().map(|component| symbols.degree(component)).max().unwrap_or(0);
     let is_decided = is_complete && patterns.iter().all(|pattern| pattern.confined.is_some());
     let implied_degrees = if is_decided { implied::degrees(degree as usize, &with_degrees) } else { None };
-    // The points at infinity are every map's; they are news where they are blown down.
+    // Points at infinity concern every map, so they are listed only if blown down.
     patterns.retain(|pattern| pattern.curve.is_some() || pattern.is_blown_down());
     Ok(Poles { symbols, patterns, bound: steps, is_complete, degrees, implied_degrees })
 }
@@ -156,7 +147,7 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// What two primes say, if they agree.
+    /// Returns the pattern if two primes agree.
     fn pattern(&self, curve: Option<Polynomial>, random: &mut SplitMix64) -> Pattern {
         let first = self.images(curve.as_ref(), random);
         let second = self.images(curve.as_ref(), random);
@@ -169,9 +160,8 @@ impl Follower<'_> {
         Pattern { curve, images: decided.unwrap_or_default(), steps, confined }
     }
 
-    /// The images modulo one prime; `None` where the series were too short, or time ran out. A
-    /// curve may fall apart over a larger field only, so that few primes have points on it; every
-    /// sample has a prime of its own.
+    /// Returns the images modulo one prime; `None` if the series were too short or time ran out.
+    /// Curves may split over a larger field and lack points, so every sample has its own prime.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
         for _ in 0..MOST_SAMPLES {
@@ -187,7 +177,6 @@ impl Follower<'_> {
         None
     }
 
-    /// The images of one point; `None` where the sample brought none.
     fn sampled(
         &self,
         curve: Option<&Polynomial>,

@@ -1,19 +1,17 @@
 //! Truncated power series in δ modulo a prime, with their slopes along a curve or surface.
 //!
-//! A series stands for a family of series, one for each point of the curve near a chosen one: row 0
-//! holds the coefficients at the chosen point, each further row their derivatives along one
-//! tangent.
+//! A series represents a family, one for each point of the curve near a chosen one: row 0 holds the
+//! coefficients at the chosen point, each further row their derivatives along one tangent.
 
 use crate::modular::modulus::Modulus;
 
-/// Σ cₖ δᵏ for k below [`Series::length`], with the derivatives of every cₖ.
+/// The series Σ cₖ δᵏ for k below [`Series::length`], with the derivatives of every cₖ.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) rows: Vec<Vec<u64>>,
 }
 
 impl Series {
-    /// The constant with these slopes, so many coefficients long.
     pub(crate) fn constant(value: u64, slopes: &[u64], length: usize) -> Self {
         let row = |&first: &u64| {
             let mut row = vec![0; length];
@@ -23,17 +21,15 @@ impl Series {
         Series { rows: [value].iter().chain(slopes).map(row).collect() }
     }
 
-    /// How many coefficients are known.
     pub(crate) fn length(&self) -> usize {
         self.rows[0].len()
     }
 
-    /// The least k with cₖ ≠ 0; `None` if all known ones are 0.
+    /// Returns the least k with cₖ ≠ 0; `None` if all known coefficients are 0.
     pub(crate) fn order(&self) -> Option<usize> {
         self.rows[0].iter().position(|&coefficient| coefficient != 0)
     }
 
-    /// Adds factor · `other`.
     pub(crate) fn add(&mut self, modulus: &Modulus, factor: u64, other: &Series) {
         for (row, other) in self.rows.iter_mut().zip(&other.rows) {
             for (a, b) in row.iter_mut().zip(other) {
@@ -42,7 +38,7 @@ impl Series {
         }
     }
 
-    /// The product, as long as both factors; slopes follow the product rule.
+    /// Multiplies series of equal length; slopes follow the product rule.
     pub(crate) fn times(&self, modulus: &Modulus, other: &Series) -> Series {
         let (a, b) = (&self.rows[0], &other.rows[0]);
         let mut rows = vec![product(modulus, a, b)];
@@ -53,8 +49,7 @@ impl Series {
         Series { rows }
     }
 
-    /// The series divided by δ^power; `None` where a lower coefficient has a slope: the chosen
-    /// point is then a special one.
+    /// Divides by δ^power; `None` at a special point, where a lower coefficient has a slope.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {
@@ -64,7 +59,6 @@ impl Series {
         Some(self)
     }
 
-    /// c₀ with its slopes.
     pub(crate) fn leading(&self) -> Vec<u64> {
         self.rows.iter().map(|row| row[0]).collect()
     }

@@ -1,4 +1,4 @@
-//! What a grid suggests: relations at which a field is special, and what is proved of it there.
+//! Relations suggested by a grid, and the claims that are proved at them.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
@@ -22,18 +22,17 @@ use crate::stages::discover_within;
 /// A relation between scanned quantities at which all points of the grid are special.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
-    /// The relation as it stands behind `when`: `c = -a - b`.
+    /// The relation as in a `when` clause: `c = -a - b`.
     pub relation: String,
-    /// How many points of the grid lie on it.
+    /// The number of grid points on the relation.
     pub points: usize,
-    /// What is seen at most of those with the fewest integrals.
+    /// The most frequent observation among those with the fewest integrals.
     pub sight: Sight,
-    /// What was found there and proved, ready to paste; what holds without the relation is left
-    /// out.
+    /// Proved claims, ready to paste, that do not hold without the relation.
     pub claims: Vec<String>,
 }
 
-/// The relations that the grid shows, with what is proved until the deadline.
+/// Returns the relations that the grid shows, with claims proved before the deadline.
 pub(super) fn proposals(
     system: &System,
     scan: &Scan,
@@ -42,7 +41,7 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // At ε = 0 the map is the identity, and a point without a sight says nothing.
+    // Without observation, and at ε = 0 (the identity), points carry no information.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -54,7 +53,7 @@ pub(super) fn proposals(
     };
     let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| symbols.named(name)).collect();
     let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
-    // Integrals that ordinary points lack say more than lower degrees.
+    // Additional integrals are stronger evidence than lower degrees.
     let mut found = shapes(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
     let others = shapes(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
@@ -71,8 +70,7 @@ pub(super) fn proposals(
     proposals
 }
 
-/// What has the fewest integrals, and of that what most are equal to: the others lie on further
-/// relations.
+/// Returns the most frequent observation with the fewest integrals.
 fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     let mut counts: HashMap<String, (usize, &Sight)> = HashMap::new();
     for sight in sights {
@@ -83,8 +81,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// The polynomial as an equation: a name with coefficient ±1 by itself on the left, else a number
-/// by itself on the right, else the terms with `-` there.
+/// Writes the polynomial as an equation. A name with coefficient ±1 is isolated on the left, else a
+/// number on the right, else negative terms go right.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
@@ -110,7 +108,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// Looks for formulas on relations, and proves them of the field as it was given.
+/// A search for formulas at relations, which proves them for the given field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
@@ -134,23 +132,19 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// What is proved where the polynomial vanishes, and not without that, in at most so many
-    /// seconds.
+    /// Proves claims where the polynomial vanishes that do not hold elsewhere, within `seconds`.
     fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
         let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
-        // What is found there is news only once it is proved of the field as it was given.
         let found = discover_within(&system, &options, self.work, &|_, _| ());
         let Ok(report) = found else { return Vec::new() };
         let formulas = report.integrals.iter().chain(&report.densities);
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// The system where the polynomial vanishes: without the parameter it is solved for, or at the
-    /// ε it gives.
+    /// Restricts the system to zeros of the polynomial: eliminates a parameter, or fixes ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // With a degree the search ends where that is looked at: a scan has many relations to
-        // prove.
+        // A given degree ends each search early, as a scan has many relations to prove.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
@@ -167,8 +161,7 @@ impl<'a> Prover<'a> {
         Some((system, options))
     }
 
-    /// The formula as a claim `when` the relation holds; `None` where it is not proved, or holds
-    /// without it.
+    /// Claims the formula `when` the relation holds; `None` if unproved, or true without it.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let ClaimBody::Function(value) = &formula.claim.body else { return None };
         let value = Text.expression(value);
@@ -195,7 +188,7 @@ impl<'a> Prover<'a> {
         Some(on_relation)
     }
 
-    /// H1, H2, … or rho, rho2, …: the first that nothing has.
+    /// Returns the first unused name among H1, H2, … or rho, rho2, ….
     fn free_name(&self, kind: ClaimKind) -> String {
         let name = |index: usize| match (kind, index) {
             (ClaimKind::Integral | ClaimKind::Drift, _) => format!("H{index}"),

@@ -1,9 +1,8 @@
-//! Shapes of low degree on a grid: polynomials in the scanned quantities that vanish at special
-//! points, and at no other.
+//! Polynomials of low degree in the scanned quantities that vanish at special grid points only.
 //!
-//! Simple ones come first: one quantity with a number, then linear ones, then two monomials; what a
-//! simpler one accounts for is no evidence for the next. All of it is in residues modulo a prime of
-//! 61 bits, where small numbers do not collide.
+//! Simple ones come first: a single value, linear polynomials, two monomials. Special points on an
+//! earlier polynomial are no evidence for later ones. Numbers are residues modulo a prime of 61
+//! bits, where small numbers do not collide.
 
 use std::collections::BTreeSet;
 
@@ -15,39 +14,34 @@ use crate::modular::matrix::Echelon;
 use crate::modular::modulus::{Modulus, rational_from_residue};
 use crate::modular::monomials::Monomials;
 
-/// The points of a grid that speak for or against a shape.
 pub(super) struct Grid {
-    /// The values of the quantities, one row a point.
+    /// The values of the quantities, one row for each point.
     pub(super) points: Vec<Vec<Rational>>,
-    /// Whether a point is special.
     pub(super) special: Vec<bool>,
 }
 
-/// A polynomial that vanishes at special points alone.
+/// A polynomial that vanishes at special points only.
 pub(super) struct Shape {
-    /// In the quantities, variable k the k-th of them.
+    /// The polynomial; variable k is quantity k.
     pub(super) polynomial: Polynomial,
-    /// The special points on it.
+    /// The special points at which it vanishes.
     pub(super) points: Vec<usize>,
 }
 
-/// So many points more than coefficients have to lie on a shape.
+/// The number of zeros required beyond the number of coefficients.
 const SPARE_POINTS: usize = 2;
-/// How likely as many points may be special by chance: the share of special points to the power of
-/// what a shape has more than coefficients.
+/// The largest probability of a coincidence: (share of special points)^(zeros − coefficients).
 const CHANCE: f64 = 0.01;
-/// Random choices of points to lay a linear shape through.
+/// The number of random choices of points for linear polynomials.
 const SAMPLES: usize = 3000;
-/// The most quantities of a linear shape.
 const MOST_NAMES: usize = 4;
 /// The highest degree of a monomial, and the largest numerator and denominator of a coefficient.
 const HIGHEST_DEGREE: u32 = 3;
 const LARGEST: u64 = 1000;
-/// The most special points that candidates are made from; all of them confirm one.
+/// The most special points from which candidates are made; all points must confirm them.
 const MOST_POINTS: usize = 600;
 
-/// The shapes that account for special points which those known do not account for, the simplest
-/// first.
+/// Finds polynomials that explain special points beyond the known ones, the simplest first.
 pub(super) fn shapes(grid: &Grid, known: &[Shape]) -> Vec<Shape> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -60,11 +54,10 @@ pub(super) fn shapes(grid: &Grid, known: &[Shape]) -> Vec<Shape> {
 struct Search<'a> {
     grid: &'a Grid,
     modulus: Modulus,
-    /// The values in residues.
     residues: Vec<Vec<u64>>,
     /// The quantities with more than one value.
     names: Vec<usize>,
-    /// The special points that no shape accounts for.
+    /// The special points that no polynomial explains.
     open: Vec<usize>,
     found: Vec<Shape>,
 }
@@ -92,7 +85,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Through random open points, in as few quantities as will do.
+    /// Tries linear polynomials through random open points, in few quantities first.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {
@@ -115,15 +108,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The coefficients of 1 and of the names in the one linear equation through these points; each
-    /// name has one.
+    /// Returns the unique linear equation in 1 and all of the names through these points.
     fn plane(&self, names: &[usize], points: &[usize]) -> Option<Vec<u64>> {
         let echelon = self.affine(names, points);
         let [vector] = &echelon.null_space(&self.modulus)[..] else { return None };
         vector.entries[1..].iter().all(|entry| *entry != 0).then(|| vector.entries.clone())
     }
 
-    /// The linear equations in 1 and the names that hold at points.
+    /// Returns the linear equations in 1 and the names that hold at points.
     fn affine(&self, names: &[usize], points: &[usize]) -> Echelon {
         let row = |&at: &usize| {
             let values = names.iter().map(|&name| self.residues[at][name]);
@@ -139,7 +131,7 @@ impl<'a> Search<'a> {
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
-    /// m = c m′ for monomials without a common factor, c the quotient that most open points have.
+    /// Tries m = c m′ for coprime monomials, with the most frequent quotient c at open points.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())
@@ -180,7 +172,7 @@ impl<'a> Search<'a> {
         self.small(longest[0])
     }
 
-    /// The small rational of a residue.
+    /// Returns the small rational of a residue.
     fn small(&self, residue: u64) -> Option<Rational> {
         let value =
             rational_from_residue(&self.modulus.residue(residue).into(), &self.modulus.prime().into())?;
@@ -189,8 +181,7 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Takes a polynomial with that many free coefficients, if enough open points and no ordinary
-    /// ones lie on it, and if these lie on nothing smaller.
+    /// Accepts a polynomial with enough open points, no ordinary points, and full rank.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial
@@ -236,7 +227,6 @@ fn sample(random: &mut SplitMix64, count: usize) -> usize {
     usize::try_from(random.below(count as u64)).expect("it is less than a usize")
 }
 
-/// The subsets of so many elements, in order.
 fn subsets(of: &[usize], size: usize) -> Vec<Vec<usize>> {
     if size == 0 {
         return vec![Vec::new()];

@@ -1,4 +1,4 @@
-//! Formulas of integrals, and the bases and compact forms that give the others.
+//! Formulas of integrals, and bases and compact forms for the others.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -20,20 +20,20 @@ use crate::report::{MOST_READABLE, ModifiedPlace};
 
 use super::Until;
 
-/// The integrals that were found with the relations of some degree.
+/// The integrals found with relations of some degree.
 pub(super) struct Integrals {
     pub(super) integrals: Vec<Formula>,
-    /// All proved formulas, the long ones that bases stand for among them.
+    /// All proved formulas, including long ones that bases replace.
     pub(super) all: Vec<Formula>,
     pub(super) bases: Vec<Basis>,
-    /// The number of independent integrals, with those that only orbits show.
+    /// The number of independent integrals, including those that only orbits show.
     pub(super) independent: usize,
-    /// For each modified Hamiltonian, whether it is proved as a claim, and how it is to be given.
+    /// For each modified Hamiltonian, whether it is proved as a claim, and its form.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
 }
 
 impl Search<'_> {
-    /// Looks for formulas of integrals, and for bases of those that have none.
+    /// Searches formulas of integrals, and bases for integrals without formulas.
     pub(super) fn integrals(
         &self,
         hilbert: Option<&Hilbert>,
@@ -52,7 +52,7 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        // If bases or compact forms give all integrals, only short formulas are searched for.
+        // If bases or compact forms give all integrals, only short formulas are searched.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
@@ -83,7 +83,7 @@ impl Search<'_> {
         let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
-        // Each but the modified Hamiltonians was told; none is told twice.
+        // Reports the modified Hamiltonians, too; `Work::found` ignores repetitions.
         all_integrals.iter().for_each(tell_if_short);
 
         let mut gradients: Vec<Vec<u64>> =
@@ -103,8 +103,7 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Whether a formula depends on the formulas so far and the modified Hamiltonians, but not
-        // on the formulas so far alone.
+        // Tells whether a formula depends on formulas and modified Hamiltonians only together.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -138,7 +137,6 @@ impl Search<'_> {
         Integrals { integrals, all: all_integrals, bases, independent, modified }
     }
 
-    /// The gradient of a formula, up to a factor.
     fn gradient(&self, formula: &Formula) -> Option<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         quotient_gradient(self.searched, sample, here, &formula.numerator, &formula.denominator)
@@ -149,7 +147,7 @@ impl Search<'_> {
         Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
-    /// Adds a gradient that is independent of those before; whether it is.
+    /// Adds a gradient if it is independent of those before, and tells whether.
     fn extends(&self, gradients: &mut Vec<Vec<u64>>, gradient: Vec<u64>) -> bool {
         gradients.push(gradient);
         let is_independent = self.rank(gradients) == gradients.len();
@@ -159,8 +157,8 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns normals of the relations up to a degree on the orbit through the place, which are
-    /// gradients of integrals there; none where the time is over.
+    /// Returns normals of the relations on the orbit through the place: gradients of integrals
+    /// there. The list is empty after the deadline.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

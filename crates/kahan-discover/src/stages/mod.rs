@@ -1,4 +1,4 @@
-//! The whole search, stage by stage.
+//! The search as a whole, stage by stage.
 
 mod formulas;
 mod search;
@@ -27,17 +27,19 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::system::{Claim, System};
 
-/// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
-/// at, so that nothing is found but from the equations. `watch` is told of every stage as it
-/// begins, and of each claim that the report will hold as soon as that is proved; where relations
-/// of higher degrees show more, a claim may be written anew, and is told again.
+/// Finds what the Kahan map of a system's field preserves, from its equations; claims are ignored.
 ///
-/// Equal fields and options give equal results, unless time runs out. Where no degree is given,
-/// the search goes on to higher degrees while something may be missing and there is time, and
-/// [`Report::bound`] says what ended it; what lower degrees show is the same on every machine.
+/// `watch` hears of every stage as it begins, and of each claim of the report as soon as it is
+/// proved. If relations of higher degrees show more, a claim may be rewritten and reported again.
+///
+/// Equal fields and options give equal results, unless time runs out. Without a given degree, the
+/// search goes on to higher degrees while integrals may be missing and time is left.
+/// [`Report::bound`] tells why it ended. Results of the default degree do not depend on the
+/// machine.
 ///
 /// # Errors
-/// Where there is no map to look at: see [`DiscoverError`].
+/// [`DiscoverError`] if the field has no invertible map or too many variables, or for wrong
+/// options.
 pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result<Report, DiscoverError> {
     let work = Work::new(watch);
     discover_within(system, options, &work, &|claim, text| work.found(claim, text))
@@ -50,7 +52,6 @@ pub(crate) fn discover_within(
     work: &Work<'_>,
     tell: &dyn Fn(&Claim, &str),
 ) -> Result<Report, DiscoverError> {
-    // Until when each stage may go on.
     let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
         [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(work, options.seconds * share));
     let begins = |stage: &str| work.show(&Progress::stage(stage));
@@ -86,8 +87,7 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // A lower degree is a fraction of the work, and better than nothing: the usual one, or half of
-    // that.
+    // A lower degree, the default or half of it, takes a fraction of the work.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);
@@ -168,7 +168,7 @@ pub(crate) fn discover_within(
             let until = Until::shares_of(work, end.left());
             let next = search.found(hilbert.as_ref(), Some(&found), random, &until);
             is_stopped |= until.has_stopped();
-            // Where the time ran out the formulas before may be more.
+            // If time ran out, the earlier formulas may be more.
             found = if next.said() < found.said() {
                 Found { of: Integrals { independent: next.of.independent, ..found.of }, ..found }
             } else {
@@ -225,7 +225,6 @@ pub(crate) fn discover_within(
     Ok(report)
 }
 
-/// Until when the stages that look for formulas may go on.
 struct Until<'a> {
     integrals: Deadline<'a>,
     densities: Deadline<'a>,
@@ -233,7 +232,7 @@ struct Until<'a> {
 }
 
 impl<'a> Until<'a> {
-    /// Returns deadlines within the time that is left, in the proportion of the first search.
+    /// Returns deadlines within the remaining time, in the proportions of the first search.
     fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
         Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
@@ -244,7 +243,7 @@ impl<'a> Until<'a> {
     }
 }
 
-/// The system at the values given, and without claims.
+/// Returns the system at the given values, without claims.
 pub(crate) fn specialised(
     system: &System,
     parameters: &[(String, Rational)],

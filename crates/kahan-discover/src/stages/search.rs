@@ -17,8 +17,7 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, 
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The share of the remaining time for formulas, if compact forms give all integrals or a bracket
-/// gives the density.
+/// The share of time for formulas if compact forms give all integrals or a bracket the density.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -26,9 +25,8 @@ pub(super) struct Search<'a> {
     pub(super) searched: &'a SearchField,
     pub(super) field: &'a Field,
     pub(super) claims: &'a Claims<'a>,
-    /// The modified Hamiltonians of all K.
     pub(super) modified: &'a [Modified],
-    /// Integrals of the map that the field shows at once, proved.
+    /// Proved integrals of the map that follow from the field by linear algebra.
     pub(super) proved: &'a [Formula],
     /// Integrals of the flow that the map keeps.
     pub(super) kept: &'a [Polynomial],
@@ -37,24 +35,22 @@ pub(super) struct Search<'a> {
     pub(super) is_even: bool,
     /// The random point at which independence is tested.
     pub(super) place: &'a SampledStep,
-    /// Callbacks that hear of a stage that begins, and of a claim that is proved.
+    /// Callbacks for a stage that begins, and for a proved claim.
     pub(super) begins: &'a dyn Fn(&str),
     pub(super) tell: &'a dyn Fn(&Claim, &str),
 }
 
-/// The findings from the relations up to some degree.
 pub(super) struct Found {
     pub(super) of: Integrals,
     pub(super) densities: Vec<Formula>,
     pub(super) density_search: DensitySearch,
-    /// The tensors of the polynomial brackets.
     pub(super) tensors: Vec<PoissonTensor>,
     pub(super) brackets: Brackets,
     pub(super) survivors: Option<Survivors>,
 }
 
 impl Found {
-    /// Returns the number of integrals that have a formula or a compact form, or stand in a basis.
+    /// Returns the number of integrals with a formula, a compact form, or a basis.
     pub(super) fn said(&self) -> usize {
         let Integrals { integrals, bases, modified, .. } = &self.of;
         let in_bases: usize = bases.iter().map(|basis| basis.integrals.len()).sum();
@@ -64,8 +60,7 @@ impl Found {
 }
 
 impl Search<'_> {
-    /// Looks for formulas, bases, densities and brackets; a density that was found `before` is not
-    /// looked for again.
+    /// Searches formulas, bases, densities and brackets, except densities found `before`.
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
@@ -93,7 +88,7 @@ impl Search<'_> {
         Found { of, densities, density_search, tensors, brackets, survivors }
     }
 
-    /// Looks for polynomial brackets, unless they were found `before`.
+    /// Searches polynomial brackets, unless they were found `before`.
     fn tensors(
         &self,
         before: Option<&Found>,
@@ -102,8 +97,8 @@ impl Search<'_> {
         until: &Deadline<'_>,
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
-        // In two and three variables the density and the integrals give all brackets. A search in
-        // three variables up to degree 2 may find shorter ones.
+        // In two and three variables the density and the integrals give all brackets. In three
+        // variables a search up to degree 2 may find shorter ones.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
         match before {
@@ -118,7 +113,7 @@ impl Search<'_> {
         }
     }
 
-    /// Looks for an invariant density, unless one was found `before` or a bracket gives it.
+    /// Searches an invariant density, unless one was found `before` or a bracket gives it.
     fn densities(
         &self,
         before: Option<&Found>,

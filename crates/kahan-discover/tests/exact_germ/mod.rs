@@ -1,12 +1,11 @@
-//! A point of a curve, moved by δ and followed over ℚ(δ): what the modular search is checked
-//! against.
+//! A point of a curve, moved by δ and followed over ℚ(δ), as a reference for the modular search.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates, polynomials in δ and, to first order, in the parameters of the curve.
+/// Homogeneous coordinates: polynomials in δ and, to first order, in the parameters of the curve.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,
@@ -17,7 +16,7 @@ pub(crate) struct ExactGerm {
 }
 
 impl ExactGerm {
-    /// A point of the curve, the `seed` choosing which; `None` where it is linear in no state.
+    /// Returns a point of the curve chosen by `seed`; `None` if the curve is linear in no state.
     pub(crate) fn on(field: &Field, eps: &Rational, curve: &Polynomial, seed: i64) -> Option<Self> {
         let symbols = &field.symbols;
         let n = field.dimension();
@@ -28,7 +27,7 @@ impl ExactGerm {
         let map: Vec<Polynomial> = map.iter().map(|one| one.substitute(symbols.epsilon(), eps)).collect();
         let degree = map.iter().map(|one| symbols.degree(one)).max()?;
         let solved = (0..n).find(|&i| curve.degree_in(states[i]) == 1)?;
-        // The other coordinates, and the solved one from P = below·x + above.
+        // Solves P = below·x + above for the remaining coordinate.
         let mut point: Vec<Rational> = (0..n).map(|i| Rational::new(seed + 3 * i as i64, 7)).collect();
         let at = |polynomial: &Polynomial, point: &[Rational]| {
             let free = (0..n).filter(|&i| i != solved);
@@ -37,7 +36,7 @@ impl ExactGerm {
         let below = at(&curve.derivative(states[solved]), &point).as_constant()?;
         let above = at(&curve.substitute(states[solved], &Rational::zero()), &point).as_constant()?;
         point[solved] = -above.checked_div(&below)?;
-        // The states' variables serve as δ (the solved one) and as the curve's parameters.
+        // The variable of the solved state represents δ, the others the curve's parameters.
         let (delta, slopes): (Variable, Vec<Variable>) =
             (states[solved], (0..n).filter(|&i| i != solved).map(|i| states[i]).collect());
         let value = |polynomial: &Polynomial| {
@@ -62,7 +61,7 @@ impl ExactGerm {
         Some(ExactGerm { map, degree, states, delta, slopes, coordinates })
     }
 
-    /// To first order in the parameters.
+    /// Truncates to first order in the parameters.
     fn cut(&self, polynomial: &Polynomial) -> Polynomial {
         let is_kept =
             |monomial: &Monomial| monomial.degree_where(|variable| self.slopes.contains(&variable)) < 2;
@@ -70,7 +69,6 @@ impl ExactGerm {
         Polynomial::from_terms(kept.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())))
     }
 
-    /// The image, common powers of δ divided out.
     pub(crate) fn step(&mut self) {
         let value = |component: &Polynomial| {
             component.terms().fold(Polynomial::zero(), |sum, (monomial, coefficient)| {
@@ -94,7 +92,7 @@ impl ExactGerm {
             next.iter().map(|one| one.div_monomial(&divisor).expect("a common power")).collect();
     }
 
-    /// The coordinates at δ = 0, each with its slopes.
+    /// Returns the coordinates at δ = 0, each with its slopes.
     fn leading(&self) -> Vec<Vec<Rational>> {
         let at_zero = |one: &Polynomial| {
             let here = one.substitute(self.delta, &Rational::zero());
@@ -105,19 +103,18 @@ impl ExactGerm {
         self.coordinates.iter().map(at_zero).collect()
     }
 
-    /// The limit, its first coordinate that is not 0 made 1.
+    /// Returns the limit, scaled to have 1 as its first nonzero coordinate.
     pub(crate) fn place(&self) -> Vec<Rational> {
         let values: Vec<Rational> = self.leading().into_iter().map(|row| row[0].clone()).collect();
         let unit = values.iter().find(|value| !value.is_zero()).expect("a projective point").clone();
         values.iter().map(|value| value.checked_div(&unit).expect("not 0")).collect()
     }
 
-    /// Whether the limit lies at infinity.
     pub(crate) fn is_infinite(&self) -> bool {
         self.place().last().is_some_and(Rational::is_zero)
     }
 
-    /// The dimension of the image of the curve: one less than the rank of the limit and its slopes.
+    /// Returns the dimension of the curve's image: the rank of the limit and its slopes, minus 1.
     pub(crate) fn dimension(&self) -> usize {
         let mut rows = self.leading();
         let mut rank = 0;

@@ -1,4 +1,4 @@
-//! The fields whose answers are known, with how their names are written in the tests, and a watch.
+//! Fields with known answers as texts, and a watch, for all tests.
 
 #![allow(dead_code, unused_imports, reason = "not every test uses all of it")]
 
@@ -32,12 +32,10 @@ pub(crate) const LORENZ: &str = "xdot = s*(y - x); ydot = x*(r - z) - y; zdot = 
 pub(crate) const ZHUKOVSKY: &str =
     "xdot = a1*y*z + b3*y - b2*z; ydot = a2*z*x + b1*z - b3*x; zdot = a3*x*y + b2*x - b1*y;";
 
-/// The system of a text; its claims, if any, count for nothing here.
 pub(crate) fn system(text: &str) -> System {
     read(&lexer::lex(text).tokens).system().expect("a system")
 }
 
-/// The lines of a report, each a claim.
 pub(crate) fn claims(report: &Report) -> Vec<&str> {
     let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
     let brackets = report.brackets.iter().map(|bracket| bracket.text.as_str());

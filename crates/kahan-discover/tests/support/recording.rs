@@ -1,4 +1,4 @@
-//! A watch that keeps what it is told.
+//! A watch that records its calls.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -7,12 +7,11 @@ use std::time::Duration;
 
 use kahan_discover::{Finding, Progress, Watch};
 
-/// A watch that keeps what it is told, and may end the work.
+/// A watch that records its calls, and may end the work.
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
-    /// Where there is a clock, what it shows, in µs: a tenth of a millisecond passes at each look.
+    /// The clock, if any, in µs; each reading advances it by a tenth of a millisecond.
     clock: Option<AtomicU64>,
-    /// With so many findings the work is to end.
     most_findings: Option<usize>,
     is_ended: AtomicBool,
     looks: Mutex<Vec<String>>,
@@ -24,17 +23,15 @@ impl Recording {
         Recording { clock: Some(AtomicU64::new(0)), ..Recording::default() }
     }
 
-    /// Ends the work after so many findings, with a clock or without.
+    /// Ends the work after this number of findings, with or without a clock.
     pub(crate) fn ending_after(self, findings: usize) -> Self {
         Recording { most_findings: Some(findings), ..self }
     }
 
-    /// How far the work was at each look, in words.
     pub(crate) fn looks(&self) -> Vec<String> {
         self.looks.lock().expect("no thread panics").clone()
     }
 
-    /// What was found, in order.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         self.findings.lock().expect("no thread panics").clone()
     }

@@ -1,4 +1,4 @@
-//! Reports of fields, and checks that hold for each of them.
+//! Reports of fields, and checks that hold for all of them.
 
 use kahan_algebra::{lexer, read};
 use kahan_discover::orbits::hilbert::default_degree;
@@ -6,20 +6,17 @@ use kahan_discover::{Options, Report, discover};
 
 use super::{Recording, claims, system};
 
-/// Few iterates: their degrees are tested elsewhere.
 pub(crate) fn options() -> Options {
     Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
 }
 
-/// Searches up to the degree in `options`. Without a degree there, the search ends at the default
-/// degree, because higher degrees take too long for tests.
+/// Searches up to the degree in `options`, else the default one, as higher ones take too long.
 pub(crate) fn report(text: &str, options: &Options) -> Report {
     let usual = default_degree(system(text).field.dimension());
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// The report of a search that goes on to higher degrees if no degree is given. The watch hears of
-/// each claim once.
+/// Searches without limit on degrees if none is given; the watch must hear each claim once.
 pub(crate) fn searched(text: &str, options: &Options) -> Report {
     let watch = Recording::with_a_clock();
     let report = discover(&system(text), options, &watch).expect("there is a map");
@@ -29,19 +26,17 @@ pub(crate) fn searched(text: &str, options: &Options) -> Report {
     report
 }
 
-/// Asserts that all claims together compile after the equations of the field.
 pub(crate) fn check_lines(text: &str, report: &Report) {
     let block = format!("{text} {}", claims(report).join(" "));
     let reading = read(&lexer::lex(&block).tokens);
     assert!(reading.diagnostics().is_empty(), "{block}: {:?}", reading.diagnostics());
 }
 
-/// The report of a field. Asserts the degrees of the integrals, ascending, and of the density.
+/// Reports on a field; asserts the degrees of the integrals, ascending, and of the density.
 pub(crate) fn check(text: &str, integrals: &[u32], density: Option<u32>) -> Report {
     check_with(text, &options(), integrals, density)
 }
 
-/// Like `check`, with given options.
 pub(crate) fn check_with(text: &str, options: &Options, integrals: &[u32], density: Option<u32>) -> Report {
     let report = report(text, options);
     assert_eq!(report.independent_integrals(), integrals.len(), "{text}");

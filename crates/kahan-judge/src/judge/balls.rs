@@ -1,7 +1,7 @@
-//! x̃ as balls: what judges where the closed form is beyond the budget of terms.
+//! Verdicts by balls around x̃, for maps whose closed form exceeds the budget of terms.
 //!
-//! A question that balls of some bits leave open is asked again of balls of twice as many, and in
-//! the end of exact quotients.
+//! A question that balls leave open is asked again with twice the bits, and at last of exact
+//! quotients.
 
 use std::cmp::Ordering;
 
@@ -15,16 +15,15 @@ use crate::elimination::{self, Eliminated, largest, precisions};
 use crate::equation::{AtPoint, Equation};
 use crate::float::Format;
 
-/// A step from a point at which det A is not 0.
 struct Balls {
     equation: AtPoint,
-    /// The first precision that tells so, and x̃ in it.
+    /// The first precision in which det A excludes 0.
     bits: u64,
     next: Vec<Ball>,
 }
 
 impl Balls {
-    /// `None` at a pole, which is where det A is 0.
+    /// Solves for x̃; `None` at a pole (det A = 0).
     fn of(equation: AtPoint) -> Option<Box<dyn Exact>> {
         for bits in precisions() {
             match elimination::next(&equation, bits) {
@@ -36,7 +35,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// The answer of balls, or where no precision tells, of exact quotients.
+    /// Answers by balls of growing precision, and by exact quotients if no precision suffices.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -63,7 +62,6 @@ impl Exact for Balls {
             let errors: Vec<Ball> = result.iter().zip(next).map(error).collect();
             let (least, most) = range(&errors);
             let (size, size_at_most) = range(next);
-            // error ≤ share·size, or not.
             let is_within = |share: &Dyadic| {
                 let is_below = most.compare(&(&size * share)) != Ordering::Greater;
                 let is_above = least.compare(&(&size_at_most * share)) == Ordering::Greater;
@@ -91,7 +89,7 @@ impl Exact for Balls {
     }
 }
 
-/// By elimination in balls.
+/// Elimination in balls.
 impl Judge for Equation {
     fn equation(&self) -> &Equation {
         self
@@ -106,12 +104,12 @@ impl Judge for Equation {
     }
 }
 
-/// The largest magnitude, at least and at most.
+/// Returns lower and upper bounds of the largest magnitude.
 fn range(balls: &[Ball]) -> (Dyadic, Dyadic) {
     (largest(balls.iter().map(Ball::least)), largest(balls.iter().map(Ball::most)))
 }
 
-/// Whether the format holds every component with all of its bits; `None` where that is not known.
+/// Tells whether the format holds every component with full precision; `None` if undecided.
 pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     let (least, greatest) = (Dyadic::new(1, format.least_binade), greatest(format));
     let verdict = |ball: &Ball| {
@@ -130,16 +128,16 @@ pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     verdicts.iter().all(Option::is_some).then_some(true)
 }
 
-/// The condition number of the step in (x, ε); infinite where no precision tells it.
+/// Returns the condition number of the step in (x, ε); infinite if no precision determines it.
 pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     let (at, curvature) = (equation.at(point), equation.curvature(point));
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// det A along one of the states or ε, by minors: rows are added one by one, and every set of
-/// columns has its minor, a polynomial.
+/// Expands det A as a polynomial in a random state or in ε. Adds rows one at a time; each set of
+/// columns has one minor. An entry of A is linear in each variable.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zeros {
-    /// Enough for a root to the bits of the longest scalar, where not very much cancels.
+    /// Enough for a root to the bits of the longest scalar, unless much cancels.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;
@@ -150,14 +148,14 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zero
         equation.at(&moved)
     };
     let (zero, one) = (at(0), at(1));
-    // {columns as bits: minor}
+    // Minors, indexed by their set of columns as bits.
     let mut minors = vec![None; 1 << n];
     minors[0] = Some(vec![Dyadic::new(1, 0)]);
     for i in 0..n {
         let mut entries: Vec<(usize, [Dyadic; 2])> = Vec::new();
         let mut slopes = one.row(i);
         for (j, constant) in zero.row(i) {
-            // An entry is there at both points, or it has no constant.
+            // Both points have entries in equal columns.
             let at_one = slopes.iter().position(|(k, _)| *k == j).map(|k| slopes.swap_remove(k).1);
             let slope = &at_one.unwrap_or_else(Dyadic::zero) - &constant;
             entries.push((j, [constant, slope]));
@@ -176,7 +174,6 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zero
     Zeros { variable, coefficients: minors.swap_remove((1 << n) - 1).unwrap_or_default() }
 }
 
-/// sum ± minor·(c + s·v)
 fn add_product(sum: &mut Vec<Dyadic>, minor: &[Dyadic], entry: &[Dyadic; 2], is_subtracted: bool, bits: u64) {
     for (power, coefficient) in minor.iter().enumerate() {
         for (raised, factor) in entry.iter().enumerate() {

@@ -1,7 +1,6 @@
-//! x̃ as quotients over one denominator: x̃ᵢ = Nᵢ/d.
+//! x̃ as quotients over one denominator, x̃ᵢ = Nᵢ/d.
 //!
-//! The error of a result y is |yᵢd − Nᵢ|/|d|, and it is compared with max |Nᵢ|/|d| without a
-//! division.
+//! The error of a result y is |yᵢd − Nᵢ|/|d|. It is compared with max |Nᵢ|/|d| without division.
 
 use std::cmp::Ordering;
 
@@ -18,11 +17,10 @@ use crate::float::Format;
 /// The promise of the stable tier: ‖error‖∞ ≤ 64 u ‖exact‖∞.
 pub(crate) const PROMISE: i64 = 64;
 
-/// Nᵢ and d, which is not 0.
+/// The numerators Nᵢ and the denominator d ≠ 0.
 pub(crate) struct Fraction {
     pub(crate) numerators: Vec<Dyadic>,
     pub(crate) denominator: Dyadic,
-    /// max |Nᵢ|.
     pub(crate) size: Dyadic,
 }
 
@@ -32,7 +30,7 @@ impl Fraction {
         Self { numerators, denominator, size }
     }
 
-    /// x̃ without a rounding; `None` where det A is zero.
+    /// Solves for x̃ over the rationals; `None` if det A = 0.
     pub(crate) fn of_equation(equation: &AtPoint) -> Option<Self> {
         let n = equation.x.len();
         let row = |i: usize| {
@@ -43,7 +41,7 @@ impl Fraction {
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
         let solved = solve(&arithmetic::Exact, &matrix, &right)?;
-        // Minors of the matrix are sums of products of its entries.
+        // Minors are sums of products of dyadic entries, so these numerators are dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
         };
@@ -64,7 +62,7 @@ impl Exact for Fraction {
                 error.clone().scaled(format.precision).ratio(&self.size)
             },
             keeps_promise: within(&(&self.size * &Dyadic::new(PROMISE, -format.precision))),
-            // error·1000 ≤ size
+            // Tests error·1000 ≤ size.
             is_rough: (&error * &Dyadic::new(1000, 0)).compare(&self.size) != Ordering::Greater,
         }
     }
@@ -79,7 +77,7 @@ impl Exact for Fraction {
     }
 }
 
-/// The largest number of a format, (2 − 2^(1−p))·2^greatest.
+/// Returns the largest number of a format, (2 − 2^(1−p))·2^greatest.
 pub(crate) fn greatest(format: &Format) -> Dyadic {
     let Format { precision, greatest_binade, .. } = format;
     Dyadic::new((BigInt::from(1) << precision) - 1, greatest_binade + 1 - precision)

@@ -1,7 +1,7 @@
-//! The reduced map as polynomials, written out: what judges within the budget of terms.
+//! Verdicts by the written-out polynomials of the reduced map, within the budget of terms.
 //!
-//! x̃ᵢ = xᵢ + 2ε nᵢ/d in lowest terms, so with Nᵢ = xᵢd + 2ε nᵢ it is Nᵢ/d; a value there may be
-//! where det A is 0.
+//! In lowest terms x̃ᵢ = xᵢ + 2ε nᵢ/d = Nᵢ/d with Nᵢ = xᵢd + 2ε nᵢ. The map may have a value where
+//! det A = 0.
 
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
@@ -15,22 +15,21 @@ use crate::elimination::largest;
 use crate::equation::Equation;
 use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_power};
 
-/// The reduced map of a system.
 #[derive(Debug)]
 pub(super) struct Reduced {
     equation: Equation,
-    /// N₁ … N_n and d, over one integer.
+    /// N₁ … N_n and d, scaled by one integer.
     numerators: Vec<Terms>,
     denominator: Terms,
-    /// Their derivatives by each state and by ε: of every N, then of d.
+    /// Derivatives by each state and by ε.
     slopes: Vec<Slopes>,
-    /// d, and the factor that was divided out, in each of their variables.
+    /// The denominator d and the factor that was divided out, in each of their variables.
     poles: Vec<Univariate>,
     removable_poles: Vec<Univariate>,
     degree: usize,
 }
 
-/// ∂Nᵢ/∂v for every i, and ∂d/∂v.
+/// The derivatives ∂Nᵢ/∂v for every i, and ∂d/∂v.
 #[derive(Debug)]
 struct Slopes {
     variable: usize,
@@ -39,7 +38,6 @@ struct Slopes {
 }
 
 impl Reduced {
-    /// `None` where the map is beyond the budget of symbolic reduction.
     pub(super) fn of(system: &System) -> Option<Self> {
         let symbols = &system.field.symbols;
         let map = RationalMap::of(&system.field)?.reduced;
@@ -55,7 +53,7 @@ impl Reduced {
         });
         let univariates = |polynomial: &Polynomial| {
             let all = Univariate::all(polynomial, &common_denominator([polynomial]));
-            // Parameters are given; a pole is sought by moving the point or the step.
+            // Parameters are given, so poles are sought by moving states or ε.
             let is_parameter = |v: usize| v >= symbols.dimension() && v != usize::from(symbols.epsilon().0);
             all.into_iter().filter(|one| !is_parameter(one.variable)).collect()
         };
@@ -70,7 +68,6 @@ impl Reduced {
         })
     }
 
-    /// The exact step; `None` at a pole.
     pub(super) fn fraction(&self, point: &[Dyadic]) -> Option<Fraction> {
         let point = Powers::of(point, self.degree);
         let denominator = self.denominator.at(&point);
@@ -88,7 +85,7 @@ impl Judge for Reduced {
         Some(Box::new(self.fraction(point)?))
     }
 
-    /// max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite where x̃ is 0, and at a pole.
+    /// Returns max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite for x̃ = 0 and at a pole.
     fn condition(&self, point: &[Dyadic]) -> f64 {
         let Some(Fraction { numerators, denominator, size }) = self.fraction(point) else {
             return f64::INFINITY;

@@ -1,4 +1,4 @@
-//! The judges against generated code over big rationals, and against each other.
+//! Tests of the judges against generated code over big rationals, and against each other.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::{lexer::lex, read};
@@ -25,7 +25,6 @@ fn reduced(entry: &Entry) -> Reduced {
     Reduced::of(&system(entry.text())).expect("a closed form within the budget")
 }
 
-/// The inputs that are drawn for a seed.
 fn drawn(judge: &dyn Judge, seed: u64, regime: Regime) -> Inputs<f64> {
     let fixed = vec![None::<f64>; judge.equation().epsilon() - judge.equation().dimension()];
     Points { judge, fixed: &fixed, is_odd: false, random: SplitMix64::new(seed) }.draw(regime)
@@ -35,8 +34,7 @@ fn rational(x: f64) -> BigRational {
     BigRational::from_float(x).unwrap()
 }
 
-/// Nᵢ/d, and the condition number of a homogeneous map, where ε ∂x̃/∂ε = J x − x̃, at seeded points
-/// of three regimes.
+/// Compares Nᵢ/d and the condition number of a homogeneous map, where ε ∂x̃/∂ε = J x − x̃.
 fn agrees<M: KahanMap<BigRational, 3>>(judge: &Reduced, map: impl Fn(Option<&f64>) -> M) {
     for (seed, regime) in
         (0..120).zip([Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole].iter().cycle())
@@ -66,7 +64,7 @@ fn agrees<M: KahanMap<BigRational, 3>>(judge: &Reduced, map: impl Fn(Option<&f64
         if norm == BigRational::from_integer(0.into()) {
             assert!(condition.is_infinite());
         } else {
-            // 2⁻⁵⁰ of the quotient, and the rounding of the comparison.
+            // The tolerance covers 2⁻⁵⁰ of the quotient and the rounding of the comparison.
             let expected = largest / norm;
             let difference = size(&(&expected - rational(condition)));
             assert!(difference * rational(1e12) < expected, "condition {condition:e} at {inputs:?}");
@@ -114,7 +112,6 @@ fn a_result_outside_the_format_is_told_exactly() {
     assert!(!fits(&of(f64::MAX) + &of(1.0)) && !fits(of(f64::MIN_POSITIVE.next_down())));
 }
 
-/// x̃ as floats, for whatever judge, by exact elimination.
 fn nearest(judge: &dyn Judge, point: &[Dyadic]) -> Option<Vec<f64>> {
     let Fraction { numerators, denominator, .. } = Fraction::of_equation(&judge.equation().at(point))?;
     let next: Vec<f64> = numerators.iter().map(|n| n.quotient(&denominator, 64).0.near_f64()).collect();
@@ -126,7 +123,6 @@ fn verdict(exact: &dyn Exact, next: &[f64]) -> Verdict {
     exact.judge(&f64::FORMAT, &next)
 }
 
-/// A dense field of five variables, of which a closed form has thousands of terms.
 fn beyond_the_budget() -> Equation {
     let names = ["x", "y", "z", "u", "v"];
     let equation = |i: usize| {
@@ -144,7 +140,7 @@ fn beyond_the_budget() -> Equation {
 const REGIMES: [Regime; 4] =
     [Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole, Regime::LargeSteps];
 
-/// What both say of results on both sides of the promise, of the format and of condition numbers.
+/// Checks that two judges agree on results on both sides of the promise.
 fn agree(one: &dyn Exact, other: &dyn Exact, next: &[f64]) {
     for off in [0.0, 3e-15, 2e-14, 1e-2] {
         let moved: Vec<f64> = next.iter().map(|y| y + y * off).collect();
@@ -202,7 +198,6 @@ fn a_field_beyond_the_budget_is_judged_equally_by_balls_and_by_exact_elimination
     assert!(compared > 25, "{compared}");
 }
 
-/// Eleven variables, each of which sees two others.
 fn of_many() -> Box<dyn Judge> {
     let equation = |i: usize| {
         let (j, k) = ((i + 3) % 11, (i + 7) % 11);
@@ -230,7 +225,7 @@ fn every_judge_sees_a_wrong_step() {
     }
 }
 
-/// The polynomials whose zeros are poles are det A along a coordinate.
+/// The polynomials whose zeros are poles must equal det A along a coordinate.
 #[test]
 fn det_a_along_a_coordinate_is_told() {
     for judge in [&beyond_the_budget() as &dyn Judge, &*of_many()] {

@@ -1,23 +1,22 @@
-//! What random fields are drawn from.
+//! The random choices behind random fields.
 
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::tree::{Tree, literal, negated, quotient};
 
-/// The most variables that a random field has.
+/// The greatest number of variables of a random field.
 pub const DIMENSIONS: usize = 6;
 
-/// Names of states.
 pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
-/// Names that collide with what generated code says.
+/// State names that collide with names in generated code.
 pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
 
-/// A source of small choices.
+/// A source of random choices.
 #[derive(Debug)]
 pub struct Draw(SplitMix64);
 
 impl Draw {
-    /// The source that a text seeds.
+    /// Creates a source that is seeded by a text.
     #[must_use]
     pub fn seeded(text: &str) -> Self {
         Draw(SplitMix64::from_bytes(text.as_bytes()))
@@ -31,7 +30,7 @@ impl Draw {
         &choices[self.below(choices.len())]
     }
 
-    /// ±1 … ±9, as `n` or, one time in three, as `n/d`.
+    /// Draws ±1 … ±9, one time in three divided by 2 … 7.
     pub(super) fn coefficient(&mut self) -> Tree {
         let size = literal(&(self.below(9) + 1).to_string());
         let size =

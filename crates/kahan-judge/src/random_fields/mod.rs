@@ -1,9 +1,7 @@
-//! Seeded random fields as trees: what `kahan extremes` tries besides the catalog, and the text
-//! that the tests' back ends read.
+//! Seeded random fields as trees, for `kahan extremes` and for tests of the back ends.
 //!
-//! In: seeds. Out: sparse fields, fields with linear and constant terms, with parameters and
-//! divisors of them, with parameters before unit terms, in awkward spellings, and dense ones, as
-//! trees and as text.
+//! In: seeds. Out: fields as trees and as text: sparse and dense ones, fields with linear and
+//! constant terms, with parameters as factors and divisors, and in awkward spellings.
 
 mod draw;
 pub(crate) mod odd;
@@ -17,31 +15,31 @@ use tree::{literal, negated, power, quotient};
 
 const PARAMETERS: [&str; 3] = ["a", "b", "k"];
 
-/// A field with its names.
+/// A random field with its names.
 #[derive(Clone, Debug)]
 pub struct RandomField {
-    /// The type's name.
+    /// The name of the generated type.
     pub name: String,
-    /// What is special about it.
+    /// The kind of the field in words.
     pub kind: &'static str,
-    /// The states in order.
+    /// The names of the states, in order.
     pub states: Vec<&'static str>,
-    /// The parameters.
+    /// The names of the parameters.
     pub parameters: Vec<&'static str>,
-    /// One right-hand side a state.
+    /// The right-hand sides, one for each state.
     pub equations: Vec<Tree>,
 }
 
-/// Draws a field with this number of variables, [`DIMENSIONS`] at most.
+/// A generator of fields with a number of variables, at most [`DIMENSIONS`].
 pub type Maker = fn(usize, &mut Draw) -> RandomField;
 
-/// The kinds of [`numbered`]. Unit terms come twice, with other draws.
+/// The kinds of [`numbered`]. `coupled` occurs twice, with other random choices.
 const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
-/// The field of a seed with this number, of 2 to 6 variables: every kind in every dimension in
-/// turn.
+/// Draws the field with this number, of 2 to 6 variables; dimensions and kinds take turns.
 ///
-/// Its name tells the number. The larger dense ones have no closed form within the budget of terms.
+/// The name ends in the number. The larger dense fields have no closed form within the budget of
+/// terms.
 #[must_use]
 pub fn numbered(seed: u64, number: usize) -> RandomField {
     let n = 2 + number % (DIMENSIONS - 1);
@@ -61,7 +59,7 @@ fn field(
     RandomField { name, kind, states: states.to_vec(), parameters: parameters.to_vec(), equations }
 }
 
-/// One or two quadratic terms an equation.
+/// Draws fields with one or two quadratic terms in each equation.
 pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
@@ -74,7 +72,7 @@ pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     field("Sparse", "one or two quadratic terms an equation", states, equations, &[])
 }
 
-/// Constant, linear and quadratic terms.
+/// Draws fields with constant, linear and quadratic terms.
 pub fn affine(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
@@ -89,7 +87,7 @@ pub fn affine(n: usize, draw: &mut Draw) -> RandomField {
     field("Affine", "constant, linear and quadratic terms", states, equations, &[])
 }
 
-/// Parameters, and divisors of them.
+/// Draws fields with parameters as factors and in divisors.
 pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let (a, b, k) = (|| Name("a"), || Name("b"), || Name("k"));
@@ -106,7 +104,7 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
             Product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
             quotient(Product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
         ];
-        // Every parameter is used, whatever was drawn.
+        // Uses every parameter at least once.
         if i == 0 {
             terms.push(Sum(vec![a(), negated(b())]));
         }
@@ -116,7 +114,7 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// A linear and a quadratic part of unit terms, the linear one with a parameter here and there: at
+/// Draws fields of unit terms, linear and quadratic, with parameters before some linear terms. At
 /// parameters of ±1 leading terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
@@ -125,11 +123,11 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
         let square = Product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
-        // One term an equation, so that the closed form of many variables is short.
+        // A single term in each equation keeps closed forms in many variables short.
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }
-        // Both parameters are used, whatever was drawn.
+        // Uses both parameters at least once.
         if i == 0 {
             let difference = Sum(vec![Name("a"), negated(Name("b"))]);
             terms.push(Product(vec![difference, draw.state(states)]));
@@ -140,14 +138,14 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     field("Coupled", "parameters before unit terms", states, equations, &PARAMETERS[..2])
 }
 
-/// Awkward spellings, and cubic terms that cancel.
+/// Draws fields in awkward spellings, with cubic terms that cancel.
 pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &AWKWARD[..n];
     let start = draw.below(n);
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
-        // In turn, so that every spelling occurs in every dimension with enough equations.
+        // Spellings take turns, so each occurs in every dimension with enough equations.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
             1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),
@@ -163,7 +161,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
             2 => negated(quotient(Product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
             _ => quotient(literal("1_000"), literal("3")),
         };
-        // What cancels, cancels: x²y − x·y·x.
+        // The cubic terms cancel: x²y − x·y·x.
         let cubic = Product(vec![power(x.clone(), 2), y.clone()]);
         let again = negated(Product(vec![x.clone(), y, x]));
         Sum(vec![first, cubic, second, again])
@@ -172,7 +170,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     field("Spelled", "awkward spellings, and cubic terms that cancel", states, equations, &[])
 }
 
-/// Every monomial in every equation.
+/// Draws fields with every monomial in every equation.
 pub fn dense(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let mut equation = || {
@@ -190,14 +188,14 @@ pub fn dense(n: usize, draw: &mut Draw) -> RandomField {
 }
 
 impl RandomField {
-    /// Its equations, one after the other.
+    /// Returns the equations as text, separated by spaces.
     #[must_use]
     pub fn equations(&self) -> String {
         let equations = self.states.iter().zip(&self.equations);
         equations.map(|(state, value)| format!("{state}dot = {value};")).collect::<Vec<_>>().join(" ")
     }
 
-    /// The block in the language of `kahan!`.
+    /// Returns the block in the language of `kahan!`.
     #[must_use]
     pub fn block(&self) -> String {
         let header = header(&self.name, &self.parameters);
@@ -208,7 +206,6 @@ impl RandomField {
     }
 }
 
-/// The header of a block.
 fn header(name: &str, parameters: &[&str]) -> String {
     match parameters {
         [] => format!("pub struct {name};"),

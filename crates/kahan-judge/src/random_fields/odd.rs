@@ -1,43 +1,40 @@
-//! Fields of odd tempers: what breaks bounds that were thought of at ordinary numbers.
+//! Random fields with extreme coefficients, which test error bounds far from ordinary numbers.
 //!
 //! In: seeds. Out: the text of fields of 1 to 8 variables, and of more for tests. Literals lie
-//! anywhere from 2^-1070 to 2^1020, with few bits or with all; coefficients nearly cancel;
-//! parameters and their differences are divisors. Nothing here knows how a step is judged.
+//! between 2^-1070 and 2^1020, with few bits or with all; coefficients nearly cancel; parameters
+//! and their differences occur as divisors. Nothing here knows how a step is judged.
 
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::header;
 
-/// A field as text.
 #[derive(Clone, Debug)]
 pub(crate) struct OddField {
-    /// The type's name.
     pub(crate) name: String,
-    /// Its equations, one after the other.
+    /// The equations, separated by spaces.
     pub(crate) equations: String,
-    /// The parameters that the field has.
+    /// The parameters that occur in the equations.
     pub(crate) parameters: Vec<String>,
 }
 
 impl OddField {
-    /// The block in the language of `kahan!`.
     pub(crate) fn block(&self) -> String {
         let parameters: Vec<&str> = self.parameters.iter().map(String::as_str).collect();
         format!("{} {}", header(&self.name, &parameters), self.equations)
     }
 }
 
-/// The field of a seed with this number, of 1 to 8 variables in turn.
+/// Draws the field with this number, of 1 to 8 variables in turn.
 pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
 
-/// The field of a seed and a title with this number, of this many variables.
+/// Draws the field with this number and title, of `variables` variables.
 pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     let mut draw = Draw::new(seed, title, number);
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
     draw.take_parameters();
-    // In every number of variables in turn.
+    // The step 35 is coprime to 8, so dense fields occur with every number of variables.
     let is_dense = title == "Odd" && number % 35 == 34;
     let equations: Vec<String> = (0..variables)
         .map(|k| format!("x{}dot = {};", k + 1, if is_dense { draw.dense() } else { draw.sum() }))
@@ -45,7 +42,7 @@ pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> 
     draw.finish(format!("{title}{number}"), equations.join(" "))
 }
 
-/// What the field of a number is about.
+/// The special property of a field.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Literals,
@@ -60,16 +57,16 @@ pub(crate) struct Draw {
     pub(crate) states: Vec<String>,
     pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
-    /// The largest offset of a neighbour, of a chain.
+    /// The largest offset of a neighbour in a chain; 0 for fields.
     pub(crate) offsets: i64,
-    /// The coefficient that the next one may nearly be: an integer and the exponent of its unit.
+    /// The last coefficient as an integer and the exponent of its unit.
     last: (u64, i64),
 }
 
 impl Draw {
     pub(crate) fn new(seed: u64, title: &str, number: usize) -> Self {
         let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
-        // Eight numbers of variables in turn, so that every kind comes with each.
+        // Numbers of variables have the period 8, so every kind occurs with each of them.
         let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
         let (states, parameters, divisors) = (Vec::new(), Vec::new(), Vec::new());
         Self { random, kind, states, parameters, divisors, offsets: 0, last: (3, 0) }
@@ -92,7 +89,7 @@ impl Draw {
         self.parameters = names.iter().map(|name| (*name).to_owned()).collect();
     }
 
-    /// An integer times a power of two, as one may write it.
+    /// Writes an integer times a power of two.
     fn written((integer, exponent): (u64, i64)) -> String {
         match exponent {
             0 => integer.to_string(),
@@ -102,12 +99,11 @@ impl Draw {
         }
     }
 
-    /// A literal of a size from 2^-1070 to 2^1020, or, one time in three, of ordinary size.
+    /// Writes a literal between 2^-1070 and 2^1020; often of ordinary size.
     fn literal(&mut self) -> String {
         let is_ordinary = self.kind == Kind::Cancelling && self.below(3) > 0 || self.below(3) == 0;
         let binade = if is_ordinary { self.between(-4, 4) } else { self.between(-1070, 1019) };
         match self.below(8) {
-            // A number in decimals, with as many digits as one may think of.
             0 => {
                 let power = binade * 301 / 1000;
                 let digits = self.random.next_u64() >> self.below(60);
@@ -129,17 +125,16 @@ impl Draw {
         Self::written(self.last)
     }
 
-    /// The last coefficient, or one some units beside it.
+    /// Writes the last coefficient, or one that differs by some units.
     fn near_last(&mut self) -> String {
         let (integer, exponent) = self.last;
-        // With room below for a part of an ulp.
+        // Ten more bits, for offsets of fractions of a unit.
         let room = 10;
         let units = self.between(-40, 40);
         let moved = (i128::from(integer) << room) + i128::from(units << self.below(10));
         if moved <= 0 || self.below(3) == 0 {
             return Self::written(self.last);
         }
-        // Whole, with the power of two below the bar or above it.
         match exponent - room {
             0 => moved.to_string(),
             e if e > 0 => format!("{moved}*2^{e}"),
@@ -147,7 +142,8 @@ impl Draw {
         }
     }
 
-    /// A divisor, free of states: one of three, as fields with many of them have long expansions.
+    /// Returns one of at most three divisors free of states; more divisors would make expansions
+    /// long.
     fn divisor(&mut self) -> String {
         const MOST: usize = 3;
         if self.divisors.len() < MOST {
@@ -214,13 +210,11 @@ impl Draw {
         }
     }
 
-    /// One to three terms.
     pub(crate) fn sum(&mut self) -> String {
         let terms: Vec<String> = (0..=self.below(3)).map(|_| self.term()).collect();
         self.joined(&terms)
     }
 
-    /// Every monomial.
     fn dense(&mut self) -> String {
         let states = self.states.clone();
         let mut terms = vec![self.coefficient()];
@@ -246,7 +240,7 @@ impl Draw {
         text
     }
 
-    /// The field, whose parameters are those that its equations use.
+    /// Completes the field and keeps the parameters that its equations use.
     fn finish(mut self, name: String, equations: String) -> OddField {
         let words: Vec<&str> = equations.split(|c: char| !c.is_ascii_alphanumeric()).collect();
         self.parameters.retain(|name| words.contains(&&**name));

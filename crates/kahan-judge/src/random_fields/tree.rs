@@ -1,26 +1,23 @@
-//! Expressions as trees, with their text.
-//!
-//! In: what a random field is made of. Out: text with the parentheses that the usual precedence
-//! needs and no others.
+//! Expressions as trees, and their text with only the parentheses that precedence requires.
 
 use std::fmt;
 
-/// An expression.
+/// An expression as a tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
-    /// Digits as they will be written.
+    /// Digits in their final spelling.
     Literal(String),
-    /// A state or a parameter.
+    /// The name of a state or a parameter.
     Name(&'static str),
-    /// −a
+    /// The negative −a.
     Negated(Box<Tree>),
-    /// a + b + …; a negated term is written with a minus.
+    /// The sum a + b + …; negated terms are written with a minus.
     Sum(Vec<Tree>),
-    /// a · b · …
+    /// The product a · b · ….
     Product(Vec<Tree>),
-    /// a / b
+    /// The quotient a / b.
     Quotient(Box<Tree>, Box<Tree>),
-    /// aⁿ
+    /// The power aⁿ.
     Power(Box<Tree>, u32),
 }
 
@@ -40,7 +37,7 @@ pub(super) fn power(base: Tree, exponent: u32) -> Tree {
     Tree::Power(Box::new(base), exponent)
 }
 
-/// How tightly a form binds: − and + least, then · and /, then powers, then what stands alone.
+/// The precedence of a form: sums bind least, then products, powers, atoms.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Level {
     Sum,
@@ -90,8 +87,7 @@ impl fmt::Display for Tree {
                     if index > 0 {
                         f.write_str("*")?;
                     }
-                    // A quotient may open a product: a/b*c is (a/b)·c. Elsewhere it needs
-                    // parentheses.
+                    // Only at the front a quotient needs no parentheses: a/b*c is (a/b)·c.
                     let least = if index == 0 { Level::Product } else { Level::Power };
                     grouped(f, factor, least)?;
                 }

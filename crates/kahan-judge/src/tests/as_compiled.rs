@@ -1,13 +1,11 @@
-//! Random fields of odd tempers as a user compiles them, each step judged by exact arithmetic.
+//! Random fields with extreme coefficients as a user compiles them, judged by exact arithmetic.
 //!
-//! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes
-//! a crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
-//! variables, twelve of 9 to 40, and eight chains. It builds it, has it try each step
-//! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
-//! through files as bits, so that the crate knows no judge. `KAHAN_ODD=0,200,100` in the
-//! environment takes so many fields of each kind, some fifty to a crate, and `KAHAN_ODD_TRIALS`
-//! other than 300 trials of each; every twentieth field has ten times as many. That takes two
-//! hours, half of one a ring of 2 271 unknowns; `KAHAN_ODD_NAMED=Chain74` tries that one alone.
+//! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes a crate
+//! of forty fields of 1 to 8 variables, twelve of 9 to 40, and eight chains into the target folder,
+//! builds and runs it, and judges its results. Points and results pass through files as bits.
+//! `KAHAN_ODD=0,200,100` sets the numbers of fields (two hours), `KAHAN_ODD_TRIALS` the trials of
+//! each (300, for every twentieth field 3000), and `KAHAN_ODD_NAMED=Chain74` selects one field, a
+//! ring of 2 271 unknowns (half an hour).
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -27,10 +25,9 @@ use crate::random_fields::odd::OddField;
 use crate::tally::{Broken, Cell, Tally};
 
 const SEED: u64 = 1;
-/// So many fields are compiled in one crate.
+/// The number of fields in one crate.
 const IN_ONE_CRATE: usize = 50;
 
-/// A field, what judges it, and the trials that it has of each number.
 struct Tried {
     field: Drawn,
     judged: Compiled,
@@ -52,7 +49,7 @@ impl Tried {
         Compiled::count(self.trials)
     }
 
-    /// The module of the crate: its block, and a function that tries every step.
+    /// Writes the field's module of the crate: its block, and a function that makes every step.
     fn module(&self) -> String {
         let Drawn { field: OddField { name, parameters, .. }, of_sites, sites, variables } = &self.field;
         let (parameters, site_parameters) = parameters.split_at(parameters.len() - of_sites);
@@ -101,7 +98,7 @@ impl Tried {
     }
 }
 
-/// What the crate needs besides its fields.
+/// The part of the crate that is common to all fields.
 const FRAME: &str = "
 #![allow(unused_imports, clippy::all)]
 use kahan_core::prelude::*;
@@ -178,13 +175,12 @@ fn program(fields: &[Tried]) -> String {
     )
 }
 
-/// The workspace.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Builds the crate of these fields as a user does, but for its own level of optimisation, which
-/// changes no bits: at the highest sixty fields take minutes more. Its program.
+/// Builds the crate as a user does, and returns the path of its program. The crate itself has
+/// optimisation level 1, which changes no bits and saves minutes.
 fn build(fields: &[Tried]) -> PathBuf {
     let folder = root().join("target").join("compiled_extremes");
     fs::create_dir_all(folder.join("src")).expect("a folder can be made");
@@ -205,14 +201,12 @@ fn build(fields: &[Tried]) -> PathBuf {
 }
 
 impl Tried {
-    /// The words of every trial, number by number.
     fn inputs(&self) -> Vec<u8> {
         let Self { judged, trials, .. } = self;
         let all = [judged.inputs::<f32>(*trials, SEED), judged.inputs::<f64>(*trials, SEED)].concat();
         all.into_iter().chain(judged.inputs::<Dd>(*trials, SEED)).flat_map(u64::to_le_bytes).collect()
     }
 
-    /// Judges the words that the program wrote.
     fn judge(&self, mut results: &[u64]) -> Tally {
         let (Self { judged, trials, .. }, mut tally) = (self, Tally::default());
         judged.judge::<f32>(*trials, SEED, &mut results, &mut tally);
@@ -222,7 +216,7 @@ impl Tried {
         tally
     }
 
-    /// Has the program try the steps of this field, and judges them.
+    /// Runs the program for this field, and judges its results.
     fn tally(&self, program: &Path) -> Tally {
         let name = &self.field.field.name;
         let [from, to] = ["inputs", "results"].map(|end| program.with_file_name(format!("{name}.{end}")));

@@ -1,8 +1,8 @@
-//! Trials whose steps are made elsewhere, by code that the macro wrote.
+//! Trials whose steps are made by another program, with code that the macro wrote.
 //!
-//! In: a system of any number of variables, or a chain. Out: the bits of what `try_step` is to be
-//! given, and a verdict on the bits that it returned. A program that makes the steps needs neither
-//! the judge nor exact numbers.
+//! In: a system of any number of variables, or a chain. Out: the arguments of `try_step` as bits,
+//! and verdicts on the bits of its results. The other program needs neither judge nor exact
+//! numbers.
 
 use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
@@ -18,7 +18,7 @@ use crate::survey::Target;
 use crate::tally::Tally;
 use crate::trial::{Trials, with_special_inputs};
 
-/// A float as words, one for each float that it is made of.
+/// A scalar as words, one for each of its floats.
 pub(super) trait Words: Float {
     const WORDS: usize;
 
@@ -63,10 +63,9 @@ impl Words for Dd {
     }
 }
 
-/// A system whose steps are made elsewhere; all of its parameters are drawn.
 pub(super) struct Compiled(Target);
 
-/// The judge of a field of any number of variables.
+/// Returns the judge of a field of any number of variables.
 pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
     if system.field.dimension() <= LARGEST_DIMENSION {
         return judge::of(system);
@@ -75,13 +74,12 @@ pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
 }
 
 impl Compiled {
-    /// A system of any number of variables.
     pub(super) fn new(name: &str, system: &System) -> Self {
         Self::of(name, system, judge_of(system))
     }
 
-    /// A chain of this many sites. Its parameters are those of the chain, and then those of sites,
-    /// name by name.
+    /// Prepares a chain of `sites` sites. Parameters of the whole chain come first, then those of
+    /// sites, name by name.
     pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
         let system = family.at_sites(sites).expect("no site divides by zero");
         Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))
@@ -92,12 +90,10 @@ impl Compiled {
         Self(Target { name: name.to_owned(), parameters, is_odd: true, judge })
     }
 
-    /// The number of trials, those with special inputs included.
     pub(super) fn count(trials: u64) -> u64 {
         with_special_inputs(trials)
     }
 
-    /// The words of all trials: parameters, states, ε of each.
     pub(super) fn inputs<T: Words>(&self, trials: u64, seed: u64) -> Vec<u64> {
         let all = Trials::<T>::new(vec![&self.0], trials, seed);
         let words = |index| {
@@ -107,8 +103,8 @@ impl Compiled {
         (0..Self::count(trials)).flat_map(words).collect()
     }
 
-    /// Judges all trials by the words that `results` begins with, and takes these away: for each
-    /// trial 1 and the words of x̃, or 0 where `try_step` returned an error.
+    /// Judges all trials and removes their words from the front of `results`. Each trial has the
+    /// word 1 and the words of x̃, or 0 if `try_step` returned an error.
     pub(super) fn judge<T: Words>(&self, trials: u64, seed: u64, results: &mut &[u64], tally: &mut Tally) {
         let all = Trials::<T>::new(vec![&self.0], trials, seed);
         for index in 0..Self::count(trials) {

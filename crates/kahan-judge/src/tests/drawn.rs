@@ -1,42 +1,38 @@
-//! Fields of odd tempers that `kahan extremes` does not draw: of many variables, and chains.
+//! Extreme random fields of many variables, and chains, which `kahan extremes` does not draw.
 
 use crate::random_fields::odd::{Draw, OddField, plain};
 
-/// A field, or a chain.
 pub(super) struct Drawn {
-    /// Its parameters are those of the whole chain, and then those that each site has.
+    /// The field; parameters of the whole chain come first, then those of sites.
     pub(super) field: OddField,
-    /// How many of its parameters each site has.
+    /// The number of parameters that each site has.
     pub(super) of_sites: usize,
-    /// The number of variables, or of arrays.
+    /// The number of variables, or of arrays of a chain.
     pub(super) variables: usize,
-    /// The number of sites of a chain.
     pub(super) sites: Option<usize>,
 }
 
-/// The field of a seed with this number, of 1 to 8 variables in turn.
 pub(super) fn odd(seed: u64, number: usize) -> Drawn {
     let field = crate::random_fields::odd::odd(seed, number);
     Drawn { field, of_sites: 0, variables: 1 + number % 8, sites: None }
 }
 
-/// The field of a seed with this number, of 9 to 40 variables in turn.
 pub(super) fn odd_of_many(seed: u64, number: usize) -> Drawn {
     let variables = 9 + number * 5 % 32;
     Drawn { field: plain(seed, number, "Many", variables), of_sites: 0, variables, sites: None }
 }
 
-/// The chain of a seed with this number: periodic and open ones in turn, of one to three arrays.
+/// Draws the chain with this number, periodic or open, of one to three arrays.
 pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     let mut draw = Draw::new(seed, "Chain", number);
     let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);
-    // Long enough to be cut into parts, now and then.
+    // Every 25th chain is long enough to be cut into parts.
     let sites = if number % 25 == 24 { 520 + draw.below(300) } else { 1 + draw.below(36 / arrays) };
     draw.states = (0..arrays).map(|k| ["x", "y", "z"][k].to_owned()).collect();
     draw.offsets = reach;
     draw.take_parameters();
     let parameters = draw.parameters.clone();
-    // The first is one of the chain, the others each site has.
+    // The first parameter belongs to the chain, the others to sites.
     draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
     let names = draw.states.clone();
     let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();

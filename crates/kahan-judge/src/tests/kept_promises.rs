@@ -1,9 +1,8 @@
-//! The promise of the stable tier at the extremes, on a seeded sample; `kahan extremes --trials
-//! 1000000` takes the large one.
+//! The promise of the stable tier at the extremes, on a seeded sample.
 //!
-//! Judged exactly: an `Ok` of `try_step` is within 64 u of the exact step's largest component, and
-//! there is no flag where the condition number is below 1e12 (f32: 1e4) and the format holds the
-//! result.
+//! Judged exactly: an `Ok` of `try_step` lies within 64 u of the exact step's largest component. A
+//! flag requires a condition number of at least 1e12 (f32: 1e4) or a result that the format cannot
+//! hold. `kahan extremes --trials 1000000` takes a large sample.
 
 use std::ops::ControlFlow;
 
@@ -22,7 +21,6 @@ use crate::{Cell, Extremes, Place, Regime, Tally, usual_subjects};
 
 const TRIALS: u64 = 2000;
 
-/// As many threads as there are.
 struct Threads(usize);
 
 impl Watch for Threads {
@@ -59,8 +57,7 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// z̃ = z + 2ε(…) leaves the range by its last multiply-add, behind every error bound; found by the
-/// large sample.
+/// z̃ = z + 2ε(…) overflows in its last multiply-add, after every error bound.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -70,8 +67,7 @@ fn a_result_beyond_the_largest_float_is_flagged() {
     assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
-/// The other side of the first test: the points are hard enough to show a step without a promise at
-/// fault, everywhere but at ordinary points.
+/// The points are hard enough to expose a step without a promise, except at ordinary points.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
     let tally = judged(TRIALS, 21);
@@ -93,7 +89,7 @@ fn each_regime_has_its_quarter() {
         for regime in [Regime::NearPole, Regime::NearRemovablePole, Regime::MixedMagnitudes, Regime::Ordinary]
         {
             let trials = tally.cells[&(regime, "stable", scalar)].trials;
-            // Where no pole is found in twelve attempts, the point is one of mixed magnitudes.
+            // If twelve attempts find no pole, the point has mixed magnitudes.
             assert!(4 * trials >= TRIALS - TRIALS / 50, "{scalar}, {regime:?}: {trials}");
         }
         for regime in [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps] {
@@ -114,7 +110,7 @@ fn the_number_of_threads_changes_nothing() {
     assert_ne!(one, judged(6, 1));
 }
 
-/// Dense ones with divisors among them.
+/// Includes dense fields with divisors.
 #[test]
 fn fields_of_odd_tempers_are_in_the_language() {
     for seed in 1..=3 {
@@ -125,7 +121,7 @@ fn fields_of_odd_tempers_are_in_the_language() {
     }
 }
 
-/// Fields of every number of variables, closed forms beyond the budget among them.
+/// Fields of one to eight variables, some with closed forms beyond the budget.
 #[test]
 fn what_is_drawn_is_judged() {
     let asked = Extremes { trials: 1, seed: 3, odd_fields: 24, odd_trials: 16, ..Extremes::default() };

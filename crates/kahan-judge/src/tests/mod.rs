@@ -1,4 +1,4 @@
-//! Promises at the extremes, on samples; steps that are made elsewhere.
+//! Tests of the promise at the extremes, on samples, and of steps made by another program.
 
 mod as_compiled;
 pub(crate) mod compiled;

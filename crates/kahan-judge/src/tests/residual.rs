@@ -1,7 +1,8 @@
-//! The residual of the defining equation: what judges steps of many variables.
+//! Verdicts by the residual of the defining equation, for steps of many variables.
 //!
-//! A result y keeps its promise where |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ in every row i. With
-//! b = A·x + 2εf the residual is A·(y − x) − 2εf.
+//! With b = A·x + 2εf, a result y keeps its promise if in every row i
+//!
+//! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ.
 
 use std::cmp::Ordering;
 
@@ -15,16 +16,15 @@ use crate::float::Format;
 use crate::judge::balls::fit;
 use crate::judge::{Exact, Judge, Verdict, Zeros};
 
-/// Which row's entries k counts.
+/// The definition of k: a number of entries.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rows {
-    /// Those of the widest row: the promise of a field of many variables.
+    /// The entries of the widest row: the promise of a field of many variables.
     Widest,
-    /// Those of the row itself: the promise of a chain.
+    /// The entries of row i: the promise of a chain.
     Own,
 }
 
-/// The judge of the steps of an equation.
 #[derive(Debug)]
 pub(super) struct ByResidual(pub(super) Equation, pub(super) Rows);
 
@@ -33,7 +33,7 @@ impl Judge for ByResidual {
         &self.0
     }
 
-    /// Where the field divides by zero, there is no step.
+    /// Makes no step where the field divides by zero.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
         let equation = self.0.at(point);
         if equation.is_defined() { Some(Box::new(Residual { equation, counted: self.1 })) } else { None }
@@ -44,7 +44,6 @@ impl Judge for ByResidual {
     }
 }
 
-/// A step from a point.
 struct Residual {
     equation: AtPoint,
     counted: Rows,
@@ -79,8 +78,7 @@ impl Exact for Residual {
         verdict
     }
 
-    /// Whether x̃ exists and the format holds it; where no precision tells det A from 0, or a
-    /// component from 0, that is no.
+    /// Tells whether x̃ exists and the format holds it; false if no precision decides.
     fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {
@@ -97,10 +95,10 @@ impl Exact for Residual {
     }
 }
 
-/// det A along a state that few rows depend on: it is linear in each row.
+/// Expands det A in a state that few rows depend on, and each linearly.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
     const MOST_ROWS: usize = 3;
-    /// Elimination of many variables takes its time.
+    /// Bounds the time of elimination.
     const MOST_VARIABLES: usize = 64;
     const BITS: u64 = 256;
     let variable = random.below(equation.dimension() as u64) as usize;
@@ -136,7 +134,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Opti
     Some(Zeros { variable, coefficients })
 }
 
-/// det A, about, for a matrix some of whose rows are replaced.
+/// Approximates det A after some rows are replaced.
 pub(crate) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
     let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
     for (i, entries) in replaced {

@@ -1,20 +1,18 @@
-//! Drifts in words: functions that grow evenly, and the functions of them that are constant.
+//! Drifts in words: functions with constant increments, and their constant combinations.
 
 use crate::claims::writing::is_product;
 use crate::drift::{Constant, Drift, DriftKind};
 use crate::report::Report;
 
-/// The sentence on the end of a search by the drifts.
 pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one function and multiplies another by \
     a factor that is no root of unity. So the closure of a generic orbit has at least dimension 2, and rational \
     integrals are constant on it: nothing can be missing, and the search ended.";
 
-/// A function that changes evenly along orbits.
+/// A function with a constant increment along orbits.
 struct Even {
     function: String,
-    /// The difference between two steps.
+    /// The increment of one step.
     step: String,
-    /// Whether the text of `step` can be a divisor without parentheses.
     is_atom: bool,
 }
 
@@ -35,14 +33,14 @@ impl Even {
         }
     }
 
-    /// `F1/(2*eps)`
+    /// Writes for example `F1/(2*eps)`.
     fn quotient(&self) -> String {
         let Even { function, step, is_atom } = self;
         if *is_atom { format!("{function}/{step}") } else { format!("{function}/({step})") }
     }
 }
 
-/// The sentence on drifts that change by a constant at every step, or whose logarithms do.
+/// Writes the sentence on drifts that change by a constant in every step, or whose logarithms do.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<Even> = report.drifts.iter().filter_map(Even::of).collect();
     let (Even { function, step, is_atom }, others) = even.split_first()?;

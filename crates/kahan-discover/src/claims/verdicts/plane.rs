@@ -4,10 +4,8 @@ use crate::orbits::growth::Growth;
 use crate::orbits::plane::GrowthProof;
 use crate::report::Report;
 
-/// The sentence on the end of a search if growth is proved exponential.
 pub(super) const GROWTH_ENDS: &str = "A birational map of the plane whose degrees grow exponentially permutes the curves of no pencil, so it has no rational integral (Diller and Favre 2001): nothing can be missing, and the search ended.";
 
-/// The sentence on exponential growth of degrees and its proof.
 pub(super) fn growth(proof: GrowthProof, entropy: f64) -> String {
     match proof {
         GrowthProof::Stable { prime } => format!(
@@ -26,7 +24,7 @@ pub(super) fn growth(proof: GrowthProof, entropy: f64) -> String {
     }
 }
 
-/// The sentence on quadratic growth, if no integral is known.
+/// Writes the sentence on quadratic growth, if no integral is known.
 pub(super) fn quadratic(report: &Report) -> Option<String> {
     let degree = report.hilbert.as_ref()?.degree();
     let is_open = report.variables.len() == 2 && report.independent == 0;
@@ -35,7 +33,6 @@ pub(super) fn quadratic(report: &Report) -> Option<String> {
     ))
 }
 
-/// The sentence on the end of a search if growth is linear.
 pub(super) fn linear_ends(report: &Report) -> Option<String> {
     let (iterates, drift) = (report.linear_iterates?, report.drifts.first()?);
     Some(format!(

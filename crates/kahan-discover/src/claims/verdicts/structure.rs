@@ -5,7 +5,7 @@ use crate::report::{HamiltonianReport, Report};
 
 use super::{counted, listed_labels};
 
-/// Its divergence, its integrals, and whether it is Hamiltonian.
+/// Writes the sentences on divergence, integrals of the flow, and Hamiltonian forms.
 pub(super) fn structure(report: &Report) -> Vec<String> {
     let structure = &report.structure;
     let mut sentences = vec![format!("The divergence of the field is {}.", structure.divergence)];
@@ -46,7 +46,6 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// The sentence on several K with f = K∇H.
 fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> String {
     let pairs = all.iter().map(|found| format!("{} with H = {}", found.label("K"), found.hamiltonian));
     let are_proved = all.iter().all(|found| found.modified_is_proved);
@@ -58,8 +57,7 @@ fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> S
     )
 }
 
-/// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand
-/// in the table.
+/// Writes the sentence on linear and quadratic integrals of the flow, as far as they were searched.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());

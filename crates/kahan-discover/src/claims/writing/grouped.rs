@@ -1,7 +1,7 @@
 //! Sums written as sums of products: 1 − ε²(b² − ac)(gy + hz)² for ten terms.
 //!
-//! A sum is split by powers of ε, or into the terms whose coefficients have a common factor and the
-//! other terms. The parts are written in the same way, and the shortest text wins.
+//! A sum is split by powers of ε, or into terms whose coefficients share a factor and the others.
+//! The parts are written recursively, and the shortest text wins.
 
 use std::slice::from_ref;
 
@@ -11,13 +11,10 @@ use kahan_algebra::symbols::Symbols;
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// The most terms of a sum that is grouped.
 const MOST_GROUPED: usize = 400;
 
-/// The deepest nesting of sums in products.
 const DEEPEST: usize = 4;
 
-/// The shortest text that is found for the polynomial.
 pub(super) fn grouped(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let writer = Writer { symbols };
     writer.sum(polynomial, DEEPEST, &mut Budget::new(MOST_TERMS, MOST_WORK / 10))
@@ -28,7 +25,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// The shortest text of a sum, with at most `depth` further levels of products.
+    /// Returns the shortest text of a sum, with at most `depth` further levels of products.
     fn sum(&self, polynomial: &Polynomial, depth: usize, budget: &mut Budget) -> String {
         let expanded = Text.polynomial(self.symbols, polynomial);
         let is_worth_it = depth > 0 && (3..=MOST_GROUPED).contains(&polynomial.len());
@@ -43,7 +40,7 @@ impl Writer<'_> {
         [expanded].into_iter().chain(texts).min_by_key(String::len).expect("there is one at least")
     }
 
-    /// Ways to write the polynomial as a sum of shorter ones.
+    /// Splits the polynomial into sums of shorter polynomials, in several ways.
     fn groupings(&self, polynomial: &Polynomial, budget: &mut Budget) -> Vec<Vec<Polynomial>> {
         let epsilon = self.symbols.epsilon();
         let powers = polynomial.coefficients_in(epsilon).into_iter().map(|(exponent, part)| {
@@ -55,8 +52,7 @@ impl Writer<'_> {
         found
     }
 
-    /// Splits the polynomial into the terms whose coefficients have the most frequent factor, and
-    /// the other terms.
+    /// Separates the terms whose coefficients have the most frequent factor.
     fn by_factor(
         &self,
         polynomial: &Polynomial,
@@ -67,7 +63,7 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Each factor, the number of terms of the coefficients with it, and the indices of these.
+        // Each factor, the number of terms of the coefficients with it, and their indices.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -94,8 +90,7 @@ impl Writer<'_> {
         Some([part(true), part(false)].into_iter().filter(|part| !part.is_zero()).collect())
     }
 
-    /// The text of a sum of parts, each written as a product. The part with the term that is
-    /// written first in the expanded polynomial comes first.
+    /// Writes a sum of products, one for each part, in the order of the expanded polynomial.
     fn parts(
         &self,
         polynomial: &Polynomial,
@@ -114,7 +109,7 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A part that is a plain sum needs no parentheses; its own text brings the sign.
+                // A part that is a plain sum needs no parentheses, and its text has the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -1,9 +1,7 @@
-//! Formulas as text in the language of `kahan!`: in factors, and by powers of polynomials that are
-//! known already.
+//! Formulas as text in the language of `kahan!`: factored, and by powers of known polynomials.
 //!
-//! A long factor P is often short in another polynomial F: P = Σ dₖ Fᵏ, where F is linear in a
-//! variable v that the digits dₖ do not contain. The catalog's Lagrange top is such a case, and it
-//! is written so where that is shorter.
+//! A long factor P is often short in powers of another polynomial F: P = Σ dₖ Fᵏ, where F is linear
+//! in a variable v and the digits dₖ are free of v. The Lagrange top of the catalog is an example.
 
 mod grouped;
 mod powers;
@@ -22,23 +20,22 @@ use grouped::grouped;
 pub(crate) use powers::in_powers;
 use powers::{Scale, by_powers};
 
-/// What factoring one polynomial may cost: most take milliseconds, the worst a second.
+/// The budget for factoring a polynomial; most take milliseconds, the worst a second.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// A factor of fewer terms is written as it is.
+/// Factors of fewer terms are not written by powers.
 const FEW_TERMS: usize = 12;
 
 /// The fewest terms of two conjugate factors that are multiplied.
 const LONG_CONJUGATE: usize = 3;
 
-/// The irreducible factors that contain states, each once.
+/// Returns the distinct irreducible factors that contain states.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
     let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
 }
 
-/// Those of all formulas, each once.
 pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     let mut factors: Vec<Polynomial> = Vec::new();
     for factor in formulas.iter().flat_map(|formula| &formula.factors) {
@@ -49,7 +46,7 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// ∏ above / ∏ below, each in factors, these perhaps by powers of one of `by` or of a factor below.
+/// Writes ∏ above / ∏ below in factors, perhaps by powers of `by` or of a short factor below.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -66,7 +63,7 @@ pub(crate) fn quotient(
     below.join_conjugates(symbols);
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
-    // What stands in front of both sides becomes one, without fractions.
+    // Moves the monomials and contents of both sides into one fraction in lowest terms.
     let content = above.content.checked_div(&below.content).expect("a denominator is not zero");
     let (front_above, front_below) =
         (above.front.mul(&below.front_below), above.front_below.mul(&below.front));
@@ -82,7 +79,7 @@ pub(crate) fn quotient(
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// content · front/front_below · ∏ sums.
+/// The product content · front/front_below · ∏ sums.
 #[derive(Clone, Debug)]
 struct Product {
     content: Rational,
@@ -91,23 +88,20 @@ struct Product {
     sums: Vec<(Sum, u32)>,
 }
 
-/// A factor that is no monomial.
+/// A factor with more than one term.
 #[derive(Clone, Debug, PartialEq)]
 enum Sum {
-    /// As it is.
     Plain(Polynomial),
-    /// As text.
+    /// The final text.
     Written(String),
 }
 
 impl Product {
-    /// Factors each polynomial within a budget of its own.
     fn of(polynomials: &[Polynomial]) -> Self {
         let each = || Budget::new(MOST_TERMS, MOST_WORK);
         Self::factored(polynomials, |polynomial| factors(polynomial, &mut each()))
     }
 
-    /// Factors all polynomials within one budget.
     fn within(polynomials: &[Polynomial], budget: &mut Budget) -> Self {
         Self::factored(polynomials, |polynomial| factors(polynomial, budget))
     }
@@ -145,7 +139,7 @@ impl Product {
         }
     }
 
-    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so that a long F is written once.
+    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so a long F is written once.
     fn join_conjugates(&mut self, symbols: &Symbols) {
         let conjugate = |polynomial: &Polynomial| {
             let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
@@ -168,8 +162,7 @@ impl Product {
         }
     }
 
-    /// Chooses the shortest text of each factor: its groups, or, for a long factor, powers of
-    /// shorter polynomials.
+    /// Chooses the shortest text of each factor: grouped, or, for long factors, by powers of `by`.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
@@ -180,8 +173,7 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor also appears as a factor of the other side, so a text with a
-                        // divisor must be shorter by a third.
+                        // A divisor lengthens the other side, so its text must be a third shorter.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));
@@ -200,7 +192,7 @@ impl Product {
     }
 }
 
-/// content · front · ∏ sums; a sum stands alone without parentheses.
+/// Writes content · front · ∏ sums; a single sum has no parentheses.
 fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
     let text = |sum: &Sum| match sum {
         Sum::Plain(polynomial) => Text.polynomial(symbols, polynomial),
@@ -225,15 +217,14 @@ fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &
     parts.join("*")
 }
 
-/// Whether the first term in writing is negative: low degrees stand first, in the order of terms
-/// within a degree.
+/// Tells whether the first written term is negative; terms are written by ascending degree.
 pub(crate) fn begins_negative(polynomial: &Polynomial) -> bool {
     let lowest = polynomial.terms().map(|(monomial, _)| monomial.degree()).min();
     let first = polynomial.terms().find(|(monomial, _)| Some(monomial.degree()) == lowest);
     first.is_some_and(|(_, coefficient)| coefficient.is_negative())
 }
 
-/// Whether sums stand in parentheses only.
+/// Tells whether all sums are in parentheses.
 pub(crate) fn is_product(text: &str) -> bool {
     let mut depth = 0;
     text.chars().all(|c| {
@@ -247,7 +238,7 @@ pub(crate) fn is_product(text: &str) -> bool {
     })
 }
 
-/// Whether the text is one sum in parentheses, perhaps with an exponent.
+/// Tells whether the text is one sum in parentheses, perhaps with an exponent.
 fn is_group(text: &str) -> bool {
     let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
     let mut depth = 0;

@@ -1,5 +1,6 @@
-//! A polynomial P by powers of another, F, linear in a variable v: P = Σ dₖ Fᵏ with digits dₖ that
-//! do not contain v.
+//! A polynomial P by powers of a polynomial F that is linear in a variable v.
+//!
+//! P = Σ dₖ Fᵏ, with digits dₖ free of v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -8,25 +9,24 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// What a polynomial was divided by to be written.
+/// The factor content · front / front_below that the text of a polynomial leaves out.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
     pub(super) front_below: Monomial,
 }
 
-/// A polynomial by powers of a base.
 pub(crate) struct InPowers {
-    /// scale · P with the base replaced by `fresh`.
+    /// scale · P, with the base replaced by `fresh`.
     pub(crate) sum: Polynomial,
-    /// What stands for the base.
+    /// The variable in place of the base.
     pub(crate) fresh: Variable,
     /// One term without states.
     pub(crate) scale: Polynomial,
 }
 
-/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term
-/// without states; `None` where it is not, and beyond the budget.
+/// Writes the polynomial by powers of `base`. Returns `None` beyond the budget, and unless `base`
+/// is linear in `variable` with a coefficient of one term without states.
 pub(crate) fn in_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -43,7 +43,7 @@ pub(crate) fn in_powers(
     if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
-    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, F being a variable of its own for a moment.
+    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, with F as a variable.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
@@ -51,8 +51,7 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// The base without its terms free of states, and without what the others have in common but
-/// states: x − ay for 1 − ε²(x − ay).
+/// Removes terms free of states, then a common factor: 1 − ε²(x − ay) becomes x − ay.
 fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
@@ -61,8 +60,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
-/// The polynomial written by powers of `base`, but for its constant; `None` where that is not
-/// possible, or where nothing comes of it.
+/// Writes a polynomial by powers of the state-dependent part of `base`; `None` if useless.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -80,12 +78,11 @@ pub(super) fn by_powers(
     let sum = sum.div_monomial(&front)?;
     let content = sum.content();
     let sum = sum.primitive_part();
-    // The fresh variable may be part of the common monomial: then the base divides the polynomial,
-    // which is irreducible.
+    // An irreducible polynomial is not divisible by the base.
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Terms of the sum would cancel where ε is small.
+    // Terms of the sum would cancel for small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }
@@ -98,7 +95,6 @@ pub(super) fn by_powers(
     for (exponent, digit) in sum.coefficients_in(fresh) {
         let mut product = Product::of(&[digit]);
         if text.is_empty() {
-            // The whole begins positive.
             is_negative = product.content.is_negative();
         }
         if is_negative {

@@ -1,10 +1,9 @@
-//! What is written reads back as what it was, and how it looks.
+//! Tests that texts read back as the original formula, and of their form.
 
 use super::*;
 use kahan_algebra::lexer;
 
-/// The symbols of a field in x, y, z with the parameter a, and the numerator and denominator of an
-/// expression.
+/// Returns the symbols of a field in x, y, z with the parameter a, and both sides of an expression.
 fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     let text = format!("xdot = a*y*z; ydot = x; zdot = x^2; integral H = {expression};");
     let tokens = lexer::lex(&text).tokens;
@@ -13,7 +12,7 @@ fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     (system.field.symbols.clone(), [function.numerator().clone(), function.denominator().clone()])
 }
 
-/// Writes it, and reads it again.
+/// Writes an expression and checks that it reads back unchanged.
 fn written(expression: &str, by: &str) -> String {
     let (symbols, [above, below]) = polynomials(expression);
     let text = quotient(&symbols, &[above], &[below], &[polynomials(by).1[0].clone()]);
@@ -40,12 +39,11 @@ fn sums_stand_in_factors_their_first_terms_positive() {
 
 #[test]
 fn long_factors_are_written_by_powers_of_known_ones() {
-    // Without the constant: terms that cancel where ε is small would lose digits.
+    // The base lacks its constant: terms that cancel for small ε would lose digits.
     let (base, known) = ("a*x + y^2", "1 - eps^2*a*x - eps^2*y^2");
     let digits = format!("(y - z)^2*({base})^3 + a*(1 + z*y)*({base}) - eps^2*(y + z^3)^2");
     let text = written(&format!("({digits})/z"), known);
     assert!(text.contains(&format!("({base})^3")) && text.len() < digits.len() + 12, "{text}");
-    // A base that does not fit makes nothing longer.
     let plain = written(&format!("({digits})/z"), "z");
     assert!(text.len() < plain.len(), "{plain}");
 }

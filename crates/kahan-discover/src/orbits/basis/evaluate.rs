@@ -1,5 +1,4 @@
-//! The integrals that a basis defines, from consecutive points of an orbit: exactly, or in floats
-//! with their condition.
+//! Values of a basis's integrals from consecutive points of an orbit, exactly or in floats.
 
 use std::error::Error;
 use std::fmt;
@@ -13,36 +12,36 @@ use crate::modular::weights::reduce;
 /// The coefficients of a basis in floats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasisValues {
-    /// The coefficients in the order of the monomials, that of the unit being 1.
+    /// The coefficients in the order of the monomials; that of the unit is 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the equations solved, each monomial divided by its largest value:
-    /// what is off by a part u in the points is off by up to about `condition`·u in the terms cₖ
-    /// max |mₖ|, relative to the largest of these. It grows where the points lie close together, as
-    /// with small time steps.
+    /// The condition number of the equations, with monomials scaled by their largest values.
+    ///
+    /// A relative error u of the points causes an error of up to about `condition`·u in the terms
+    /// cₖ max |mₖ|, relative to the largest term. The number grows if points lie close together.
     pub condition: f64,
 }
 
-/// Why a basis has no value.
+/// The reason why a basis has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BasisError {
-    /// Fewer points than determine the coefficients.
+    /// The points are too few to determine the coefficients.
     TooFewPoints {
-        /// How many are needed.
+        /// The number of points needed.
         wanted: usize,
-        /// How many there are.
+        /// The number of points given.
         given: usize,
     },
-    /// A point with another number of states than the monomials have.
+    /// A point and the monomials differ in the number of states.
     Dimension {
-        /// How many states there are.
+        /// The number of states of the monomials.
         wanted: usize,
-        /// How many the point has.
+        /// The number of entries of the point.
         given: usize,
     },
     /// A point, or the value of a monomial there, is not finite.
     NotFinite,
-    /// The points do not determine the coefficients (in floats: to no digit): they repeat, lie too
-    /// close together, or the coefficient of the unit is 0 on this orbit.
+    /// The points do not determine the coefficients (in floats: not one digit). They repeat or lie
+    /// too close together, or the coefficient of the unit is 0 on this orbit.
     Undetermined,
 }
 
@@ -67,8 +66,8 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// The coefficients along the orbit with these consecutive points, exactly, in the order of the
-    /// monomials; that of the unit is 1. The first [`points`](Self::points) are used.
+    /// Solves exactly for the coefficients along the orbit with these points, in the order of the
+    /// monomials; the unit has 1. Uses the first [`points`](Self::points).
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -107,8 +106,8 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// The coefficients along the orbit with these consecutive points, in the order of the
-    /// monomials; that of the unit is 1. All points are used, in the sense of least squares.
+    /// Solves for the coefficients along the orbit with these consecutive points, by least squares.
+    /// Returns them in the order of the monomials; that of the unit is 1. Uses all points.
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -134,11 +133,10 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration that finds singular values stops some hundred roundings early: enough for
-        // them, not for a solution.
+        // The iteration for singular values stops early, too early for solutions.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
-        // Beyond this not one digit would be right.
+        // No digit would be right.
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {
             return Err(BasisError::Undetermined);
         }
@@ -155,7 +153,7 @@ impl Basis {
         Ok(BasisValues { coefficients, condition })
     }
 
-    /// The term of the unit, and all others.
+    /// Returns the term of the unit, and all others.
     fn unit_and_others(&self) -> (&Term, Vec<&Term>) {
         let is_unit = |term: &&Term| term.iter().any(|&(place, _)| place == self.unit);
         let (unit, others): (Vec<_>, Vec<_>) = self.terms.iter().partition(is_unit);

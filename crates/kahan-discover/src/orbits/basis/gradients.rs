@@ -1,4 +1,4 @@
-//! The gradients of a basis's coefficients with respect to the orbit's start, modulo a prime.
+//! The gradients of a basis's coefficients with respect to the start of an orbit, modulo a prime.
 
 use crate::maps::map::ModularMap;
 use crate::maps::stepping::Stepping;
@@ -8,11 +8,9 @@ use crate::orbits::relations::monomial_gradient;
 
 use super::Basis;
 
-/// The gradient of every coefficient at a point, that of the unit being 0; `None` where the orbit
-/// ends at a pole, or where the monomials have more than one relation or none.
-///
-/// With M the values of the monomials along the orbit and c the coefficients, M c = 0, hence M dc =
-/// −dM c.
+/// Returns the gradient of every coefficient at a point; that of the unit is 0. With the values M
+/// of the monomials along the orbit and the coefficients c, M c = 0 implies M dc = −dM c. `None` if
+/// the orbit ends at a pole, or unless the relation is unique.
 pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let n = start.len();
@@ -23,7 +21,7 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();
     let mut slopes: Vec<Vec<Vec<u64>>> = Vec::new();
-    // One more than determine the coefficients, so that those of no relation are noticed.
+    // One point more than needed exposes monomials without a relation.
     for _ in 0..size {
         let (own, gradients): (Vec<u64>, Vec<Vec<u64>>) =
             basis.monomials.iter().map(|exponents| monomial_at(modulus, exponents, &point)).unzip();
@@ -66,12 +64,11 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
     Some(gradients)
 }
 
-/// A monomial's value and gradient.
+/// Returns a monomial's value and gradient.
 fn monomial_at(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> (u64, Vec<u64>) {
     (modulus.monomial(exponents, point), monomial_gradient(modulus, exponents, point))
 }
 
-/// The row times the matrix.
 fn times_matrix(modulus: &Modulus, row: &[u64], matrix: &[Vec<u64>]) -> Vec<u64> {
     let mut sum = vec![0; row.len()];
     for (factor, own) in row.iter().zip(matrix).filter(|(factor, _)| **factor != 0) {

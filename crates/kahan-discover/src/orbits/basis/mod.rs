@@ -1,13 +1,10 @@
 //! Hirota–Kimura bases: sets of monomials with one linear relation along every orbit.
 //!
 //! The coefficients of the relation are constant along an orbit, so their quotients are integrals
-//! of the map (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations",
-//! 2011). They are known without a formula: the values of the monomials at as many consecutive
-//! points as there are coefficients to solve for give them. Where a formula of an integral has
-//! thousands of terms, the basis says the same in one line.
-//!
-//! `candidates` finds them, [`prove`] proves them, [`Basis::evaluate`] gives the integrals along an
-//! orbit in floats, [`Basis::evaluate_exact`] exactly.
+//! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
+//! Values of the monomials at consecutive points determine them, even if a formula would have
+//! thousands of terms. `candidates` finds bases, [`prove`] proves them; [`Basis::evaluate`]
+//! computes the integrals in floats, [`Basis::evaluate_exact`] exactly.
 
 mod evaluate;
 mod gradients;
@@ -34,15 +31,13 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials: their places, ascending, and the factor of each. The first factor is 1; the
-/// coefficient of a monomial in the relation is its factor times that of the first.
+/// A sum of monomials, by ascending index, each with a factor; the first factor is 1. The
+/// coefficient of a monomial in the relation is its factor times the coefficient of the first one.
 pub type Term = Vec<(usize, i64)>;
 
-/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit; the cₖ differ from
-/// orbit to orbit.
-///
-/// Normalised by c_b = 1, b the place of the unit, each cₖ is an integral of the map. Monomials
-/// whose coefficients are everywhere the same, up to a small whole factor, are joined to one term.
+/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit. The cₖ differ between
+/// orbits. Normalised by c_b = 1 for the unit b, each cₖ is an integral of the map. Monomials whose
+/// coefficients always have equal quotients, small integers, form one term.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -69,30 +64,28 @@ pub struct Basis {
     pub monomials: Vec<Vec<u32>>,
     /// The terms of the relation.
     pub terms: Vec<Term>,
-    /// The place of the monomial whose coefficient is 1.
+    /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
-    /// The places of coefficients that are functionally independent integrals, of each other and of
-    /// what was known.
+    /// The indices of coefficients that are integrals, independent and new.
     pub integrals: Vec<usize>,
-    /// The number of random points and primes at which the relation was checked so that the error
-    /// is below 2⁻¹⁰⁰; `None` where no such number is reasonable, and the basis is only what was
-    /// seen.
+    /// The number of random points and primes at which the relation was checked, with an error
+    /// below 2⁻¹⁰⁰; `None` if the relation was only observed.
     pub proof: Option<u32>,
 }
 
 impl Basis {
-    /// The monomials in the language of `kahan!`, for states of these names.
+    /// Writes the monomials in the language of `kahan!`.
     #[must_use]
     pub fn monomial_texts(&self, states: &[String]) -> Vec<String> {
         self.monomials.iter().map(|exponents| monomial_text(states, exponents, &Text)).collect()
     }
 
-    /// The terms in a notation, for states of these names: sums of monomials.
+    /// Writes the terms, sums of monomials, in a notation.
     #[must_use]
     pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
             let mut text = String::new();
-            // From the highest monomial on, as formulas are written, unless that is subtracted.
+            // Formulas begin with the highest monomial unless it is subtracted.
             let mut places = term.clone();
             if places.last().is_some_and(|&(_, factor)| factor > 0) {
                 places.reverse();
@@ -108,7 +101,7 @@ impl Basis {
         self.terms.iter().map(text).collect()
     }
 
-    /// The relation in a notation: `c0 + c1*(x^2 + y^2) = 0`, its coefficients numbered by term.
+    /// Writes the relation, `c0 + c1*(x^2 + y^2) = 0`; coefficients are numbered by term.
     #[must_use]
     pub fn relation(&self, states: &[String], notation: &dyn Notation) -> String {
         let texts = self.term_texts(states, notation).into_iter();
@@ -121,14 +114,14 @@ impl Basis {
         format!("{} = 0", summands.join(" + "))
     }
 
-    /// The number of the term in which a monomial stands.
+    /// Returns the index of the term that contains a monomial.
     #[must_use]
     pub fn term_of(&self, place: usize) -> Option<usize> {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
     }
 
-    /// The quotients of coefficients that are its independent integrals, as they are numbered in
-    /// [`relation`](Self::relation): above and below.
+    /// Returns the quotients of coefficients that are independent integrals: term above, term
+    /// below. Terms are numbered as in [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -136,8 +129,8 @@ impl Basis {
         quotients.collect()
     }
 
-    /// The quotient of the terms of a relation between two terms, which is an integral; `None` if
-    /// the relation has more terms than two or more than eight monomials.
+    /// Returns the quotient of the two terms of a relation, which is an integral. `None` if the
+    /// relation has more than two terms or more than eight monomials.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -161,8 +154,7 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials whose coefficients are multiples of each other on several orbits of several
-    /// maps of the family.
+    /// Joins monomials whose coefficients are multiples of each other on three orbits.
     pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
@@ -173,7 +165,7 @@ impl Basis {
             let Some(coefficients) = found else { return };
             sampled.push((modulus, coefficients));
         }
-        // By how much the coefficient at one place is a multiple of that at another.
+        // Returns the quotient of the coefficients at two places.
         let factor = |of: usize, at: usize| {
             (1..=LARGEST_FACTOR).flat_map(|size| [size, -size]).find(|&factor| {
                 sampled.iter().all(|(modulus, coefficients)| {
@@ -194,8 +186,8 @@ impl Basis {
         self.terms = terms;
     }
 
-    /// The coefficients along the orbit of a point, up to a common factor; `None` where the
-    /// relation is not the only one, or the orbit ends at a pole.
+    /// Returns the coefficients along the orbit of a point, up to a common factor. `None` unless
+    /// the relation is unique, and if the orbit ends at a pole.
     fn coefficients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<u64>> {
         let modulus = map.modulus();
         let orbit = map.orbit(start.to_vec(), self.monomials.len());
@@ -208,25 +200,23 @@ impl Basis {
         Some(only.entries.clone())
     }
 
-    /// The gradients of the integrals that it gives, at a point; `None` as for a point whose orbit
-    /// ends at a pole.
+    /// Returns the gradients of the integrals at a point; `None` if its orbit ends at a pole.
     pub(crate) fn gradients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
         let all = gradients::of_coefficients(self, map, start)?;
         Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
     }
 
-    /// The number of consecutive points of an orbit that determine the coefficients: one less than
-    /// there are terms.
+    /// Returns the number of consecutive points that determine the coefficients: terms minus 1.
     #[must_use]
     pub fn points(&self) -> usize {
         self.terms.len() - 1
     }
 }
 
-/// The most monomials of a relation that is tried as a relation between two terms.
+/// The most monomials of a relation that is tried with two terms.
 const MOST_IN_TWO_TERMS: usize = 8;
 
-/// Coefficients are joined whose quotient is a whole number up to this size.
+/// The largest integer quotient of joined coefficients.
 const LARGEST_FACTOR: i64 = 4;
 
 fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) -> String {
@@ -239,10 +229,9 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
     if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
-/// Of bases found by [`candidates`] those that give, together with integrals whose gradients at
-/// `place` are `gradients`, as many independent integrals as are `wanted`, the shortest first, and
-/// none that brings nothing; fewer where they give fewer. The gradients of what they give are added
-/// to `gradients`.
+/// Chooses bases that complete the integrals with `gradients` at `place` to `wanted` independent
+/// ones. Prefers short bases, skips those without a new integral, and appends the new gradients.
+/// The result is smaller if the candidates do not suffice.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -274,13 +263,11 @@ pub(crate) fn completing(
     found
 }
 
-/// So many monomials are reduced in two orders only.
+/// Above this number, monomials are reduced in two orders only.
 const MANY: usize = 250;
 
-/// Sets of monomials up to a degree with one relation, the smallest first, each once; as many as
-/// the deadline allows.
-///
-/// Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
+/// Returns sets of monomials up to a degree with one relation, the smallest first. The list ends
+/// early at the deadline. Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
 pub(crate) fn candidates(
     searched: &SearchField,
     degree: u32,
@@ -312,8 +299,7 @@ pub(crate) fn candidates(
     found
 }
 
-/// Orders of the monomials: ascending by degree, with the variables in all rotations, and
-/// backwards.
+/// Returns orders of the monomials by degree, with all rotations of variables, both ways.
 fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     let mut orders = Vec::new();
     for shift in 0..n {
@@ -334,15 +320,14 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// The relations, each with its highest monomial in this order expressed by others that lead no
-/// relation; `None` if the deadline passes.
+/// Reduces the relations in an order; the highest monomial leads. `None` if the deadline passes.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,
     order: &[usize],
     deadline: &Deadline<'_>,
 ) -> Option<Vec<NullVector>> {
-    // The highest monomials are to lead, so they stand first.
+    // Leading monomials come first in the columns.
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
     let rows = relations.vectors.iter().map(permuted).collect();
     let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
@@ -353,15 +338,15 @@ fn reduced_in(
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
-/// The candidate on these monomials, what divides all of them left out; the constant, else the
-/// lowest, is the unit.
+/// Returns the candidate on these monomials; `None` if a state divides all of them. The unit is the
+/// constant if it occurs, else the lowest monomial.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {
         return None;
     }
     let exponents: Vec<&[u32]> = support.iter().map(|&index| monomials.exponents(index)).collect();
-    // A multiple of a relation says nothing new.
+    // A multiple of a relation contains nothing new.
     let is_multiple = (0..n).any(|state| exponents.iter().all(|own| own[state] > 0));
     (!is_multiple).then(|| Basis {
         monomials: exponents.into_iter().map(<[u32]>::to_vec).collect(),

@@ -1,11 +1,11 @@
-//! That the terms of a basis have one relation along every orbit.
+//! Proofs that the terms of a basis have one relation along every orbit.
 //!
-//! Of r + 1 terms at r + 1 consecutive points the determinant must vanish identically, while at
-//! r points they are independent. As the map is birational, r points further on are as generic as
-//! the first r, so all of an orbit has the relation of its first r points. The determinant is a
-//! rational function of states, parameters and ε; its degree and the size of its coefficients are
-//! bounded step by step, and it is evaluated modulo random primes at random points. Points on both
-//! sides of the start halve the number of steps, whose degrees multiply.
+//! The determinant of r + 1 terms at r + 1 consecutive points must vanish identically, while r rows
+//! are independent. The map is birational, so r points further on are as generic as the first ones,
+//! and the whole orbit has the relation. The determinant is a rational function of states,
+//! parameters and ε with bounded degree and coefficients; it is evaluated modulo random primes at
+//! random points. Points on both sides of the start halve the number of steps, whose degrees
+//! multiply.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -21,15 +21,14 @@ use crate::modular::modulus::Modulus;
 
 use super::{Basis, Term};
 
-/// More points than this are not taken.
+/// The most points of a proof.
 const MOST_POINTS: u32 = 64;
 
-/// How often a point is sampled again where its orbit ends at a pole.
+/// The most starts tried whose orbits end at poles.
 const MOST_SAMPLES: usize = 16;
 
-/// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
-/// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
-/// primes, or the deadline passes.
+/// Proves the basis with an error below 2⁻¹⁰⁰; returns the number of points modulo random primes.
+/// `None` if a point refutes it, degrees are too high for 61-bit primes, or the deadline passes.
 pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
     let size = determinant_size(basis, field, searched.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
@@ -38,8 +37,7 @@ pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &De
     (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
 }
 
-/// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
-/// prime.
+/// Tells whether r + 1 points have exactly one relation, at a random point modulo a random prime.
 fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_SAMPLES {
         let modulus = Modulus::random(random);
@@ -56,7 +54,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // Fewer than r independent rows at one point say nothing of the others.
+        // Fewer than r independent rows at one point leave other points open.
         if fewer < width - 1 {
             continue;
         }
@@ -65,14 +63,14 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
     false
 }
 
-/// How many of the points stand before the start, and how many after it.
+/// Returns the numbers of points before and after the start.
 fn halves(basis: &Basis) -> (usize, usize) {
     let steps = basis.points();
     (steps / 2, steps - steps / 2)
 }
 
 impl Basis {
-    /// The values of the terms at a point.
+    /// Evaluates the terms at a point.
     pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let summand = |&(place, factor): &(usize, i64)| {
             let size = modulus.integer(factor.unsigned_abs());
@@ -84,22 +82,20 @@ impl Basis {
     }
 }
 
-/// A bound of the total degree in states, parameters and ε, and of log₂ of the sum of all
-/// coefficients in size.
+/// Bounds of the total degree, and of log₂ of the coefficients' sum of magnitudes.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
     bits: u64,
 }
 
-/// The bound of the determinant of all monomials at all points.
+/// Bounds the determinant of all terms at all points.
 fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let (before, after) = halves(basis);
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // One more bit a row for each doubling of their number, and of the sum of the factors in front
-    // of monomials, bounds the number of products.
+    // Bits per row: one for each doubling of the number of rows and of the sum of factors.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -114,10 +110,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// The bound of x̃ = X̃/W̃ from that of x = X/W, numerators and denominator alike.
-///
-/// Row i of A x̃ = b times qᵢW has entries that are of the first degree in X and W; Cramer's rule
-/// multiplies n of them.
+/// Bounds x̃ = X̃/W̃ by bounds of x = X/W, numerators and denominator alike. Row i of A x̃ = b,
+/// times qᵢW, has entries of degree 1 in X and W; Cramer's rule multiplies n of them.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
@@ -133,7 +127,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     })
 }
 
-/// log₂ of the sum of all coefficients in size, denominators cleared, rounded up.
+/// Returns a bound of log₂ of the sum of all coefficients' magnitudes, without denominators.
 fn norm_bits(polynomial: &Polynomial) -> u64 {
     let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
     all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1

@@ -1,4 +1,4 @@
-//! Bases of systems whose integrals are known.
+//! Tests with bases of systems whose integrals are known.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::{lexer, read};
@@ -10,8 +10,7 @@ fn field(text: &str) -> Field {
     read(&lexer::lex(text).tokens).system().expect("a system").field.as_ref().clone()
 }
 
-/// Clebsch's case of a rigid body in a fluid: four integrals in six variables, only one of them
-/// with few terms.
+/// Clebsch's case of a rigid body in a fluid: four integrals in six variables, one with few terms.
 const CLEBSCH: &str = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
     p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
 
@@ -30,7 +29,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
 fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
     assert_eq!(bases.iter().map(|basis| basis.integrals.len()).sum::<usize>(), 4);
-    // The shortest is that of Petrera, Pfadler and Suris.
+    // The shortest basis is that of Petrera, Pfadler and Suris.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
         assert!(prove(basis, &searched, &field, &Deadline::never()).is_some());
@@ -40,7 +39,7 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
 #[test]
 fn what_is_no_basis_is_not_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
-    // One monomial less has no relation, and two bases together have two.
+    // One monomial less has no relation; two joined bases have two relations.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
     less.terms.truncate(3);
@@ -127,7 +126,7 @@ fn gradients_are_those_of_the_coefficients() {
     }
 }
 
-/// Kirchhoff's case with two equal moments: the body turns about its axis without a change.
+/// Kirchhoff's case with two equal moments, in which the body is symmetric about its axis.
 #[test]
 fn monomials_with_equal_coefficients_are_joined() {
     let kirchhoff =
@@ -141,7 +140,7 @@ fn monomials_with_equal_coefficients_are_joined() {
         basis.join(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
         assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
-        // Joined with another factor it has no relation with so few terms.
+        // With another factor there is no relation between these terms.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;

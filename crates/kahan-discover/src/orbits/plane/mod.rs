@@ -1,40 +1,8 @@
-//! Maps of the plane: proofs that degrees grow exponentially, and growth as the end of a search.
+//! Maps of the plane: proofs of exponential growth of degrees, and growth as the end of a search.
 //!
 //! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x, so
-//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ.
-//!
-//! **A bound on degrees.** Suppose that φ preserves a pencil of curves: it keeps each curve (as it
-//! does if there is a rational integral) or permutes the curves. Let w be the class of these curves
-//! in the Picard–Manin space, and ℓ the class of a line. Then w² = 0, w·ℓ > 0 and φ∗w = w. The
-//! classes uⱼ = φʲ∗ℓ satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which the
-//! form is negative semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality
-//! gives
-//!
-//! dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
-//!
-//! If degrees do not grow exponentially, then there is a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w
-//! (Gizatullin; Diller and Favre, "Dynamics of bimeromorphic maps of surfaces", Amer. J. Math.
-//! 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
-//! growth is exponential and that φ preserves no pencil of curves: no rational integral exists.
-//!
-//! **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-//! ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms
-//! over R, where Ψ has degree dₖ. If a point of a line has a k-th image modulo the prime, then the
-//! reduced Φᵏ is not zero there, nor is H, so the reduced Ψ gives this image. On the line these
-//! images are rational functions of degree at most dₖ. Thiele's continued fraction of a function of
-//! degree d ends after at most 2d coefficients. Hence each of
-//! [`degrees`](crate::orbits::degrees::degrees) is at most the true degree, whatever was sampled.
-//!
-//! **Stability** (dₖ = 2ᵏ for all k) is proved in `stability`.
-//!
-//! **Linear growth.** The map permutes the curves of exactly one pencil (Diller and Favre). It acts
-//! on the parameter t of this pencil by a Möbius map μ. A [drift](crate::drift) F and an integral
-//! are both constant on the curves, so both are functions of t. If the next value of F has infinite
-//! order as a Möbius map of F, then so has μ, and every integral is constant. The order of F + c is
-//! infinite, and so is that of c·F unless c = −1. At generic ε, and for a field with a value at
-//! ε = 0, the order of the map of F with the matrix M is infinite, too: for order n > 1 the
-//! function (tr M)²/det M is 4 cos²(πk/n) < 4 at all ε, but the map is the identity at ε = 0, where
-//! the function is 4. Linear growth is an observation, and sentences must say so.
+//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ. `growth` proves exponential growth
+//! by one large degree or by `stability`; `linear` draws conclusions from linear growth.
 
 mod stability;
 
@@ -50,26 +18,44 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 /// A proof that degrees grow exponentially.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrowthProof {
-    /// dₖ = 2ᵏ for all k, because the map is algebraically stable modulo this prime.
+    /// dₖ = 2ᵏ for all k: the map is algebraically stable modulo a prime.
     Stable {
         /// The prime.
         prime: u64,
     },
-    /// One degree dₖ > k² + 1.
+    /// A degree dₖ > k² + 1.
     Degree {
-        /// k
+        /// The number k.
         iterate: usize,
         /// A lower bound of dₖ.
         degree: usize,
     },
 }
 
-/// The numbers of iterates that are tried in turn if growth seems exponential and the given degrees
-/// do not prove it. With k iterates, degrees up to k² + 1 are computed.
+/// The numbers k of iterates tried in turn to prove exponential growth; degrees reach k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// The growth class of the degrees of a map, with a proof if growth is exponential in the plane.
-/// `map` is a sample of `searched`.
+/// Classifies the growth of degrees of a sampled map, with a proof in the plane if exponential.
+///
+/// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
+/// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin
+/// space, and ℓ the class of a line. Then w² = 0, w·ℓ > 0 and φ∗w = w. The classes uⱼ = φʲ∗ℓ
+/// satisfy uⱼ·w = ℓ·w and uᵢ·uⱼ = d₍ᵢ₋ⱼ₎. So uᵢ − uⱼ lies in w^⊥, on which the form is negative
+/// semidefinite (Hodge), and −(uᵢ − uⱼ)² = 2(d₍ᵢ₋ⱼ₎ − 1). The triangle inequality gives
+///
+/// dₖ − 1 ≤ k²(d₁ − 1) ≤ k².
+///
+/// If degrees do not grow exponentially, a class w with w² ≥ 0, w·ℓ > 0 and φ∗w = w exists
+/// (Gizatullin; Diller and Favre, "Dynamics of bimeromorphic maps of surfaces", Amer. J. Math.
+/// 2001; Cantat 2011), and the inequality holds as well. So a single degree dₖ > k² + 1 proves that
+/// growth is exponential and that no rational integral exists.
+///
+/// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
+/// ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms
+/// over R, where Ψ has degree dₖ. If a point of a line has a k-th image modulo the prime, then the
+/// reduced Φᵏ and H are not zero there, and the reduced Ψ gives this image. On the line these
+/// images are rational functions of degree at most dₖ, for which Thiele's continued fraction finds
+/// at most this degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
@@ -109,8 +95,14 @@ pub(crate) fn growth(
 /// The number of iterates over which growth must be linear to count as linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates over which growth is linear, if linear growth excludes integrals:
-/// the next value of the first drift has infinite order. `None` otherwise.
+/// Returns the number of iterates with linear growth, if linear growth excludes integrals. Under
+/// linear growth the map permutes the curves of exactly one pencil (Diller and Favre). It acts on
+/// the parameter t of the pencil by a Möbius map μ. A drift F and an integral are constant on the
+/// curves, so both are functions of t. If the next value of F has infinite order as a Möbius map,
+/// then so has μ, and every integral is constant. F + c with c ≠ 0 has infinite order, and so has
+/// c·F unless c = ±1. At generic ε, and for a field with a value at ε = 0, a Möbius map with matrix
+/// M has infinite order, too: for order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at
+/// ε = 0 the map is the identity with the value 4. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

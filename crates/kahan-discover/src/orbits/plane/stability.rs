@@ -1,19 +1,10 @@
 //! Algebraic stability on ℙ², proved modulo a prime.
 //!
-//! A birational map φ of ℙ² is *algebraically stable* if no iterate of φ sends a curve to a point
-//! of indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001,
-//! theorem 1.14): if all forms of Φᵏ share a factor that the forms of Φᵏ⁻¹ do not share, then φᵏ⁻¹
-//! sends the curve of this factor to a point of indeterminacy.
-//!
-//! The inverse of Kahan's map is the map with −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a
-//! cubic form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points,
-//! and on them Φ has values at which Ψ vanishes. At a prime at which κ is a product of linear
-//! forms, these curves are lines ℓᵢ with images qᵢ. The orbit of qᵢ is finite modulo the prime. It
-//! cannot be periodic outside the lines, because φ is injective there and has no value qᵢ there. So
-//! the orbit meets a point of indeterminacy, or it comes to a line ℓⱼ and continues as the orbit of
-//! qⱼ. A finite walk from each qᵢ therefore decides stability over the closure of 𝔽ₚ. If the
-//! reduced map has deg φᵏ = 2ᵏ then so has φ: a factor that the forms of Φᵏ share remains a factor
-//! modulo the prime.
+//! A birational map φ of ℙ² is *algebraically stable* if no iterate sends a curve to a point of
+//! indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
+//! 1.14): if the forms of Φᵏ share a factor that those of Φᵏ⁻¹ do not share, φᵏ⁻¹ sends its curve
+//! to a point of indeterminacy. A factor of Φᵏ over K remains one modulo a prime, so stability
+//! modulo a prime suffices.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -23,19 +14,23 @@ use crate::maps::search_field::SearchField;
 use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 
-/// Primes are sampled from `LEAST` to about `LEAST + SPREAD`. A walk modulo p takes about p/3
-/// steps, and about one walk in p/3 meets a point of indeterminacy by chance.
+/// The range of primes. A walk takes about p/3 steps and fails by chance at a rate of about 3/p.
 const LEAST: u64 = 211;
 const SPREAD: u64 = 1000;
 
-/// The most samples of a prime and of the unknowns. If the three lines are conjugate, one sample in
-/// six shows all of them.
+/// The most samples; if the three lines are conjugate, one sample in six shows all of them.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
-/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled values of the
-/// unknowns.
+/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled unknowns. The
+/// inverse of Kahan's map is the map with −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a cubic
+/// form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points, and on
+/// them Ψ vanishes at the values of Φ. If κ is a product of linear forms, these curves are lines ℓᵢ
+/// with images qᵢ. Modulo the prime the orbit of qᵢ is finite. It cannot be periodic outside the
+/// lines, as φ is injective there and has no value qᵢ there. So it meets a point of indeterminacy,
+/// or comes to a line ℓⱼ and continues as the orbit of qⱼ. A finite walk from each qᵢ decides
+/// stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -59,9 +54,8 @@ struct Forms {
 }
 
 impl Forms {
-    /// Whether three contracted lines are found, counted with multiplicity, and the map is stable
-    /// of degree 2. If the degree is less than 2, then κ has a linear factor on whose line Φ
-    /// vanishes.
+    /// Tells whether κ has three linear factors, with multiplicity, and the map is stable of degree
+    /// 2. If the degree is less than 2, κ has a linear factor on whose line Φ vanishes.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on it.
@@ -70,11 +64,10 @@ impl Forms {
         lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
     }
 
-    /// Whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
+    /// Tells whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // The bound is for safety: an orbit leaves the complement of the lines after finitely many
-        // steps.
+        // For safety only: an orbit leaves the complement of the lines.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -88,7 +81,7 @@ impl Forms {
         false
     }
 
-    /// The lines of the linear factors of κ; `None` unless κ is a product of linear forms.
+    /// Returns the lines of κ; `None` unless κ is a product of linear forms.
     fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
         let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
         let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);
@@ -111,8 +104,8 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Whether κ is a product of powers of lines, up to a nonzero constant; the powers add up to 3.
-    /// Two cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
+    /// Tells whether κ is a nonzero constant times powers of lines; the powers add up to 3. Two
+    /// cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
         let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
@@ -129,8 +122,7 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// The zeros of κ on the line through two points, except the first point; `None` if κ vanishes
-    /// on the whole line.
+    /// Returns the zeros of κ on a line except the first point; `None` if κ vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;
@@ -144,7 +136,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// The point number t on a line; the points differ for different t below the prime.
+    /// Returns point number t on a line; points differ for different t below the prime.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {
@@ -156,21 +148,21 @@ impl Forms {
         std::array::from_fn(|i| modulus.plus(a[i], modulus.times(t, b[i])))
     }
 
-    /// The cross product: the line through two points.
+    /// Returns the cross product: the line through two points.
     fn cross(&self, a: Point, b: Point) -> Point {
         let modulus = self.modulus();
         [(1, 2), (2, 0), (0, 1)]
             .map(|(i, j)| modulus.minus(modulus.times(a[i], b[j]), modulus.times(a[j], b[i])))
     }
 
-    /// The multiple whose first nonzero entry is 1.
+    /// Returns the multiple whose first nonzero entry is 1.
     fn normalised(&self, point: Point) -> Point {
         let first = point.iter().copied().find(|&entry| entry != 0);
         let inverse = first.and_then(|first| self.modulus().inverse(first)).unwrap_or(0);
         point.map(|entry| self.modulus().times(entry, inverse))
     }
 
-    /// κ
+    /// Evaluates κ.
     fn cubic(&self, point: Point) -> u64 {
         let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
         let quotients = back.iter().zip(point);
@@ -179,15 +171,13 @@ impl Forms {
         quotients.next().map_or(0, |(above, inverse)| self.modulus().times(above, inverse))
     }
 
-    /// Φ
+    /// Evaluates Φ.
     fn image(&self, point: Point) -> Point {
         self.forms(point, self.map.eps())
     }
 
-    /// (adj A · b, det A) for the linear system A x̃ = b of the map in homogeneous coordinates,
-    ///
-    ///   A = Z − ε f′,  b = x + ε Bx + 2ε cZ,
-    ///
+    /// Returns (adj A · b, det A) for the system A x̃ = b of the map in homogeneous coordinates:
+    /// A = Z − ε f′,  b = x + ε Bx + 2ε cZ,
     /// where f has the linear part Bx and the constant part c.
     fn forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();

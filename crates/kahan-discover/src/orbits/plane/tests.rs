@@ -33,7 +33,6 @@ fn exponential_growth_is_proved() {
     }
 }
 
-/// If the given degrees are too few for a proof, more are computed.
 #[test]
 fn growth_that_shows_is_proved_from_more_degrees() {
     let searched = SearchField::new(&field(ZANDER_113), None);

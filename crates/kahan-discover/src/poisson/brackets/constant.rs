@@ -1,13 +1,10 @@
 //! Invariant Poisson brackets of the form (I − ε² f′²)K for fields f = K∇H with a constant K.
 //!
-//! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε). The matrix f′K is
-//! symmetric, so
-//!
-//!   P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ.
-//!
-//! In general P is not invariant. P is invariant in three cases: in the plane, where P = det A · K;
-//! in direct sums of systems in the plane; and for a field in the plane over a commutative algebra
-//! (the canonical systems of Petrera and Suris).
+//! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε), and f′K is
+//! symmetric, so P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
+//! the plane, where P = det A · K; in direct sums of systems in the plane; and for a field in the
+//! plane over a commutative algebra (the canonical systems of Petrera and Suris); but not in
+//! general.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -26,8 +23,8 @@ use super::polynomial::{PoissonTensor, Tensor};
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. Returns `None`
-/// if the tensor is not an invariant bracket modulo a prime, or is beyond the budget.
+/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. `None` if the
+/// tensor is not an invariant bracket modulo a prime, or is beyond the budget.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -61,7 +58,7 @@ pub(crate) fn of_structure(
     Some(PoissonTensor { rank, ..found })
 }
 
-/// The product of two matrices; `None` beyond the budget.
+/// Multiplies two matrices; `None` beyond the budget.
 fn product(
     left: &[Vec<RationalFunction>],
     right: &[Vec<RationalFunction>],
@@ -79,8 +76,7 @@ fn product(
     left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// The antisymmetric matrix of the values of entries above the diagonal, at a point of a sampled
-/// map.
+/// Returns the antisymmetric matrix with these entries above the diagonal, at a point.
 fn matrix_at(
     searched: &SearchField,
     place: &SampledStep,
@@ -99,7 +95,6 @@ fn matrix_at(
 }
 
 impl PoissonTensor {
-    /// The matrix of the tensor at a point of a sampled map.
     pub(super) fn at(
         &self,
         searched: &SearchField,

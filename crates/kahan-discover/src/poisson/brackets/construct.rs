@@ -1,24 +1,19 @@
-//! The tensor of a density and n − 2 integrals: gradients, their minors, signs.
+//! The Poisson tensor of a density and n − 2 integrals: gradients, their minors, signs.
 //!
-//! Each gradient is brought over one denominator and freed of what its entries share, so that the
-//! minors are those of small polynomials; all the denominators come back as one factor of the whole
-//! tensor.
+//! Each gradient is brought over one denominator and freed of common factors, so minors are those
+//! of small polynomials. All denominators return as one factor of the tensor.
 
 use kahan_algebra::kahan::maximal_minors;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
-/// The bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for the n ≥ 2
-/// states of `symbols`: the entries above the diagonal, row by row.
-///
-/// `density` is ρ and `integrals` are the n − 2 functions I. The result satisfies Jacobi's identity
-/// and has the I's as Casimirs, whatever they are; it is invariant under a map that preserves ρ dx
-/// and the I's. With n = 2 the one entry is 1/ρ. `None` for a zero density, for integrals that are
-/// functions of one another, and beyond the budget.
-///
-/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion; zero minors cost
-/// nothing.
+/// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper. In:
+/// `density` ρ and n − 2 `integrals` I, n ≥ 2. Out: the entries above the diagonal, row by row; for
+/// n = 2 the entry 1/ρ. Any I are Casimirs of the result, which satisfies Jacobi's identity; it is
+/// invariant under maps that preserve ρ dx and the I's. `None` for a zero density, for dependent
+/// integrals, and beyond the budget. Cost: n gcds for each gradient, and the minors of n−2 rows by
+/// Laplace expansion, where zero minors are free.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,
@@ -42,7 +37,7 @@ pub(super) fn invariant_tensor(
         for k in j + 1..n {
             let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
-            // x_j passes the j variables before it, then x_k the k−1 that are left before it.
+            // x_j passes the j variables before it, then x_k the k−1 remaining ones.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
             entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
         }
@@ -50,7 +45,7 @@ pub(super) fn invariant_tensor(
     Some(entries)
 }
 
-/// dI = factor · direction, the direction being coprime polynomials (all zero for a constant I).
+/// dI = factor · direction; the direction has coprime polynomials (all zero for a constant I).
 struct Gradient {
     factor: RationalFunction,
     direction: Vec<Polynomial>,
@@ -84,7 +79,6 @@ impl Gradient {
     }
 }
 
-/// The quotient by a known divisor.
 fn quotient(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     multiple.div_within(divisor, budget).ok()?
 }

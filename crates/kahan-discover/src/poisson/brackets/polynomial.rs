@@ -1,11 +1,10 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
-//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is
-//! linear in the coefficients of P. Jacobi's identity is quadratic in these coefficients. If some
-//! elements of a reduced basis satisfy it, and so do their sums of two, then every linear
-//! combination of these elements is a bracket. The rank of a sum can exceed the rank of each
-//! element, for example if the field is a direct sum of two fields. The search goes on by degree
-//! until a bracket has full rank, n or n − 1.
+//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is linear
+//! in the coefficients of P. Jacobi's identity is quadratic in them: if elements of a reduced basis
+//! and their sums of two satisfy it, all their linear combinations are brackets. The rank of a sum
+//! can exceed the rank of each element. The search goes on by degree until a bracket has full rank,
+//! n or n − 1.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -36,7 +35,7 @@ const MOST_COEFFICIENTS: usize = 600;
 /// The most coefficients up to degree 2: those in eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
-/// The highest degree of the search if a bracket of full rank is known before.
+/// The highest degree of the search if a bracket of full rank is already known.
 const HIGHEST_BESIDE: u32 = 1;
 
 /// The number of points at which tensors are compared and Jacobi's identity is checked.
@@ -45,36 +44,31 @@ const POINTS: usize = 3;
 /// The most basis elements whose sums are tried.
 const MOST_ELEMENTS: usize = 40;
 
-/// The most tensors that are given.
 const MOST_TENSORS: usize = 4;
 
-/// The monomials of the entries above the diagonal; coefficient m·pairs + k belongs to monomial m
-/// of entry k.
+/// Monomials of entries above the diagonal; coefficient m·pairs + k is for monomial m of entry k.
 struct Shape {
     monomials: Monomials,
     /// The places (i, j) above the diagonal, row by row.
     pairs: Vec<(usize, usize)>,
 }
 
-/// The tensor of an invariant bracket.
 #[derive(Clone, Debug)]
 pub(crate) struct PoissonTensor {
-    /// Its rank at a general point.
     pub(crate) rank: usize,
     /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
     /// The index of the constant K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the tensor is proved and not written, because others are chosen in its place.
+    /// Whether the tensor is proved but not written, because others are chosen in its place.
     pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// A polynomial p for a tensor of full rank, such that 1/p is a candidate for an invariant
-    /// density. In even dimension p is the Pfaffian. In odd dimension the Pfaffians without one row
-    /// and column are the entries of a common factor times the gradient of a Casimir function, if
-    /// that function is a polynomial; p is their greatest common divisor. `None` for a lower rank,
-    /// and beyond the budget.
+    /// Returns a polynomial p such that 1/p is a candidate for an invariant density. In even
+    /// dimension p is the Pfaffian. In odd dimension the Pfaffians without one row and column are a
+    /// common factor times the gradient of a Casimir function, if that is a polynomial; p is their
+    /// greatest common divisor. `None` if the rank is not full, and beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -91,7 +85,7 @@ impl PoissonTensor {
         gcd_all_within(&minors, budget).ok()
     }
 
-    /// The Pfaffian of the rows and columns of these indices, by expansion along the first row.
+    /// Returns the Pfaffian of these rows and columns, by expansion along the first row.
     fn pfaffian_of(&self, n: usize, indices: &[usize], budget: &mut Budget) -> Option<Polynomial> {
         let Some((&first, others)) = indices.split_first() else { return Some(Polynomial::one()) };
         let mut sum = Polynomial::zero();
@@ -108,25 +102,22 @@ impl PoissonTensor {
     }
 }
 
-/// A bracket modulo a prime.
 struct Candidate {
-    /// Its rank at a general point.
     rank: usize,
     source: Source,
     /// The entries above the diagonal at the points of a search.
     values: Vec<u64>,
 }
 
-/// The origin of a bracket.
 enum Source {
     /// A tensor over ℚ that was known before the search.
     Known(PoissonTensor),
-    /// The sum of elements of a reduced basis: the degree, and the coefficients of each element.
+    /// A sum of elements of a reduced basis: the degree, and the coefficients of each element.
     Sum(u32, Vec<Vec<u64>>),
 }
 
 impl Candidate {
-    /// The number of monomials in the states, summed over the entries.
+    /// Returns the number of monomials in the states, summed over the entries.
     fn terms(&self, symbols: &Symbols) -> usize {
         let of_states = |entry: &Polynomial| {
             let monomials = entry.terms().map(|(monomial, _)| {
@@ -141,11 +132,10 @@ impl Candidate {
     }
 }
 
-/// Searches for invariant brackets with entries up to degree `highest` or 4. Returns at most four
-/// brackets: independent brackets of the highest rank, and one bracket of each lower rank. The
-/// brackets in `known` take part in this choice; each one that is not chosen follows, marked as
-/// implied. The search ends at the first degree that has a bracket of full rank, at 600
-/// coefficients of all entries together (1300 up to degree 2), or at the deadline.
+/// Finds up to four brackets: independent ones of the highest rank, and one of each lower rank.
+/// Entries have degrees up to `highest` or 4. Brackets in `known` take part in the choice; those
+/// not chosen follow, marked as implied. The search ends at the first degree with a bracket of full
+/// rank, at 600 coefficients of all entries (1300 up to degree 2), or at the deadline.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -187,8 +177,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // The text of a known tensor is usually shorter than that of a basis element. The text of a sum
-    // of several basis elements may be shorter still, as each one is divided by its common factors.
+    // Known tensors usually have shorter texts than basis elements. Sums of basis elements may be
+    // shorter still, as each element is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -202,7 +192,7 @@ pub(crate) fn polynomial_tensors(
         (Reverse(candidate.rank), class, terms)
     });
     let chosen = chosen(map.modulus(), found);
-    // Reconstructions by basis element: one element may occur in several sums.
+    // Reconstructions by basis element, as several sums may contain an element.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
         let (degree, parts) = match source {
@@ -221,7 +211,7 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Over ℚ each part has a factor of its own, which may change the rank of a sum.
+        // Over ℚ each part has its own factor, which may change the rank of a sum.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -233,8 +223,7 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// Chooses the first candidate of each rank, and further candidates of the highest rank that are
-/// linearly independent of the chosen ones: at most four in all. The ranks in `found` descend.
+/// Chooses the first of each rank and independent ones of the highest, four in all; ranks descend.
 fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -253,7 +242,6 @@ fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     chosen
 }
 
-/// The entries above the diagonal, row by row.
 fn above(matrix: &[Vec<u64>]) -> impl Iterator<Item = u64> {
     matrix.iter().enumerate().flat_map(|(i, row)| row[i + 1..].iter().copied())
 }
@@ -264,13 +252,12 @@ impl Shape {
         Shape { monomials: Monomials::new(n, degree), pairs }
     }
 
-    /// The number of coefficients.
     fn len(&self) -> usize {
         self.monomials.len() * self.pairs.len()
     }
 
-    /// A basis of the tensors with coefficients at the places of `support` that the map keeps;
-    /// `None` where the map has no value, or the deadline passes.
+    /// Returns a basis of the invariant tensors with coefficients on `support`. `None` if the map
+    /// has no value or the deadline passes.
     fn invariant(
         &self,
         map: &ModularMap,
@@ -304,8 +291,7 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Brackets of a higher rank than `best` among the basis elements of a space and their sums,
-    /// the highest rank first.
+    /// Returns brackets of rank above `best` among basis elements and sums, by descending rank.
     fn higher(
         &self,
         map: &ModularMap,
@@ -373,7 +359,6 @@ impl Shape {
         found
     }
 
-    /// The tensor and its derivatives at a point.
     fn tensor(&self, modulus: &Modulus, coefficients: &[u64], place: &Place) -> Tensor {
         let n = place.slopes[0].len();
         let mut tensor = Tensor { entries: vec![vec![0; n]; n], slopes: vec![vec![vec![0; n]; n]; n] };
@@ -389,8 +374,7 @@ impl Shape {
         tensor
     }
 
-    /// The entries of an element of a reduced basis over ℚ with all unknowns, with coprime integer
-    /// coefficients.
+    /// Reconstructs a basis element over ℚ with all unknowns, with coprime integer coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,
@@ -399,8 +383,7 @@ impl Shape {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Each other element of the reduced basis has its pivot outside this support, so the part
-        // is the only tensor on its support.
+        // Other basis elements have pivots outside this support, so the tensor is unique on it.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -423,7 +406,7 @@ impl Shape {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// The weights of the coefficients on a support, relative to the first coefficient, which is 1.
+    /// Returns the weights of the coefficients on a support, relative to the first one, which is 1.
     /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();
@@ -449,7 +432,6 @@ impl Shape {
     }
 }
 
-/// The monomials and their derivatives at a point.
 struct Place {
     values: Vec<u64>,
     slopes: Vec<Vec<u64>>,
@@ -468,12 +450,10 @@ impl Place {
 struct Element {
     rank: usize,
     terms: usize,
-    /// The coefficients of the element.
     part: Vec<u64>,
     tensors: [Tensor; POINTS],
 }
 
-/// An antisymmetric tensor at a point modulo a prime.
 #[derive(Clone)]
 pub(super) struct Tensor {
     pub(super) entries: Vec<Vec<u64>>,
@@ -495,8 +475,7 @@ impl Tensor {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
-    /// Whether Σₗ Pᵢₗ ∂ₗPⱼₖ, summed over the cyclic permutations of (i, j, k), is 0 for all of
-    /// them.
+    /// Tells whether all sums of Pᵢₗ ∂ₗPⱼₖ over l and cyclic permutations of (i, j, k) are 0.
     pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {

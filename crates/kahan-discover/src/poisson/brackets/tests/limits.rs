@@ -1,4 +1,4 @@
-//! What has no bracket, and what takes too much work: the search says so and ends.
+//! Cases without a bracket, and cases beyond the budget.
 
 use super::*;
 
@@ -31,7 +31,7 @@ fn work_beyond_the_budget_is_refused_and_not_begun() {
     assert_eq!(bracket(&large, &RationalFunction::one(), &integrals), None);
 }
 
-/// The integrals and the density of a system, as the search hands them over.
+/// Returns integrals and density of a system, as the search provides them.
 fn found(claims: &Claims<'_>, system: &System, integrals: &[&str]) -> (Vec<Formula>, Formula) {
     let symbols = &system.field.symbols;
     let integral = |(index, name): (usize, &&str)| {

@@ -1,5 +1,4 @@
-//! Brackets come out of densities and integrals exactly, the prover agrees in any dimension, and
-//! what takes too much work is not begun.
+//! Tests of brackets: construction, proofs in any dimension, budgets.
 
 mod dimensions;
 mod limits;
@@ -21,12 +20,10 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// What the integral or density of this name states.
 fn stated(system: &System, name: &str) -> RationalFunction {
     function(claim(system, name))
 }
 
-/// The entries of the bracket of this name.
 fn tensor_of(system: &System, name: &str) -> Vec<RationalFunction> {
     functions(claim(system, name))
 }
@@ -40,7 +37,7 @@ fn bracket(
     invariant_tensor(&system.field.symbols, density, integrals, &mut budget)
 }
 
-/// Whether the prover finds a tensor invariant under the map of a system, and Poisson.
+/// Tells whether the prover accepts a tensor as invariant under the map of a system, and Poisson.
 fn is_proved_at(system: &System, values: &[(String, Rational)], tensor: &[RationalFunction]) -> bool {
     let claims = Claims::new(system, values, None);
     claims.bracket(1, 2, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
@@ -50,7 +47,7 @@ fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
     is_proved_at(system, &[], tensor)
 }
 
-/// Whether a tensor in x, y, z is Poisson: the map of the zero field, the identity, keeps them all.
+/// Tells whether a tensor in x, y, z is Poisson; the zero field's map preserves all tensors.
 fn is_poisson(tensor: &[RationalFunction]) -> bool {
     is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
 }
@@ -63,7 +60,7 @@ fn sum(left: &[RationalFunction], right: &[RationalFunction]) -> Vec<RationalFun
     left.iter().zip(right).map(|(left, right)| left + right).collect()
 }
 
-/// E1 with a further component that follows y, with the integral quotient by x.
+/// E1 with a further component that follows y, and its integral, the quotient by x.
 const E1_IN_FOUR: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z; wdot = -x*w;
     integral H = y/x; integral K = (x*z + y^2)/(1 - eps^2*x^2); integral L = w/x;
     density rho = 1/(x^2*y*(x*z + y^2));";

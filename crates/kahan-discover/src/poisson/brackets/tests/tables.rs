@@ -1,14 +1,13 @@
-//! The brackets that are known: those of the paper's tables, of the Euler top, of E7.
+//! Tests with known brackets: those of the paper's tables, of the Euler top, of E7.
 
 use super::*;
 
-/// The block of a source file of the catalog.
 fn block(file: &'static str) -> &'static str {
     let (_, rest) = file.split_once("\nkahan! {\n").expect("the file has a block");
     rest.split_once("\n}\n").expect("the block ends").0
 }
 
-/// E1 to E6 in order: the blocks, whose P and Q are Table 3 and Table 4 divided by c.
+/// The blocks of E1 to E6, whose P and Q are Table 3 and Table 4 divided by c.
 const TABLES: [&str; 6] = [
     include_str!("../../../../../../systems/src/catalog/e1.rs"),
     include_str!("../../../../../../systems/src/catalog/e2.rs"),
@@ -33,7 +32,7 @@ fn the_brackets_of_tables_3_and_4_come_out_of_densities_and_integrals() {
             system.name()
         );
         assert_eq!(bracket(&system, &density, &[k]).as_ref(), Some(&q), "Q/c of {}", system.name());
-        // The other sign is another bracket: the comparison could have failed.
+        // The other sign gives another bracket, so the comparison can fail.
         assert_ne!(bracket(&system, &density, &[h]), Some(p));
     }
 }
@@ -51,7 +50,7 @@ fn the_pairs_of_tables_3_and_4_are_poisson_and_compatible() {
 
 #[test]
 fn the_undivided_tensor_of_table_4_is_compatible_only_where_c_is_constant() {
-    // Q(ε) of E1 is Poisson, being a multiple of Q(ε)/c in dimension 3, but does not go with P(ε).
+    // Q(ε) of E1 is Poisson, as a multiple of Q(ε)/c in dimension 3, but incompatible with P(ε).
     let system = system(block(TABLES[0]));
     let c = power(system.field.symbols.state(0), 2).recip().expect("x is not zero");
     let undivided: Vec<_> = tensor_of(&system, "Q").iter().map(|entry| entry * &c).collect();
@@ -64,7 +63,6 @@ fn the_euler_top_has_two_compatible_brackets_of_its_density() {
     let system = system(block(include_str!("../../../../../../systems/src/catalog/euler.rs")));
     let symbols = &system.field.symbols;
     let square = power(symbols.epsilon(), 2);
-    // ±1/(2ε²αᵢ)
     let scale = |parameter: usize, sign: i64| {
         let product = &square * &RationalFunction::variable(symbols.parameter(parameter));
         (&product * &RationalFunction::constant(Rational::from(2 * sign))).recip().expect("not zero")
@@ -77,7 +75,7 @@ fn the_euler_top_has_two_compatible_brackets_of_its_density() {
     for tensor in [&p, &q, &sum(&p, &q)] {
         assert!(is_proved(&system, tensor));
     }
-    // Of another density: Poisson, as any multiple is in dimension 3, but not invariant.
+    // Any multiple is Poisson in dimension 3, but another density makes it not invariant.
     let wrong = bracket(&system, &RationalFunction::one(), &[stated(&system, "H")]).expect("a bracket");
     assert!(!is_proved(&system, &wrong));
 }
