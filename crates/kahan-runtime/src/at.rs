@@ -112,6 +112,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         let (set, fuses) = match level {
             Level::Avx512 => (Some(InstructionSet::Avx512), true),
             Level::Avx2 => (Some(InstructionSet::Avx2), true),
+            Level::Neon => (Some(InstructionSet::Neon), true),
             _ => (None, cfg!(target_feature = "fma")),
         };
         let at = MapAt { kind: StepKind { fuses, ..self.kind }, set, ..self.clone() };

@@ -78,8 +78,9 @@ fn start(len: usize) -> Vec<f64> {
 fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
     let lattice = lattice(text);
     let mut worst = 0.0_f64;
-    for level in
-        [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| level.is_available())
+    for level in [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon]
+        .into_iter()
+        .filter(|level| level.is_available())
     {
         let chain = lattice.at(eps, sites, values.iter().copied()).unwrap();
         let mut chain = chain.at_level(level).unwrap();

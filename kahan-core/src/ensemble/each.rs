@@ -76,7 +76,7 @@ where
         if S::zip_stages(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
         }
-        if cfg!(target_arch = "x86_64") && <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {
+        if <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {
             let columns = self.columns.each_mut().map(|column| &mut **column);
             let each = Each { maps: self.maps, columns, steps: self.steps };
             if let Some(done) = T::over_lanes(each, on.level) {

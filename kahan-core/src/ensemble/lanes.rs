@@ -4,8 +4,10 @@
 //! of a level and run there. One number is the register of scalars that have no other.
 
 use super::EnsembleScalar;
-use super::level::Level;
+use super::columns::Group;
+use super::level::{Instructions, Level};
 use crate::Scalar;
+use crate::composition::Staged;
 
 /// A register of consecutive numbers, compared and chosen from lane by lane.
 pub trait Lanes<T>: Scalar + Copy {
@@ -109,28 +111,24 @@ pub trait InLanes: EnsembleScalar {
     fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
 }
 
+/// A float whose columns are advanced in lanes.
+pub(super) trait LaneSweep: InLanes {
+    /// Advances columns of equal length by a step that has lanes, on the level asked for or, should
+    /// the processor lack it, the baseline.
+    fn advance_lanes<S, const N: usize>(
+        map: &S,
+        columns: [&mut [Group<Self>]; N],
+        steps: u64,
+        on: Instructions,
+    ) -> Option<()>
+    where
+        S: Staged<Self, N>;
+}
+
 /// 2⁻⁶⁰
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
 /// 2⁻⁵⁰⁰
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
-
-#[cfg(not(target_arch = "x86_64"))]
-impl InLanes for f32 {
-    const NEGLIGIBLE: Self = NEGLIGIBLE_F32;
-
-    fn run<W: OverLanes<Self>>(work: W, _level: Level) -> W::Output {
-        work.run::<Self>()
-    }
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-impl InLanes for f64 {
-    const NEGLIGIBLE: Self = NEGLIGIBLE_F64;
-
-    fn run<W: OverLanes<Self>>(work: W, _level: Level) -> W::Output {
-        work.run::<Self>()
-    }
-}
 
 /// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
 #[inline(always)]

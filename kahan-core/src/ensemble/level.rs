@@ -1,7 +1,7 @@
 //! Which instructions an ensemble runs on.
 //!
 //! In: what this processor has, found at run time. Out: one choice for a whole ensemble, and with
-//! it the bits of its results. Other architectures than x86-64 have one level only.
+//! it the bits of its results. Other architectures than x86-64 and 64-bit Arm have one level only.
 
 /// A set of instructions that the steps of an [`Ensemble`](crate::Ensemble) run on; a later one is
 /// larger.
@@ -12,8 +12,8 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64, one at a
-    /// time elsewhere. The arithmetic, fused or not, is that of
+    /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64 and 64-bit
+    /// Arm, one at a time elsewhere. The arithmetic, fused or not, is that of
     /// [`KahanAt::step`](crate::KahanAt::step), bit for bit, unless that divides more than once, as
     /// in one or two variables, or divides by the time step: many trajectories wait for the divider
     /// rather than for each other, and take the form with one division and no other, so that a last
@@ -25,6 +25,9 @@ pub enum Level {
     /// [`Avx2`](Self::Avx2). Its divider is no faster: it gains where multiplications are the
     /// bound, and little elsewhere.
     Avx512,
+    /// NEON with fused multiply-adds, on 64-bit Arm: two `f64` or four `f32` at a time, with the
+    /// same bits as [`Avx2`](Self::Avx2).
+    Neon,
 }
 
 impl Level {
@@ -39,13 +42,17 @@ impl Level {
             #[cfg(target_arch = "x86_64")]
             Self::Avx512 => std::arch::is_x86_feature_detected!("avx512f"),
             #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
+            Self::Avx2 | Self::Avx512 => false,
+            Self::Neon => cfg!(target_arch = "aarch64"),
         }
     }
 
     /// The largest level that this processor can run: what ensembles use unless told otherwise.
     pub fn best() -> Self {
-        [Self::Avx512, Self::Avx2].into_iter().find(|level| level.is_available()).unwrap_or(Self::Baseline)
+        [Self::Neon, Self::Avx512, Self::Avx2]
+            .into_iter()
+            .find(|level| level.is_available())
+            .unwrap_or(Self::Baseline)
     }
 }
 

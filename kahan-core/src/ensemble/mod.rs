@@ -6,12 +6,18 @@
 //! of a map, the same code over other scalars. A pole is not looked for; it shows as numbers that
 //! are not finite.
 
+#[cfg(target_arch = "aarch64")]
+mod aarch64;
 pub(crate) mod advance;
 pub(crate) mod columns;
 mod each;
 mod grid;
 pub(crate) mod lanes;
 mod level;
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+mod one;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+mod registers;
 mod scalar;
 mod sweep;
 pub(crate) mod twice;
@@ -40,9 +46,9 @@ pub use scalar::EnsembleScalar;
 /// A trajectory's bits depend on its initial point, the map, ε and the [`Level`] alone: not on the
 /// run, its place, the number of points, or the number of threads. Levels differ from each other
 /// and from [`KahanAt::step`](crate::KahanAt::step) where one of them fuses multiply-adds and the
-/// other does not: [`Level::Avx2`] and [`Level::Avx512`] always do, [`Level::Baseline`] and `step`
-/// where the program is compiled for it. An ensemble runs on the largest level of the processor;
-/// [`at_level`](Self::at_level) pins another one.
+/// other does not: [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] always do, and have the
+/// same bits, [`Level::Baseline`] and `step` where the program is compiled for it. An ensemble runs
+/// on the largest level of the processor; [`at_level`](Self::at_level) pins another one.
 ///
 /// # Cost
 /// N numbers of memory a point. The processor works on many trajectories side by side, so that none

@@ -7,11 +7,10 @@
 
 use crate::Scalar;
 use crate::composition::Staged;
-#[cfg(target_arch = "x86_64")]
 use crate::{KahanMap, PreparedStep};
 
 use super::columns::Group;
-use super::lanes::{InLanes, OverLanes};
+use super::lanes::{InLanes, LaneSweep, OverLanes};
 use super::level::{Instructions, Level};
 use super::sweep::sweep;
 
@@ -48,14 +47,13 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $sweep_lanes:ident) => {
+    ($float:ty) => {
         impl EnsembleScalar for $float {
             #[doc(hidden)]
             fn over_lanes<W: OverLanes<Self>>(work: W, level: Level) -> Option<W::Output> {
                 Some(<Self as InLanes>::run(work, level))
             }
 
-            #[cfg(target_arch = "x86_64")]
             #[doc(hidden)]
             fn sweep<S, const N: usize>(
                 map: &S,
@@ -67,7 +65,7 @@ macro_rules! implement_for_float {
                 S: Staged<Self, N>,
             {
                 if <S::Map as KahanMap<Self, N>>::Prepared::HAS_LANES {
-                    super::x86_64::$sweep_lanes(map, columns, steps, instructions)
+                    <Self as LaneSweep>::advance_lanes(map, columns, steps, instructions)
                 } else {
                     sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
                 }
@@ -76,7 +74,7 @@ macro_rules! implement_for_float {
     };
 }
 
-implement_for_float!(f32, sweep_f32);
-implement_for_float!(f64, sweep_f64);
+implement_for_float!(f32);
+implement_for_float!(f64);
 
 impl EnsembleScalar for crate::Dd {}

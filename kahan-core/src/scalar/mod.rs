@@ -36,7 +36,7 @@ pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
 #[cfg(all(feature = "std", feature = "exact"))]
 pub(crate) use laurent::Laurent;
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(feature = "std", any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub(crate) use operators::assignments;
 pub(crate) use operators::operators;
 #[cfg(feature = "std")]

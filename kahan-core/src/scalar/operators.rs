@@ -44,6 +44,6 @@ macro_rules! assignments {
     };
 }
 
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(feature = "std", any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub(crate) use assignments;
 pub(crate) use operators;

@@ -41,9 +41,6 @@ where
     T: Scalar,
     M: KahanMap<T, N>,
 {
-    if !cfg!(target_arch = "x86_64") {
-        return step_each(map, points);
-    }
     let step = map.prepared().widen(T::clone);
     for point in &mut points {
         for _ in 0..STEPS {

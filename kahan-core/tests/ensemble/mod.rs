@@ -28,7 +28,7 @@ use kahan_core::{Ensemble, EnsembleScalar, Level};
 
 /// The levels of this processor.
 fn levels() -> impl Iterator<Item = Level> {
-    [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| {
+    [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter(|level| {
         if !level.is_available() {
             eprintln!("left out: this processor lacks {level:?}");
         }

@@ -95,7 +95,7 @@ fn long_steps_scale_vectors_where_each_is_scaled_alone() {
 #[test]
 fn every_level_has_its_own_bits_side_by_side() {
     let (_, map) = maps().nth(3).expect("four variables");
-    for level in [Level::Baseline, Level::Avx2, Level::Avx512] {
+    for level in [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon] {
         let Some(at) = map.at(0.05).at_level(level) else {
             println!("not run: no code at {level:?}");
             continue;

@@ -33,7 +33,7 @@ fn advance<T: MachineFloat>(
 /// The map at each level that this processor has; the others are reported as not run.
 fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
     let at = map.at(eps);
-    [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter_map(move |level| {
+    [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter_map(move |level| {
         let at = at.at_level(level);
         if at.is_none() {
             println!("not run: no code at {level:?}");

@@ -11,14 +11,15 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{One, Zero};
 
 use crate::ensemble::lanes::{Lanes, Square};
+use crate::ensemble::registers::{Choosing, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-use super::lanes::{Choosing, lanes, machine};
+use super::lanes::{lanes_of_avx512, machine};
 
-lanes!(F64x8Estimated(__m512d), quotient estimated_f64);
+lanes_of_avx512!(F64x8Estimated(__m512d), quotient estimated_f64);
 
-lanes!(F32x16Estimated(__m512), quotient estimated_f32);
+lanes_of_avx512!(F32x16Estimated(__m512), quotient estimated_f32);
 
 #[inline(always)]
 fn estimated_f64(a: F64x8Estimated, b: F64x8Estimated) -> F64x8Estimated {

@@ -15,13 +15,12 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{One, Zero};
 
 use crate::ensemble::lanes::{Lanes, Square};
+use crate::ensemble::registers::{Choosing, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 mod choosing;
 mod transposing;
-
-pub(super) use choosing::Choosing;
 
 /// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {
@@ -35,10 +34,9 @@ macro_rules! machine {
     };
 }
 
-/// A lane type over a register: its name, register, number of lanes, float, and how each operation
-/// is done. The fused ones are a·b + c, a·b − c and c − a·b.
-macro_rules! lanes {
-    // The two registers of AVX-512 come in two ways each, which differ in their quotients.
+/// A lane type over a register of AVX-512, each of which comes in two ways that differ in their
+/// quotients.
+macro_rules! lanes_of_avx512 {
     ($name:ident(__m512d), quotient $quotient:path) => {
         lanes! {
             $name(__m512d), 8 lanes of f64 as to_f64,
@@ -55,155 +53,8 @@ macro_rules! lanes {
             fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient $quotient
         }
     };
-    (
-        $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
-        $load:ident, $store:ident, $set:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
-        fused $multiply_add:path, $multiply_subtract:path, $subtract_product:path, quotient $quotient:path
-    ) => {
-        #[derive(Clone, Copy, Debug)]
-        pub(super) struct $name($register);
-
-        impl $name {
-            #[inline(always)]
-            fn splat(value: $float) -> Self {
-                Self(machine!($set(value)))
-            }
-
-            fn to_array(self) -> [$float; $lanes] {
-                let mut group = [0.0; 16];
-                self.store(&mut group, 0);
-                core::array::from_fn(|k| group[k])
-            }
-        }
-
-        impl Lanes<$float> for $name {
-            const WIDTH: usize = $lanes;
-
-            type Mask = <$register as Choosing>::Mask;
-
-            #[inline(always)]
-            fn load(entries: &[$float], place: usize) -> Self {
-                let entries = &entries[place..place + $lanes];
-                // The pointer is good for as many floats as the register holds, and need not be
-                // aligned.
-                Self(machine!($load(entries.as_ptr())))
-            }
-
-            #[inline(always)]
-            fn store(self, entries: &mut [$float], place: usize) {
-                let entries = &mut entries[place..place + $lanes];
-                // As in `load`.
-                machine!($store(entries.as_mut_ptr(), self.0));
-            }
-
-            #[inline(always)]
-            fn spread(value: &$float) -> Self {
-                Self::splat(*value)
-            }
-
-            #[inline(always)]
-            fn exceeds(self, other: Self) -> Self::Mask {
-                <$register as Choosing>::exceeds(self.0, other.0)
-            }
-
-            #[inline(always)]
-            fn any(mask: Self::Mask) -> bool {
-                <$register as Choosing>::any(mask)
-            }
-
-            #[inline(always)]
-            fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
-                Self(<$register as Choosing>::choose(mask, yes.0, no.0))
-            }
-
-            #[inline(always)]
-            fn transposed(rows: Square<$float>) -> Square<$float> {
-                <$register as Choosing>::transposed(rows)
-            }
-        }
-
-        impl Scalar for $name {
-            #[inline(always)]
-            fn constant(c: &Constant<'_>) -> Self {
-                Self::splat(c.$constant())
-            }
-
-            #[inline(always)]
-            fn reciprocal(&self) -> Option<Self> {
-                Some($quotient(Self::splat(1.0), *self))
-            }
-
-            #[inline(always)]
-            fn quotient(self, divisor: Self) -> Option<Self> {
-                Some($quotient(self, divisor))
-            }
-
-            #[inline(always)]
-            fn multiply_add(self, factor: Self, addend: Self) -> Self {
-                Self(machine!($multiply_add(self.0, factor.0, addend.0)))
-            }
-
-            #[inline(always)]
-            fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
-                Self(machine!($multiply_subtract(self.0, factor.0, subtrahend.0)))
-            }
-
-            #[inline(always)]
-            fn subtract_product(self, a: Self, b: Self) -> Self {
-                Self(machine!($subtract_product(a.0, b.0, self.0)))
-            }
-        }
-
-        impl Neg for $name {
-            type Output = Self;
-
-            /// −0 − x, which is −x for every x.
-            #[inline(always)]
-            fn neg(self) -> Self {
-                Self::splat(-0.0) - self
-            }
-        }
-
-        lanes!(operators of $name: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
-
-        assignments!([] $name);
-
-        impl Zero for $name {
-            #[inline(always)]
-            fn zero() -> Self {
-                Self::splat(0.0)
-            }
-
-            fn is_zero(&self) -> bool {
-                self.to_array().iter().all(|lane| *lane == 0.0)
-            }
-        }
-
-        impl One for $name {
-            #[inline(always)]
-            fn one() -> Self {
-                Self::splat(1.0)
-            }
-        }
-
-        impl PartialEq for $name {
-            fn eq(&self, other: &Self) -> bool {
-                self.to_array() == other.to_array()
-            }
-        }
-    };
-    (operators of $name:ident: $($operator:ident $method:ident $intrinsic:ident),*) => { $(
-        impl $operator for $name {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(machine!($intrinsic(self.0, other.0)))
-            }
-        }
-    )* };
 }
-pub(super) use {lanes, machine};
+pub(super) use {lanes_of_avx512, machine};
 
 /// a/b by the division instruction.
 #[inline(always)]
@@ -235,9 +86,9 @@ lanes! {
     fused _mm256_fmadd_ps, _mm256_fmsub_ps, _mm256_fnmadd_ps, quotient divided
 }
 
-lanes!(F64x8(__m512d), quotient divided);
+lanes_of_avx512!(F64x8(__m512d), quotient divided);
 
-lanes!(F32x16(__m512), quotient divided);
+lanes_of_avx512!(F32x16(__m512), quotient divided);
 
 /// The multiply-adds of SSE2 registers, rounded as those of plain floats in the same build.
 mod of_the_build {

@@ -17,7 +17,7 @@ use crate::PreparedStep;
 use crate::composition::Staged;
 
 use super::columns::Group;
-use super::lanes::{InLanes, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
+use super::lanes::{InLanes, LaneSweep, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::sweep;
 use super::twice::Twice;
@@ -26,35 +26,7 @@ use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
 macro_rules! dispatch_for_float {
-    ($sweep:ident, $float:ty, $negligible:ident: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
-        /// Advances columns of equal length, on the level asked for or, should the processor lack
-        /// it, the baseline.
-        pub(super) fn $sweep<S, const N: usize>(
-            map: &S,
-            columns: [&mut [Group<$float>]; N],
-            steps: u64,
-            Instructions { level, reciprocal }: Instructions,
-        ) -> Option<()>
-        where
-            S: Staged<$float, N>,
-        {
-            match (level, reciprocal) {
-                (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
-                    // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<$estimated, _, S, N>(map, columns, steps) }
-                }
-                (Level::Avx512, Reciprocal::Divided) if level.is_available() => {
-                    // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<$avx512, _, S, N>(map, columns, steps) }
-                }
-                (Level::Avx2, _) if level.is_available() => {
-                    // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
-                    unsafe { avx2::<$avx2, _, S, N>(map, columns, steps) }
-                }
-                _ => widen_and_sweep::<$sse2, _, S, N>(map, columns, steps),
-            }
-        }
-
+    ($float:ty, $negligible:ident: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
         impl InLanes for $float {
             const NEGLIGIBLE: Self = $negligible;
 
@@ -73,11 +45,39 @@ macro_rules! dispatch_for_float {
                 }
             }
         }
+
+        impl LaneSweep for $float {
+            fn advance_lanes<S, const N: usize>(
+                map: &S,
+                columns: [&mut [Group<Self>]; N],
+                steps: u64,
+                Instructions { level, reciprocal }: Instructions,
+            ) -> Option<()>
+            where
+                S: Staged<Self, N>,
+            {
+                match (level, reciprocal) {
+                    (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
+                        // SAFETY: the processor has AVX-512F; it was asked in the line above.
+                        unsafe { avx512::<$estimated, _, S, N>(map, columns, steps) }
+                    }
+                    (Level::Avx512, Reciprocal::Divided) if level.is_available() => {
+                        // SAFETY: the processor has AVX-512F; it was asked in the line above.
+                        unsafe { avx512::<$avx512, _, S, N>(map, columns, steps) }
+                    }
+                    (Level::Avx2, _) if level.is_available() => {
+                        // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
+                        unsafe { avx2::<$avx2, _, S, N>(map, columns, steps) }
+                    }
+                    _ => widen_and_sweep::<$sse2, _, S, N>(map, columns, steps),
+                }
+            }
+        }
     };
 }
 
-dispatch_for_float!(sweep_f32, f32, NEGLIGIBLE_F32: F32x4, F32x8, F32x16, F32x16Estimated);
-dispatch_for_float!(sweep_f64, f64, NEGLIGIBLE_F64: F64x2, F64x4, F64x8, F64x8Estimated);
+dispatch_for_float!(f32, NEGLIGIBLE_F32: F32x4, F32x8, F32x16, F32x16Estimated);
+dispatch_for_float!(f64, NEGLIGIBLE_F64: F64x2, F64x4, F64x8, F64x8Estimated);
 
 /// Writes a function, compiled as its attributes say, that sees the stages of a map over registers
 /// R and carries the columns some steps on.

@@ -36,7 +36,9 @@ pub(super) fn in_short_parts<M: LatticeMap<f64>>(
 }
 
 fn levels() -> impl Iterator<Item = Level> {
-    [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| level.is_available())
+    [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon]
+        .into_iter()
+        .filter(|level| level.is_available())
 }
 
 /// The step in parts against the one elimination, in the ∞-norm and in units of u: A is dominated

@@ -3,48 +3,9 @@
 use core::arch::x86_64::*;
 
 use crate::ensemble::lanes::Square;
+use crate::ensemble::registers::{Choosing, choosing};
 
 use super::{machine, transposing};
-
-/// A machine's register, as [`Lanes`](crate::ensemble::lanes::Lanes) compares and chooses.
-pub(in crate::ensemble::x86_64) trait Choosing: Copy {
-    type Float;
-    type Mask: Copy;
-    fn exceeds(a: Self, b: Self) -> Self::Mask;
-    fn any(mask: Self::Mask) -> bool;
-    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    fn transposed(rows: Square<Self::Float>) -> Square<Self::Float>;
-}
-
-/// A register's comparison of magnitudes, and its choice between two.
-macro_rules! choosing {
-    ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
-        impl Choosing for $register {
-            type Float = $float;
-            type Mask = $mask;
-
-            #[inline(always)]
-            fn exceeds($a: Self, $b: Self) -> $mask {
-                machine!($exceeds)
-            }
-
-            #[inline(always)]
-            fn any($asked: $mask) -> bool {
-                machine!($any)
-            }
-
-            #[inline(always)]
-            fn choose($chosen: $mask, $yes: Self, $no: Self) -> Self {
-                machine!($choose)
-            }
-
-            #[inline(always)]
-            fn transposed(rows: Square<$float>) -> Square<$float> {
-                $transposed(rows)
-            }
-        }
-    };
-}
 
 choosing! {
     __m128d of f64, __m128d:

@@ -1,0 +1,202 @@
+//! Vector registers as scalars, on any processor: the code that their types share.
+//!
+//! In: the names of a processor's operations. Out: a type that computes in all lanes at once what one
+//! float computes. `machine!`, which runs an operation, is the processor's own, with its reasons.
+
+#[cfg(test)]
+pub(super) mod tests;
+
+use super::lanes::Square;
+
+/// A machine's register, as [`Lanes`](crate::ensemble::lanes::Lanes) compares and chooses.
+pub(in crate::ensemble) trait Choosing: Copy {
+    type Float;
+    type Mask: Copy;
+    fn exceeds(a: Self, b: Self) -> Self::Mask;
+    fn any(mask: Self::Mask) -> bool;
+    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    fn transposed(rows: Square<Self::Float>) -> Square<Self::Float>;
+}
+
+/// A register's comparison of magnitudes, and its choice between two.
+macro_rules! choosing {
+    ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
+        impl Choosing for $register {
+            type Float = $float;
+            type Mask = $mask;
+
+            #[inline(always)]
+            fn exceeds($a: Self, $b: Self) -> $mask {
+                machine!($exceeds)
+            }
+
+            #[inline(always)]
+            fn any($asked: $mask) -> bool {
+                machine!($any)
+            }
+
+            #[inline(always)]
+            fn choose($chosen: $mask, $yes: Self, $no: Self) -> Self {
+                machine!($choose)
+            }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                $transposed(rows)
+            }
+        }
+    };
+}
+
+/// A lane type over a register: its name, register, number of lanes, float, and how each operation
+/// is done. The fused ones are a·b + c, a·b − c and c − a·b.
+macro_rules! lanes {
+    (
+        $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
+        $load:ident, $store:ident, $set:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
+        fused $multiply_add:path, $multiply_subtract:path, $subtract_product:path, quotient $quotient:path
+    ) => {
+        #[derive(Clone, Copy, Debug)]
+        pub(in crate::ensemble) struct $name($register);
+
+        impl $name {
+            #[inline(always)]
+            fn splat(value: $float) -> Self {
+                Self(machine!($set(value)))
+            }
+
+            fn to_array(self) -> [$float; $lanes] {
+                let mut group = [0.0; 16];
+                self.store(&mut group, 0);
+                core::array::from_fn(|k| group[k])
+            }
+        }
+
+        impl Lanes<$float> for $name {
+            const WIDTH: usize = $lanes;
+
+            type Mask = <$register as Choosing>::Mask;
+
+            #[inline(always)]
+            fn load(entries: &[$float], place: usize) -> Self {
+                let entries = &entries[place..place + $lanes];
+                // The pointer is good for as many floats as the register holds, and need not be
+                // aligned.
+                Self(machine!($load(entries.as_ptr())))
+            }
+
+            #[inline(always)]
+            fn store(self, entries: &mut [$float], place: usize) {
+                let entries = &mut entries[place..place + $lanes];
+                // As in `load`.
+                machine!($store(entries.as_mut_ptr(), self.0));
+            }
+
+            #[inline(always)]
+            fn spread(value: &$float) -> Self {
+                Self::splat(*value)
+            }
+
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> Self::Mask {
+                <$register as Choosing>::exceeds(self.0, other.0)
+            }
+
+            #[inline(always)]
+            fn any(mask: Self::Mask) -> bool {
+                <$register as Choosing>::any(mask)
+            }
+
+            #[inline(always)]
+            fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
+                Self(<$register as Choosing>::choose(mask, yes.0, no.0))
+            }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                <$register as Choosing>::transposed(rows)
+            }
+        }
+
+        impl Scalar for $name {
+            #[inline(always)]
+            fn constant(c: &Constant<'_>) -> Self {
+                Self::splat(c.$constant())
+            }
+
+            #[inline(always)]
+            fn reciprocal(&self) -> Option<Self> {
+                Some($quotient(Self::splat(1.0), *self))
+            }
+
+            #[inline(always)]
+            fn quotient(self, divisor: Self) -> Option<Self> {
+                Some($quotient(self, divisor))
+            }
+
+            #[inline(always)]
+            fn multiply_add(self, factor: Self, addend: Self) -> Self {
+                Self(machine!($multiply_add(self.0, factor.0, addend.0)))
+            }
+
+            #[inline(always)]
+            fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+                Self(machine!($multiply_subtract(self.0, factor.0, subtrahend.0)))
+            }
+
+            #[inline(always)]
+            fn subtract_product(self, a: Self, b: Self) -> Self {
+                Self(machine!($subtract_product(a.0, b.0, self.0)))
+            }
+        }
+
+        impl Neg for $name {
+            type Output = Self;
+
+            /// −0 − x, which is −x for every x.
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::splat(-0.0) - self
+            }
+        }
+
+        lanes!(operators of $name: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
+
+        assignments!([] $name);
+
+        impl Zero for $name {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::splat(0.0)
+            }
+
+            fn is_zero(&self) -> bool {
+                self.to_array().iter().all(|lane| *lane == 0.0)
+            }
+        }
+
+        impl One for $name {
+            #[inline(always)]
+            fn one() -> Self {
+                Self::splat(1.0)
+            }
+        }
+
+        impl PartialEq for $name {
+            fn eq(&self, other: &Self) -> bool {
+                self.to_array() == other.to_array()
+            }
+        }
+    };
+    (operators of $name:ident: $($operator:ident $method:ident $intrinsic:ident),*) => { $(
+        impl $operator for $name {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(machine!($intrinsic(self.0, other.0)))
+            }
+        }
+    )* };
+}
+pub(super) use {choosing, lanes};
