@@ -103,8 +103,11 @@ class Questions(Points):
 
         With ``free="eps"`` it is a limit cycle of the flow, of ``period`` steps (by default as many
         as the orbit takes), found near ``x`` and near where the orbit of ``x`` comes back close to
-        itself after ``transient`` steps: ``flow`` has its period with an error, its eps and its
-        multipliers, extrapolated from three numbers of steps.
+        itself after ``transient`` steps: ``flow`` has its period with an error and its multipliers,
+        extrapolated from three numbers of steps, and ``steps``, ``eps`` and ``period_of_map`` of the map.
+
+        With ``over``, ``branch["points"]`` has a row at each value, and one at each ``change``;
+        ``branch["turns"]`` lists the changes, and ``branch["cut"]`` says whether it ends before the range.
 
         >>> import kahan
         >>> lorenz = kahan.catalog.lorenz(s=10, r=28, b="8/3")

@@ -8,9 +8,9 @@ use clap::builder::PossibleValue;
 use kahan_core::nalgebra::Complex;
 use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
-use kahan_dynamics::periodic::{Branch, Extrapolated};
+use kahan_dynamics::periodic::{BranchPoint, Change, Extrapolated, PeriodicPoint};
 use kahan_study::{
-    CycleFound, Free, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial,
+    CycleFound, FlowFound, Free, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial,
 };
 
 use super::line::Asking;
@@ -32,15 +32,15 @@ use crate::reading::{Start, one_of, over, whole};
 /// integrals of the field, as the total of a closed population, keep their values at the first
 /// point, and multipliers are those along their common level; --hold none holds nothing.
 ///
-/// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
-/// multipliers go through the unit circle. The table has about as many rows as the range has
-/// values: more round a fold, fewer where points move far, and the last one may lie beyond the
-/// range. --out writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
+/// --over follows the cycle along a range of eps or of a parameter, round folds. The table has a row
+/// at each value, again behind a fold, and one at each change, where multipliers go through the unit
+/// circle. --out writes all points of these cycles as CSV, or draws the branch. The exit status is 1
+/// where no cycle is found.
 ///
-/// --free eps looks for a limit cycle of the flow: K steps close up, and eps is found with them. The
-/// period and the changes on a branch are extrapolated from K, 2K and 4K steps. The cycle is looked
-/// for near --at, and near where its orbit comes back close to itself after --transient steps: after
-/// about the time 2*eps*K, or without --period after any.
+/// --free eps looks for a limit cycle of the flow: K steps close up, and eps is found with them.
+/// Periods, multipliers and changes are extrapolated from K, 2K and 4K steps, of a lifted field 8K,
+/// too. The cycle is looked for near --at, and near where its orbit comes back close to itself after
+/// --transient steps: after about the time 2*eps*K, or without --period after any.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -54,7 +54,7 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,
 
-    /// A multiple of the period; the smallest period is told. With --free eps: the steps of a
+    /// A multiple of the period; the smallest period is told. With --free eps: the steps K of a
     /// cycle.
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS))]
     period: usize,
@@ -86,7 +86,8 @@ pub(crate) struct Periodic {
     /// Print one JSON object.
     ///
     /// Its members: period, points, residual, multipliers, eigenvalues, stability, family, held,
-    /// exact, flow, branch.
+    /// exact, flow, branch: its points are the rows, its turns their changes, and cut is whether it
+    /// ends before the range.
     #[arg(long)]
     json: bool,
 }
@@ -132,6 +133,11 @@ impl Asking for Periodic {
     }
 }
 
+/// Why a branch ends early.
+const CUT: &str =
+    "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
+/// Why a row has no error.
+const PLAIN: &str = "finer steps have no such cycle there; take a smaller eps (dt)";
 /// Behind a verdict that the digits of the multipliers do not show.
 const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
 
@@ -144,18 +150,14 @@ fn text(found: &CycleFound) -> String {
     };
     let steps = cycle.points.len();
     let blurred = if cycle.is_blurred() { BLURRED } else { "" };
-    let (period, multipliers) = match &found.flow {
-        Some(flow) => (
-            format!("{}, in {steps} steps of eps = {:?}", with_error(&flow.period), found.eps),
-            &flow.multipliers,
-        ),
-        None => (steps.to_string(), &cycle.multipliers),
-    };
-    let mut cycle_lines = vec![
-        format!("period       {period}"),
-        format!("stability    {}{blurred}", cycle.stability()),
-        format!("multipliers  {}", complex_numbers(multipliers)),
-    ];
+    let of_flow = found.flow.as_ref().map(|flow| with_error(&flow.period));
+    let mut cycle_lines = vec![format!("period       {}", of_flow.unwrap_or_else(|| steps.to_string()))];
+    cycle_lines.extend(found.flow.map(|_| {
+        let of_map = 2.0 * found.eps * steps as f64;
+        format!("steps        {steps} of eps = {:?}, whose period is 2*eps*{steps} = {of_map:.8}", found.eps)
+    }));
+    cycle_lines.push(format!("stability    {}{blurred}", cycle.stability()));
+    cycle_lines.push(format!("multipliers  {}", complex_numbers(&cycle.multipliers)));
     let eigenvalues = found.eigenvalues(cycle, found.eps);
     cycle_lines.extend(eigenvalues.map(|of| format!("eigenvalues  {} of f'", complex_numbers(&of))));
     cycle_lines
@@ -165,7 +167,10 @@ fn text(found: &CycleFound) -> String {
     let points = cycle.points.iter().enumerate().map(|(n, point)| {
         [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
     });
-    let points = table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1);
+    let points = match found.branch {
+        Some(_) => Vec::new(),
+        None => table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1),
+    };
     let exact = found.exact.iter().map(|exact| {
         let points = exact.points.iter().map(|point| format!("({})", joined(point, ", ")));
         let polynomial = characteristic_polynomial(exact);
@@ -175,18 +180,21 @@ fn text(found: &CycleFound) -> String {
         ]
     });
     let branch = found.branch.iter().flat_map(|(name, branch)| {
-        let errors = found.flow.as_ref().and_then(|flow| flow.turns.as_deref());
-        let turns = branch.turns.iter().enumerate().map(|(k, turn)| {
-            let parameter = match errors {
-                Some(errors) => with_error(&errors[k]),
-                None => format!("{:.10}", turn.parameter),
+        let changes = found.rows().filter_map(|(point, of_flow)| {
+            let parameter = match of_flow {
+                Some(of_flow) => with_error(&of_flow.parameter),
+                None => format!("{:.10}", point.parameter),
             };
-            format!("at {name} = {parameter}: {}", found.said(turn.change))
+            Some(format!("at {name} = {parameter}: {}", found.said(point.change()?)))
         });
-        let cut =
-            "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
-        let changes = turns.chain(branch.is_cut.then(|| cut.to_owned())).collect();
-        [table(&branch_rows(found, name, branch), 1), changes]
+        let is_plain = found.flow.is_some() && found.rows().any(|(_, of_flow)| of_flow.is_none());
+        let is_halved = found.rows().any(|(point, _)| point.change() == Some(Change::Halved));
+        let mut lines: Vec<String> = changes.collect();
+        lines.extend(
+            is_plain.then(|| format!("periods without an error are those of {steps} steps: {PLAIN}")),
+        );
+        lines.extend((branch.is_cut && !is_halved).then(|| CUT.to_owned()));
+        [table(&branch_rows(found, name), 1), lines]
     });
     let groups = [cycle_lines, points].into_iter().chain(exact).chain(branch);
     paragraphs(groups.filter(|lines| !lines.is_empty()))
@@ -198,33 +206,62 @@ fn with_error(found: &Extrapolated) -> String {
     format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)
 }
 
-/// A row a step of the branch.
-fn branch_rows(found: &CycleFound, name: &str, branch: &Branch) -> Rows {
+/// A row for each value of the branch and for each change.
+fn branch_rows(found: &CycleFound, name: &str) -> Rows {
     let is_of_flow = found.flow.is_some();
-    let rows = branch.points.iter().map(|point| {
+    let rows = found.rows().map(|(point, of_flow)| {
+        let steps = point.cycle.points.len();
+        let period = match of_flow {
+            Some(of_flow) => with_error(&of_flow.period),
+            None => format!("{:.8}", 2.0 * point.eps * steps as f64),
+        };
         let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
-        let period = 2.0 * point.eps * point.cycle.points.len() as f64;
-        let tail = [point.cycle.stability().to_string(), complex_numbers(&point.cycle.multipliers)];
+        let change = point.change().map(|change| found.said(change)).unwrap_or_default();
+        let multipliers = complex_numbers(&point.cycle.multipliers);
         let head = [format!("{:.8}", point.parameter)].into_iter();
-        head.chain(is_of_flow.then(|| format!("{period:.8}"))).chain(first).chain(tail).collect()
+        let head = head.chain(is_of_flow.then_some([period, steps.to_string()]).into_iter().flatten());
+        head.chain(first).chain([point.cycle.stability().to_string(), multipliers, change]).collect()
     });
     let variables = found.variables.iter().map(String::as_str);
-    let head = [name].into_iter().chain(is_of_flow.then_some("period"));
-    headed(head.chain(variables).chain(["stability", "multipliers"]), rows)
+    let head = [name].into_iter().chain(is_of_flow.then_some(["period", "steps"]).into_iter().flatten());
+    headed(head.chain(variables).chain(["stability", "multipliers", "change"]), rows)
 }
 
 /// All points of each cycle of the branch, one behind the other.
 fn points(found: &CycleFound) -> Rows {
-    let (name, branch) = found.branch.as_ref().expect("a branch is written where there is one");
-    let rows = branch.points.iter().flat_map(|point| {
-        point.cycle.points.iter().enumerate().map(|(n, x)| {
-            let before = [format!("{:?}", point.parameter), n.to_string()];
-            let numbers = x.iter().map(|x| format!("{x:?}"));
-            before.into_iter().chain(numbers).chain([point.cycle.stability().to_string()]).collect()
+    let (name, _) = found.branch.as_ref().expect("a branch is written where there is one");
+    let shown = |x: f64| format!("{x:?}");
+    let rows = found.rows().flat_map(|(point, of_flow)| {
+        let tail = tail(found, point, of_flow);
+        point.cycle.points.iter().enumerate().map(move |(n, x)| {
+            let head = [shown(point.parameter), n.to_string()];
+            head.into_iter().chain(x.iter().map(|x| shown(*x))).chain(tail.clone()).collect()
         })
     });
-    let variables = found.variables.iter().map(String::as_str);
-    headed([name, "n"].into_iter().chain(variables).chain(["stability"]), rows)
+    let multipliers = (1..=found.cycle.multipliers.len())
+        .flat_map(|k| [format!("multiplier{k}_re"), format!("multiplier{k}_im")]);
+    let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+    let of_flow = if found.flow.is_some() { names(&["steps", "eps", "period", "error"]) } else { Vec::new() };
+    let head =
+        names(&[name.as_str(), "n"]).into_iter().chain(found.variables.clone()).chain(names(&["stability"]));
+    let head: Vec<String> = head.chain(multipliers).chain(names(&["change"])).chain(of_flow).collect();
+    headed(&head, rows)
+}
+
+/// The cells of a row of the branch behind its point.
+fn tail(found: &CycleFound, point: &BranchPoint, of_flow: Option<&FlowFound>) -> Vec<String> {
+    let shown = |x: f64| format!("{x:?}");
+    let PeriodicPoint { points, multipliers, .. } = &point.cycle;
+    let mut cells = vec![point.cycle.stability().to_string()];
+    cells.extend(multipliers.iter().flat_map(|one| [shown(one.re), shown(one.im)]));
+    cells.push(point.change().map(|change| found.said(change)).unwrap_or_default());
+    if found.flow.is_some() {
+        let of_map = 2.0 * point.eps * points.len() as f64;
+        let period = of_flow.map_or(of_map, |of_flow| of_flow.period.value);
+        let error = of_flow.map(|of_flow| shown(of_flow.period.error)).unwrap_or_default();
+        cells.extend([points.len().to_string(), shown(point.eps), shown(period), error]);
+    }
+    cells
 }
 
 fn complex_numbers(numbers: &[Complex<f64>]) -> String {

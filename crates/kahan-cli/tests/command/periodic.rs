@@ -81,7 +81,10 @@ fn a_branch_goes_round_its_fold() {
     assert_eq!((turns.len(), &turns[0]["change"]), (1, &"fold, two steady states meet".into()));
     assert!(turns[0]["parameter"].as_f64().expect("a number").abs() < 1e-9);
     let table = fs::read_to_string(out).expect("the table");
-    assert!(table.starts_with("a,n,x,stability\n1.0,0,1.0,attracting\n"), "{table}");
+    assert!(
+        table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
+        "{table}"
+    );
     // Fixed points of the map are those of the flow: a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();

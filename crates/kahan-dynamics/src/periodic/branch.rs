@@ -8,31 +8,54 @@ use kahan_core::nalgebra::{DMatrix, DVector};
 use super::Parametric;
 use super::cycle::PeriodicPoint;
 use super::newton::{NOTHING, defect, least_norm, slope};
-use super::turns::{Stride, Turn};
+use super::turns::{Change, Stride, Turn};
 use super::unit::{self, InUnits, Unit};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BranchPoint {
-    /// The value of what changes.
+    /// The value of the parameter.
     pub parameter: f64,
     /// Half the time step there.
     pub eps: f64,
     /// The cycle there.
     pub cycle: PeriodicPoint,
+    /// The reason why the branch has a point there.
+    pub mark: Mark,
+}
+
+impl BranchPoint {
+    /// Returns the change at the point.
+    #[must_use]
+    pub fn change(&self) -> Option<Change> {
+        if let Mark::Change(change) = self.mark { Some(change) } else { None }
+    }
+}
+
+/// The reason why a branch has a point at a value of the parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Mark {
+    /// The value is one of those asked for, with this index.
+    Asked(usize),
+    /// Something changes there.
+    Change(Change),
+    /// The branch goes on from there to the next value.
+    Between,
 }
 
 /// A branch of cycles.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Branch {
-    /// In the order of the branch.
+    /// Those within the range, in the order of the branch.
     pub points: Vec<BranchPoint>,
-    /// Those within the range, in the same order.
+    /// The changes within the range, in the same order.
     pub turns: Vec<Turn>,
     /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond,
-    /// after twenty times as many steps as were asked for, or where `see` ended it.
+    /// where cycles come together, after twenty times as many steps as were asked for, or where
+    /// `see` ended it.
     pub is_cut: bool,
 }
 
@@ -40,8 +63,9 @@ pub struct Branch {
 /// parameter in units of the range. Both are then measured together.
 pub(super) type Place = DVector<f64>;
 
-/// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
-/// range between them.
+/// Follows a cycle at `from` towards `to`, until the parameter leaves the range between them.
+/// `steps` equal parts of the range have `steps + 1` ends, the values at which cycles are asked
+/// for: the branch has a point at each, again behind a fold, and others between them.
 ///
 /// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found,
 /// and may end the branch there. Between two cycles each change is found by halving the step; what
@@ -81,58 +105,92 @@ pub fn branch<M: Parametric>(
     let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
     let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
     let place = DVector::from_vec(points.chain([0.0]).collect());
-    follow(&arc, place, [from, to], steps, see)
+    follow(&arc, place, steps, see)
 }
 
 /// Follows a curve of cycles from a place on it.
 pub(super) fn follow(
     arc: &impl Curve,
     mut place: Place,
-    [from, to]: [f64; 2],
     steps: usize,
     mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let mut ahead = DVector::zeros(place.len());
     ahead[place.len() - 1] = 1.0;
-    let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: false };
-    let Some(mut tangent) = arc.tangent(&place, &ahead) else {
-        branch.is_cut = true;
-        return branch;
-    };
-    let first = arc.judged(&place);
-    branch.is_cut = see(&first).is_break();
-    branch.points.push(first);
     let steps = steps.max(1);
+    let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: true };
+    let Some(mut tangent) = arc.tangent(&place, &ahead) else { return branch };
+    let mut add = |branch: &mut Branch, place: &Place, mark: Mark| {
+        let point = BranchPoint { mark, ..arc.judged(place) };
+        let is_ended = see(&point).is_break();
+        branch.points.push(point);
+        is_ended
+    };
+    if add(&mut branch, &place, Mark::Asked(0)) {
+        return branch;
+    }
     // Far from the origin points move faster than the parameter.
     let longest = |place: &Place| place.norm().max(1.0) / steps as f64;
-    let mut stride = longest(&place);
-    while !branch.is_cut && (0.0..=1.0).contains(&place[place.len() - 1]) {
-        let step =
-            arc.step(&place, &tangent, stride).and_then(|next| Some((arc.tangent(&next, &tangent)?, next)));
-        let Some((next_tangent, next)) = step.filter(|(turned, _)| turned.dot(&tangent) > 0.5) else {
+    let (mut stride, mut strides) = (longest(&place), 0);
+    let mut before = arc.judged(&place).cycle;
+    while (0.0..=1.0).contains(&place[place.len() - 1]) {
+        let step = arc.step(&place, &tangent, stride).and_then(|next| {
+            let turned = arc.tangent(&next, &tangent)?;
+            let is_near = (&next - &place - &tangent * stride).norm() < 0.6 * stride;
+            (is_near && turned.dot(&tangent) > 0.5 && !arc.has_jumped(&next, &turned))
+                .then_some((turned, next))
+        });
+        let Some((next_tangent, next)) = step else {
             stride /= 2.0;
             if stride < longest(&place) / 4096.0 {
-                branch.is_cut = true;
-                break;
+                return branch;
             }
             continue;
         };
-        let there = arc.judged(&next);
-        branch.is_cut = see(&there).is_break();
-        let before = &branch.points[branch.points.len() - 1].cycle;
+        let there = arc.judged(&next).cycle;
         let whole = Stride { arc, place: &place, tangent: &tangent, length: stride };
-        let turns = whole.turns(before, (&next_tangent, &there.cycle)).into_iter();
-        branch.turns.extend(turns.filter(|turn| (from.min(to)..=from.max(to)).contains(&turn.parameter)));
-        branch.points.push(there);
-        (place, tangent) = (next, next_tangent);
+        let turns = whole.turns(&before, (&next_tangent, &there));
+        let mut parts = vec![(0.0, place.clone(), None)];
+        parts.extend(turns.into_iter().filter_map(|(at, turn)| Some((at, whole.at(at)?, Some(turn)))));
+        parts.push((stride, next.clone(), None));
+        for pair in parts.windows(2) {
+            let [(low, first, _), (high, last, turn)] = pair else { unreachable!("windows of two") };
+            let ends = [first, last].map(|place| place[place.len() - 1] * steps as f64);
+            for k in passed(ends, steps) {
+                let value = k as f64 / steps as f64;
+                let Some(there) = whole.place_with(value, [(*low, first), (*high, last)]) else { continue };
+                if add(&mut branch, &there, Mark::Asked(k)) {
+                    return branch;
+                }
+            }
+            let is_within = (0.0..=1.0).contains(&last[last.len() - 1]);
+            branch.turns.extend(turn.filter(|_| is_within));
+            let mark = turn.map_or(Mark::Between, |turn| Mark::Change(turn.change));
+            if is_within && add(&mut branch, last, mark) || mark == Mark::Change(Change::Halved) {
+                return branch;
+            }
+        }
+        (place, tangent, before) = (next, next_tangent, there);
         stride = (1.5 * stride).min(longest(&place));
         // A branch that winds ends somewhere.
-        if branch.points.len() > 20 * steps {
-            branch.is_cut = true;
-            break;
+        strides += 1;
+        if strides > 20 * steps {
+            return branch;
         }
     }
+    branch.is_cut = false;
     branch
+}
+
+/// The whole numbers up to `most` that are passed on the way from one number to another, but for
+/// one that is left.
+fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
+    let is_passed = |k: &usize| {
+        let k = *k as f64;
+        (from < k && k <= to) || (to <= k && k < from)
+    };
+    let passed = (0..=most).filter(is_passed);
+    if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
 /// What points on a branch are measured by: the size of the first cycle. Where that is 0, as is the
@@ -157,8 +215,24 @@ pub(super) trait Curve {
     /// The direction of the curve that is nearest to another one, of length 1.
     fn tangent(&self, place: &Place, near: &Place) -> Option<Place>;
 
+    /// The place on the curve near another one, from which it lies across a direction.
+    fn corrected(&self, near: Place, across: &Place) -> Option<Place>;
+
     /// The place on the curve a stride further on.
-    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place>;
+    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+        self.corrected(place + tangent * stride, tangent)
+    }
+
+    /// Whether the cycle at a place runs twice along one of half the period.
+    fn runs_twice(&self, _: &Place) -> bool {
+        false
+    }
+
+    /// Whether all cycles in this direction run twice along one of half the period, so that the
+    /// curve is another one.
+    fn has_jumped(&self, _: &Place, _: &Place) -> bool {
+        false
+    }
 }
 
 /// The curve of cycles of a map.
@@ -201,7 +275,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let residual = defect(&map, cycle.as_slice()).map_or(f64::NAN, |gaps| gaps.amax());
         let cycle = PeriodicPoint::judged(&map, cycle.as_slice(), residual);
-        BranchPoint { parameter: self.parameter(place), eps: map.map.eps().approximate(), cycle }
+        let eps = map.map.eps().approximate();
+        BranchPoint { parameter: self.parameter(place), eps, cycle, mark: Mark::Between }
     }
 
     fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
@@ -211,19 +286,18 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
         (near - out).try_normalize(1e-8)
     }
 
-    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+    fn corrected(&self, mut next: Place, across: &Place) -> Option<Place> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
         let gaps_at = |there: &Place| defect(&self.map(there), Self::cycle(there).as_slice());
-        let mut next = place + tangent * stride;
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;
             // Across the direction, so that it does not slide back.
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
-            square.set_row(rows, &tangent.transpose());
+            square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
                 // Double multipliers show a root of what is left.

@@ -71,6 +71,8 @@ pub enum NoPeriodicPoint {
     Family,
     /// The search for a cycle of the flow came to a point that stands still.
     Still,
+    /// A cycle is found, and none near it of twice as many steps.
+    Coarse,
     /// No orbit was found that comes back close to itself, and leads to a cycle of about the period
     /// that was asked for.
     NoReturn,
@@ -94,6 +96,10 @@ impl fmt::Display for NoPeriodicPoint {
                  own; ask for a period T instead: K steps at the fixed eps = T/(2K)",
             ),
             Self::Still => f.write_str("the search ends at a steady state; begin nearer to a cycle"),
+            Self::Coarse => f.write_str(
+                "the map has a cycle there, and none of about the same period with twice as many steps; take a \
+                 smaller eps (dt)",
+            ),
             Self::NoReturn => f.write_str(
                 "the orbit does not come back close to itself after about the time that was asked for; begin elsewhere, \
                  after a longer transient, or ask for another period",

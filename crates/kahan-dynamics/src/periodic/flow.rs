@@ -11,6 +11,7 @@ use super::Parametric;
 use super::condensed::{Condensed, Solution, along};
 use super::cycle::{CLOSED, NoPeriodicPoint, PeriodicPoint};
 use super::newton::defect;
+use super::returns::across;
 use super::unit::{self, InUnits, Unit};
 
 /// A cycle of the flow, followed by N steps of the map.
@@ -34,13 +35,63 @@ impl FlowCycle {
     /// with the periods T and T₂ of both, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
     /// # Errors
-    /// [`NoPeriodicPoint`], as [`flow_cycle`].
+    /// [`NoPeriodicPoint::Coarse`] where no such cycle of about this period is found, and other
+    /// errors as of [`flow_cycle`].
     pub fn doubled<M: Parametric>(&self, map: impl Fn(f64) -> M) -> Result<Self, NoPeriodicPoint> {
         let eps = 0.5 * self.eps;
         let half = map(eps);
         let points = self.cycle.points.iter().flat_map(|x| [x.clone(), half.image(x)]);
-        Search::from(&map, points.flatten().collect(), eps)?.run()
+        match Search::from(&map, points.flatten().collect(), eps)?.run() {
+            Ok(found) if found.is_near(2 * self.cycle.points.len(), eps) => Ok(found),
+            Ok(_) | Err(NoPeriodicPoint::NotFound { .. }) => Err(NoPeriodicPoint::Coarse),
+            error => error,
+        }
     }
+
+    /// Returns whether the cycle has so many steps of about this ε.
+    #[must_use]
+    pub fn is_near(&self, steps: usize, eps: f64) -> bool {
+        /// A change of ε that leads to another cycle.
+        const NEAR: f64 = 0.1;
+
+        self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
+    }
+
+    /// The cycle that is run once, where this one runs along it several times.
+    fn once<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
+        let steps = self.cycle.points.len();
+        let dimension = self.cycle.points[0].len();
+        let points: Vec<f64> = self.cycle.points.iter().flatten().copied().collect();
+        let mut shorter = (2..=steps / 4).rev().filter(|rounds| runs(&points, dimension, *rounds));
+        let found = shorter.find_map(|rounds| {
+            let part = (steps + rounds / 2) / rounds;
+            let eps = self.eps * steps as f64 / (rounds * part) as f64;
+            let found = Search::of_orbit(map, &self.cycle.points[0], eps, part).ok()?.run().ok()?;
+            found.is_near(part, eps).then_some(found)
+        });
+        found.unwrap_or(self)
+    }
+}
+
+/// Whether points of a closed curve run so many times along it: whether each comes near the
+/// parabola through others, a part of the way on, compared with how the curve bends in a step.
+pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
+    /// A distance, in second differences, that a third difference makes.
+    const NEAR: f64 = 0.25;
+
+    let steps = points.len() / dimension;
+    let at = |i: usize| &points[i % steps * dimension..][..dimension];
+    let three = |i: usize| [at(i + steps - 1), at(i), at(i + 1)];
+    let bend = |[before, x, behind]: [&[f64]; 3]| {
+        let entries = before.iter().zip(x).zip(behind);
+        entries.map(|((before, x), behind)| (behind - 2.0 * x + before).powi(2)).sum::<f64>().sqrt()
+    };
+    let bends = (0..steps).map(|i| bend(three(i))).fold(0.0, f64::max);
+    let part = steps / rounds;
+    (0..steps).all(|i| {
+        let apart = [part, part + 1].map(|part| across(three(i + part), at(i)));
+        apart[0].min(apart[1]) <= NEAR * bends
+    })
 }
 
 /// Finds a cycle of the flow near the orbit of `start` at `eps`, which comes back after about
@@ -79,15 +130,10 @@ pub fn flow_cycle<M: Parametric>(
     eps: f64,
     steps: usize,
 ) -> Result<FlowCycle, NoPeriodicPoint> {
-    let first = map(eps);
-    if steps < 2 || start.len() != first.dimension() || eps.is_nan() || eps == 0.0 {
+    if steps < 2 || start.len() != map(eps).dimension() || eps.is_nan() || eps == 0.0 {
         return Err(NoPeriodicPoint::Unfit);
     }
-    let mut points = start.to_vec();
-    for step in 1..steps {
-        points.extend(first.image(&points[(step - 1) * start.len()..]));
-    }
-    Search::from(&map, points, eps)?.run()
+    Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.once(&map))
 }
 
 /// Newton's method for the points, in units of their size, and behind them ε, in units of the
@@ -100,6 +146,20 @@ struct Search<'a, F> {
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
+    /// A search that begins with an orbit.
+    fn of_orbit<'a>(
+        map: &'a F,
+        start: &[f64],
+        eps: f64,
+        steps: usize,
+    ) -> Result<Search<'a, F>, NoPeriodicPoint> {
+        let (at, mut points) = (map(eps), start.to_vec());
+        for step in 1..steps {
+            points.extend(at.image(&points[(step - 1) * start.len()..]));
+        }
+        Search::from(map, points, eps)
+    }
+
     fn from(map: &F, points: Vec<f64>, eps: f64) -> Result<Search<'_, F>, NoPeriodicPoint> {
         if !points.iter().all(|x| x.is_finite()) {
             return Err(NoPeriodicPoint::NotFinite);
@@ -171,29 +231,24 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         let map = self.map_at(&self.place);
         let points = Self::points(&self.place);
         let is_closed = residual <= CLOSED * unit::size(points).max(self.unit.size);
-        if !is_closed {
-            let residual = residual * self.unit.length;
-            let is_family = rank < NEARLY_FAMILY;
-            return Err(if is_family {
-                NoPeriodicPoint::Family
-            } else {
-                NoPeriodicPoint::NotFound { residual }
-            });
-        }
         let apart = points.iter().skip(map.dimension()).zip(points).map(|(next, x)| (next - x).abs());
-        if apart.fold(0.0, f64::max) * (points.len() as f64) < STILL {
+        if is_closed && apart.fold(0.0, f64::max) * (points.len() as f64) < STILL {
             return Err(NoPeriodicPoint::Still);
         }
         let cycle = PeriodicPoint::judged(&map, points, residual).of_flow();
         let is_one = |one: &Complex<f64>| (one - Complex::new(1.0, 0.0)).norm_sqr() < ONE * ONE;
-        if rank < FAMILY && cycle.multipliers.iter().any(is_one) {
+        let nearly = if is_closed { FAMILY } else { NEARLY_FAMILY };
+        if rank < nearly && cycle.multipliers.iter().any(is_one) {
             return Err(NoPeriodicPoint::Family);
+        }
+        if !is_closed {
+            return Err(NoPeriodicPoint::NotFound { residual: residual * self.unit.length });
         }
         Ok(FlowCycle { cycle, eps: self.eps * self.place[self.place.len() - 1] })
     }
 }
 
-/// A number that depends on the number of steps N, at infinitely many.
+/// A number that depends on the number of steps N = 1/h, at infinitely many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extrapolated {
@@ -204,16 +259,33 @@ pub struct Extrapolated {
 }
 
 impl Extrapolated {
-    /// Extrapolates from the values at N, 2N and 4N steps, whose errors are a power series in ε².
-    /// The error that is told also holds where they have odd powers from ε³ on.
+    /// The powers of h that the errors of a map have which is its own inverse at −ε, as that of
+    /// Kahan's method.
+    pub const EVEN: &'static [i32] = &[2, 4];
+    /// The powers of h that the errors of other maps of order 2 have, as of lifted fields.
+    pub const ALL: &'static [i32] = &[2, 3, 4];
+
+    /// Extrapolates from the values at N, 2N, 4N, … steps, one more than there are powers of h that
+    /// their errors begin with.
+    ///
+    /// # Panics
+    /// If there are not as many values.
     #[must_use]
-    pub fn of([coarse, middle, fine]: [f64; 3]) -> Self {
-        let [first, second] = [(coarse, middle), (middle, fine)].map(|(n, n2)| n2 + (n2 - n) / 3.0);
-        let value = second + (second - first) / 15.0;
+    pub fn of(values: &[f64], powers: &[i32]) -> Self {
+        assert_eq!(values.len(), powers.len() + 1, "each power is eliminated by one more value");
+        let fine = values[values.len() - 1];
+        let (mut column, mut before) = (values.to_vec(), fine);
+        for power in powers {
+            before = column[column.len() - 1];
+            let factor = f64::from(*power).exp2() - 1.0;
+            column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
+        }
         // The extrapolation gains nothing where the error is not of order 2.
-        let ratio = (middle - coarse) / (fine - middle);
-        let is_regular = (2.0..8.0).contains(&ratio) || fine == middle;
-        let error = if is_regular { 2.0 * (value - second).abs() } else { (value - fine).abs() };
-        Extrapolated { value, error: error.max(4.0 * f64::EPSILON * value.abs()) }
+        let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
+        let ratio = first / second;
+        let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;
+        let [value, error] =
+            if is_regular { [column[0], 2.0 * (column[0] - before)] } else { [fine, second] };
+        Extrapolated { value, error: error.abs().max(4.0 * f64::EPSILON * value.abs()) }
     }
 }

@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use kahan_core::nalgebra::DVector;
 
 use super::Parametric;
-use super::branch::{Branch, BranchPoint, Curve, Place, follow};
+use super::branch::{Branch, BranchPoint, Curve, Mark, Place, follow};
 use super::condensed::{Condensed, along};
 use super::cycle::PeriodicPoint;
-use super::flow::FlowCycle;
+use super::flow::{FlowCycle, runs};
 use super::newton::defect;
 use super::unit::{self, InUnits, Unit};
 
@@ -60,7 +60,7 @@ pub fn flow_branch<M: Parametric>(
     let arc = FlowArc { map, unit, scaled, eps: cycle.eps, from, length: to - from };
     let points = cycle.cycle.points.iter().flatten().map(|x| x / scaled.length);
     let place = DVector::from_vec(points.chain([1.0, 0.0]).collect());
-    follow(&arc, place, [from, to], steps, see)
+    follow(&arc, place, steps, see)
 }
 
 /// The curve of cycles of a flow. A place has the points, of which all together have a size of
@@ -77,6 +77,10 @@ struct FlowArc<F> {
 impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
     fn points(place: &Place) -> &[f64] {
         &place.as_slice()[..place.len() - 2]
+    }
+
+    fn dimension(&self, place: &Place) -> usize {
+        self.maps(place)[0].dimension()
     }
 
     fn eps(&self, place: &Place) -> f64 {
@@ -115,7 +119,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         let map = InUnits { map: map.map, unit: self.unit };
         let residual = defect(&map, &points).map_or(f64::NAN, |gaps| unit::size(gaps.as_slice()));
         let cycle = PeriodicPoint::judged(&map, &points, residual).of_flow();
-        BranchPoint { parameter: self.parameter(place), eps: self.eps(place), cycle }
+        BranchPoint { parameter: self.parameter(place), eps: self.eps(place), cycle, mark: Mark::Between }
     }
 
     fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
@@ -123,16 +127,27 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         equations.solve(&[(&along, 0.0), (near, 1.0)])?.step.try_normalize(1e-8)
     }
 
-    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+    fn runs_twice(&self, place: &Place) -> bool {
+        runs(Self::points(place), self.dimension(place), 2)
+    }
+
+    fn has_jumped(&self, place: &Place, tangent: &Place) -> bool {
+        // The two rounds move together.
+        let (moves, n) = (Self::points(tangent), self.dimension(place));
+        let half = moves.len() / n / 2 * n;
+        let apart = (0..half).map(|k| (moves[k] - moves[k + half]).abs()).fold(0.0, f64::max);
+        apart < 0.5 * unit::size(moves) && self.runs_twice(place)
+    }
+
+    fn corrected(&self, mut next: Place, across: &Place) -> Option<Place> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
-        let mut next = place + tangent * stride;
         let mut gaps = self.gaps(&next)?;
         for _ in 0..ROUNDS {
             // Across the direction, so that it does not slide back, nor along the cycle.
             let (equations, along) = self.equations(&next, Some(&gaps));
-            let nearer = &next + equations.solve(&[(&along, 0.0), (tangent, 0.0)])?.step;
+            let nearer = &next + equations.solve(&[(&along, 0.0), (across, 0.0)])?.step;
             let gaps_there = self.gaps(&nearer)?;
             let is_closed = gaps.amax() <= CLOSED;
             if is_closed && gaps_there.amax() >= gaps.amax() {

@@ -39,7 +39,7 @@ use kahan_core::nalgebra::DMatrix;
 
 use kahan_core::{Scalar, Step, Workspace};
 
-pub use branch::{Branch, BranchPoint, branch};
+pub use branch::{Branch, BranchPoint, Mark, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
 pub use flow::{Extrapolated, FlowCycle, flow_cycle};
 pub use flow_branch::flow_branch;

@@ -44,16 +44,9 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     let square = |a: &[f64], b: &[f64]| -> f64 {
         a.iter().zip(b).zip(&sizes).map(|((a, b), size)| ((a - b) * size).powi(2)).sum()
     };
-    // The distance of b from the line through a and its neighbours.
-    let across = |i: usize, j: usize| {
-        let (x, before, behind, there) = (&orbit[i], &orbit[i - 1], &orbit[i + 1], &orbit[j]);
-        let terms = (0..x.len()).map(|k| [(behind[k] - before[k]) * sizes[k], (there[k] - x[k]) * sizes[k]]);
-        let [length, product] = terms.fold([0.0; 2], |[length, product], [direction, gap]| {
-            [length + direction * direction, product + direction * gap]
-        });
-        let along = if length > 0.0 { product * product / length } else { 0.0 };
-        (square(there, x) - along).max(0.0).sqrt()
-    };
+    let scaled = |i: usize| orbit[i].iter().zip(&sizes).map(|(x, size)| x * size).collect::<Vec<_>>();
+    let across =
+        |i: usize, j: usize| across([i - 1, i, i + 1].map(scaled).each_ref().map(|x| &x[..]), &scaled(j));
     let most = most.min(orbit.len().saturating_sub(2));
     let starts = orbit.len().saturating_sub(most + 1);
     let mut returns = Vec::new();
@@ -79,4 +72,18 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     returns.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
     returns.truncate(RETURNS);
     returns
+}
+
+/// The distance of a point from the parabola through three points of an orbit, near the middle one.
+pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
+    let slope = |k: usize| 0.5 * (behind[k] - before[k]);
+    // Off the tangent at a place of the parabola.
+    let off = |k: usize, at: f64| {
+        let bend = behind[k] - 2.0 * x[k] + before[k];
+        there[k] - x[k] - 0.5 * at * at * bend
+    };
+    let length: f64 = (0..x.len()).map(|k| slope(k) * slope(k)).sum();
+    let along = |at: f64| (0..x.len()).map(|k| off(k, at) * slope(k)).sum::<f64>() / length;
+    let at = if length > 0.0 { along(along(along(0.0))) } else { 0.0 };
+    (0..x.len()).map(|k| (off(k, at) - at * slope(k)).powi(2)).sum::<f64>().sqrt()
 }

@@ -13,6 +13,9 @@ use super::cycle::{PeriodicPoint, size};
 pub enum Change {
     /// The branch turns back: two cycles meet, and a real multiplier goes through 1.
     Fold,
+    /// The points of a cycle of the flow come together in pairs: the branch ends on a cycle of half
+    /// the period, where that one's period doubles.
+    Halved,
     /// A real multiplier goes through 1, and the branch does not turn back.
     ThroughOne,
     /// A real multiplier goes through −1: cycles of twice the period may begin.
@@ -26,6 +29,9 @@ impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Fold => "fold, two cycles meet",
+            Self::Halved => {
+                "the branch ends on a cycle of half the period, which doubles there; follow that one from here on"
+            }
             Self::ThroughOne => "a multiplier goes through 1",
             Self::ThroughMinusOne => "a multiplier goes through -1, the period may double",
             Self::ThroughCircle => "a pair of multipliers goes through the unit circle",
@@ -83,12 +89,12 @@ impl Post {
 }
 
 impl<C: Curve> Stride<'_, C> {
-    /// What happens from its first cycle to its last one, in order.
+    /// What happens from its first cycle to its last one, in order, with how far along it happens.
     pub(super) fn turns(
         &self,
         first: &PeriodicPoint,
         (tangent, last): (&Place, &PeriodicPoint),
-    ) -> Vec<Turn> {
+    ) -> Vec<(f64, Turn)> {
         let ends =
             [Post::new(0.0, self.tangent, first.clone()), Post::new(self.length, tangent, last.clone())];
         let mut turns = Vec::new();
@@ -100,7 +106,7 @@ impl<C: Curve> Stride<'_, C> {
 
     /// Halves what lies between two posts, so many times at most, until each part holds one change
     /// at most.
-    fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<Turn>) {
+    fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<(f64, Turn)>) {
         /// Of the stride: what is nearer to each other happens at once.
         const AT_ONCE: f64 = 1e-12;
 
@@ -124,7 +130,7 @@ impl<C: Curve> Stride<'_, C> {
         }
         let parameter = self.arc.parameter(&self.at(high.at).unwrap_or_else(|| self.place.clone()));
         let mut tell = |change, times: isize| {
-            turns.extend(repeat_n(Turn { change, parameter }, times.unsigned_abs()));
+            turns.extend(repeat_n((high.at, Turn { change, parameter }), times.unsigned_abs()));
         };
         // Where real multipliers meet outside the circle and become complex, none goes through it.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
@@ -135,8 +141,28 @@ impl<C: Curve> Stride<'_, C> {
     }
 
     /// The place so far along, back if less than 0.
-    fn at(&self, along: f64) -> Option<Place> {
+    pub(super) fn at(&self, along: f64) -> Option<Place> {
         self.arc.step(self.place, self.tangent, along)
+    }
+
+    /// The place with this value of the parameter, in units of the range, between two others.
+    pub(super) fn place_with(&self, value: f64, ends: [(f64, &Place); 2]) -> Option<Place> {
+        let parameter = |place: &Place| place[place.len() - 1];
+        let [mut low, mut high] = ends.map(|(at, place)| (at, parameter(place)));
+        let mut near = ends[0].1.clone();
+        // Newton's method ends the search.
+        for _ in 0..3 {
+            let at = low.0 + (high.0 - low.0) * (value - low.1) / (high.1 - low.1);
+            near = self.at(at)?;
+            let there = (at, parameter(&near));
+            let is_before = (there.1 < value) == (low.1 < high.1);
+            *if is_before { &mut low } else { &mut high } = there;
+        }
+        let last = near.len() - 1;
+        near[last] = value;
+        let mut across = Place::zeros(near.len());
+        across[last] = 1.0;
+        self.arc.corrected(near, &across)
     }
 
     fn post(&self, at: f64) -> Option<Post> {
@@ -145,16 +171,18 @@ impl<C: Curve> Stride<'_, C> {
     }
 
     /// Where the branch turns back between two posts.
-    fn fold(&self, [low, high]: [&Post; 2]) -> Turn {
+    fn fold(&self, [low, high]: [&Post; 2]) -> (f64, Turn) {
         let is_before = |there: &Place| {
             let tangent = self.arc.tangent(there, self.tangent);
             tangent.is_none_or(|tangent| (tangent[tangent.len() - 1] > 0.0) == low.goes_ahead)
         };
-        Turn { change: Change::Fold, parameter: self.halved([low.at, high.at], is_before) }
+        let (at, parameter) = self.halved([low.at, high.at], is_before);
+        let is_halved = self.at(at).is_some_and(|there| self.arc.runs_twice(&there));
+        (at, Turn { change: if is_halved { Change::Halved } else { Change::Fold }, parameter })
     }
 
     /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.
-    fn crossing(&self, change: Change, [low, high]: [&Post; 2]) -> Turn {
+    fn crossing(&self, change: Change, [low, high]: [&Post; 2]) -> (f64, Turn) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
         // It is the smallest of those that lie outside.
@@ -172,12 +200,13 @@ impl<C: Curve> Stride<'_, C> {
             // It stayed on the circle but for rounding, and leaves it with a root of the distance.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
-        Turn { change, parameter: self.halved([begin, outer.at], |there| size_at(there) <= bound) }
+        let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
+        (at, Turn { change, parameter })
     }
 
-    /// The parameter up to which a condition holds, of those between two parts of the stride.
-    fn halved(&self, [mut before, mut behind]: [f64; 2], is_before: impl Fn(&Place) -> bool) -> f64 {
-        let mut found = self.arc.parameter(self.place);
+    /// How far along a condition holds, of two parts of the stride, and the parameter there.
+    fn halved(&self, [mut before, mut behind]: [f64; 2], is_before: impl Fn(&Place) -> bool) -> (f64, f64) {
+        let mut found = (before, self.arc.parameter(self.place));
         for _ in 0..48 {
             let middle = 0.5 * (before + behind);
             let Some(there) = self.at(middle) else { break };
@@ -186,7 +215,7 @@ impl<C: Curve> Stride<'_, C> {
             } else {
                 behind = middle;
             }
-            found = self.arc.parameter(&there);
+            found = (middle, self.arc.parameter(&there));
         }
         found
     }

@@ -8,7 +8,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_discover::Watch;
 use kahan_dynamics::periodic::{
-    Branch, BranchPoint, Change, Differentiable, Leaf, OnLeaf, PeriodicPoint, Turn, branch, periodic_point,
+    Branch, BranchPoint, Change, Differentiable, Leaf, Mark, OnLeaf, PeriodicPoint, branch, periodic_point,
 };
 
 use kahan_runtime::{Map, MapAt, ParametricAt, RationalCycle};
@@ -103,18 +103,21 @@ pub struct CycleFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle, in doubles. Its multipliers are those along the level of what is held.
+    /// The cycle, in doubles. Its multipliers are those along the level of what is held, and of a
+    /// cycle of the flow extrapolated.
     pub cycle: PeriodicPoint,
     /// The linear integrals that are held, with their values, as equations.
     pub held: Vec<String>,
     /// ε at the cycle.
     pub eps: f64,
-    /// The period and more, where it is one of the flow.
+    /// The period, where it is one of the flow.
     pub flow: Option<FlowFound>,
     /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
     pub exact: Option<RationalCycle>,
     /// What changes along the branch, and the branch.
     pub branch: Option<(String, Branch)>,
+    /// For each point of a branch of the flow its numbers, where finer steps have such a point, too.
+    pub rows: Vec<Option<FlowFound>>,
 }
 
 impl Periodic {
@@ -141,12 +144,10 @@ impl Periodic {
         let family = Family::of(self, study)?;
         let system = study.name().to_owned();
         if self.free == Some(Free::Eps) {
-            let count = Count::new(
-                "cycles",
-                3 * self.over.as_ref().map_or(1, |axis| axis.range.count() as u64),
-                watch,
-            );
+            let values = self.over.as_ref().map_or(1, |axis| axis.range.count() as u64);
+            let count = Count::new("cycles", 3 * values, watch);
             let (cycle, flow, branch) = family.flow_found(self, &count)?;
+            let (branch, rows) = branch.unzip();
             return Ok(CycleFound {
                 system,
                 variables: study.coordinates().to_vec(),
@@ -156,6 +157,7 @@ impl Periodic {
                 flow: Some(flow),
                 exact: None,
                 branch: self.over.as_ref().map(|axis| axis.name.clone()).zip(branch),
+                rows: rows.unwrap_or_default(),
             });
         }
         let unknowns = self.period.saturating_mul(family.start.len());
@@ -171,6 +173,7 @@ impl Periodic {
             system,
             variables: study.variables().to_vec(),
             flow: None,
+            rows: Vec::new(),
             exact: family.exact(&cycle),
             held: family.equations(),
             eps: family.eps_at(self.begin()),
@@ -181,6 +184,14 @@ impl Periodic {
 }
 
 impl CycleFound {
+    /// The points of the branch at the values that were asked for and where something changes, each
+    /// with its numbers if it is one of the flow.
+    pub fn rows(&self) -> impl Iterator<Item = (&BranchPoint, Option<&FlowFound>)> {
+        let points = self.branch.iter().flat_map(|(_, branch)| &branch.points).enumerate();
+        let rows = points.map(|(k, point)| (point, self.rows.get(k).and_then(Option::as_ref)));
+        rows.filter(|(point, _)| point.mark != Mark::Between)
+    }
+
     /// The eigenvalues of the derivative of the field at a cycle of this answer, where it is a
     /// steady state: λ = (μ − 1)/(ε(μ + 1)) of its multipliers μ.
     #[must_use]
@@ -198,7 +209,7 @@ impl CycleFound {
             Change::ThroughCircle => {
                 "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis"
             }
-            Change::ThroughMinusOne => return change.to_string(),
+            Change::ThroughMinusOne | Change::Halved => return change.to_string(),
         };
         if self.cycle.points.len() == 1 { of_field.to_owned() } else { change.to_string() }
     }
@@ -329,8 +340,18 @@ impl Family {
         // A branch that winds has more.
         let count = Count::new("cycles", steps as u64, watch);
         let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
-        branch.points.iter_mut().for_each(|point| self.unfold(&mut point.cycle));
+        self.finish(&mut branch, axis);
         branch
+    }
+
+    /// Puts the points of a branch on the leaf, and its rows at the very values of the axis.
+    fn finish(&self, branch: &mut Branch, axis: &Axis) {
+        for point in &mut branch.points {
+            self.unfold(&mut point.cycle);
+            if let Mark::Asked(k) = point.mark {
+                point.parameter = axis.range.value(k).to_f64();
+            }
+        }
     }
 
     /// The map at the values that were given, at which there is one.
@@ -424,21 +445,22 @@ impl Serialize for CycleFound {
                 "stability": exact.stability.to_string(),
             })
         };
-        let place = |point: &BranchPoint| {
+        let place = |(point, found): (&BranchPoint, Option<&FlowFound>)| {
             let mut place = object_of(self, &point.cycle, point.eps);
             place["parameter"] = json!(point.parameter);
+            place["change"] = json!(point.change().map(|change| self.said(change)));
             if self.flow.is_some() {
                 place["eps"] = json!(point.eps);
+                place["flow"] = flow::object(found, &point.cycle, point.eps);
             }
             place
         };
-        let errors = self.flow.as_ref().and_then(|flow| flow.turns.as_deref());
-        let turn = |(k, turn): (usize, &Turn)| {
-            let mut turn = json!({"change": self.said(turn.change), "parameter": turn.parameter});
-            if let Some(errors) = errors {
-                turn["error"] = json!(errors[k].error);
+        let turn = |(point, found): (&BranchPoint, Option<&FlowFound>)| {
+            let mut turn = json!({"change": self.said(point.change()?), "parameter": point.parameter});
+            if self.flow.is_some() {
+                turn["error"] = json!(found.map(|found| found.parameter.error));
             }
-            turn
+            Some(turn)
         };
         let mut object = object_of(self, &self.cycle, self.eps);
         object["system"] = json!(self.system);
@@ -446,13 +468,13 @@ impl Serialize for CycleFound {
         object["held"] = json!(self.held);
         object["exact"] = self.exact.as_ref().map_or(Value::Null, exact);
         if let Some(flow) = &self.flow {
-            object["flow"] = flow.object(self.eps);
+            object["flow"] = flow::object(Some(flow), &self.cycle, self.eps);
         }
         if let Some((over, branch)) = &self.branch {
             object["branch"] = json!({
                 "over": over,
-                "points": branch.points.iter().map(place).collect::<Vec<_>>(),
-                "turns": branch.turns.iter().enumerate().map(turn).collect::<Vec<_>>(),
+                "points": self.rows().map(place).collect::<Vec<_>>(),
+                "turns": self.rows().filter_map(turn).collect::<Vec<_>>(),
                 "cut": branch.is_cut,
             });
         }

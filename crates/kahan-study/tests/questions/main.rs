@@ -1,6 +1,7 @@
 //! Questions as JSON, subjects that are wrong, and answers under the names of the command's JSON.
 
 mod claims;
+mod cycles;
 mod orbits;
 mod reading;
 mod watched;

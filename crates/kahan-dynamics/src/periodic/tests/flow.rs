@@ -26,7 +26,7 @@ fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCyc
     let second = first.doubled(&map).expect("the cycle at 2N");
     let cycles = [first, second.clone(), second.doubled(&map).expect("the cycle at 4N")];
     let periods = cycles.each_ref().map(FlowCycle::period);
-    (cycles, Extrapolated::of(periods))
+    (cycles, Extrapolated::of(&periods, Extrapolated::EVEN))
 }
 
 /// Returns points of an orbit behind its transient.
@@ -66,7 +66,8 @@ fn the_shortest_cycles_of_the_lorenz_system_are_found_from_close_returns() {
         }
         let of_cycle = &cycles[2].cycle;
         assert_eq!((of_cycle.multipliers.len(), of_cycle.stability()), (2, Stability::Saddle));
-        let found = Extrapolated::of(cycles.each_ref().map(|cycle| cycle.cycle.multipliers[0].re));
+        let multipliers = cycles.each_ref().map(|cycle| cycle.cycle.multipliers[0].re);
+        let found = Extrapolated::of(&multipliers, Extrapolated::EVEN);
         assert!((found.value / multiplier - 1.0).abs() < 1e-7, "{found:?}");
     }
 }
@@ -93,7 +94,7 @@ fn loops_of_the_roessler_system_are_found_from_the_attractor() {
             let multipliers = cycle.cycle.multipliers.iter();
             multipliers.map(|one| one.re).fold(0.0, f64::min)
         });
-        let found = Extrapolated::of(multipliers);
+        let found = Extrapolated::of(&multipliers, Extrapolated::EVEN);
         assert!((found.value - multiplier).abs() < 1e-4, "{c}: {found:?}");
         assert_eq!(cycles[0].cycle.stability(), Stability::Attracting);
     }
@@ -111,7 +112,7 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
         branch.turns[0].parameter
     });
     // By shooting with DOP853, tolerance 1e-13, and Brent's method on the multiplier.
-    let (reference, found) = (2.832_445_027_862, Extrapolated::of(turns));
+    let (reference, found) = (2.832_445_027_862, Extrapolated::of(&turns, Extrapolated::EVEN));
     assert!((found.value - reference).abs() < 3e-8, "{found:?}");
     assert!((found.value - reference).abs() < found.error, "{found:?}");
 }
@@ -148,7 +149,7 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
         assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::ThroughCircle));
         branch.turns[0].parameter
     });
-    let found = Extrapolated::of(pairs);
+    let found = Extrapolated::of(&pairs, Extrapolated::EVEN);
     assert!((found.value - 0.5).abs() < 1e-7, "{found:?}");
     let map = |p, eps| {
         let by_eps = torus(value(0.6), value(p), Dual::coordinate(eps, 0));

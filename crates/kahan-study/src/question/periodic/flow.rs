@@ -4,8 +4,8 @@ use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_core::{Step, Stopped, Workspace};
 use kahan_dynamics::periodic::{
-    Branch, Differentiable, Extrapolated, FlowCycle, NoPeriodicPoint, OnLeaf, Parametric, Turn,
-    close_returns, flow_branch, flow_cycle,
+    Branch, BranchPoint, Differentiable, Extrapolated, FlowCycle, Mark, NoPeriodicPoint, OnLeaf, Parametric,
+    PeriodicPoint, close_returns, flow_branch, flow_cycle,
 };
 use kahan_runtime::ParametricAt;
 use serde_json::{Value, json};
@@ -25,28 +25,63 @@ fn numbers(n: usize) -> usize {
     n * (n + 4)
 }
 
-/// A cycle of the flow, besides its points at N steps.
-#[derive(Clone, Debug)]
+/// Numbers of a cycle of the flow, extrapolated from N, 2N, 4N, … steps.
+#[derive(Clone, Copy, Debug)]
 pub struct FlowFound {
-    /// The period, of N, 2N and 4N steps.
+    /// The period.
     pub period: Extrapolated,
-    /// The multipliers but for that of the direction of the flow, of N, 2N and 4N steps.
-    pub multipliers: Vec<Complex<f64>>,
-    /// The changes on the branch, of N, 2N and 4N steps, in the order of its turns; `None` where
-    /// the three branches do not change alike.
-    pub turns: Option<Vec<Extrapolated>>,
+    /// The parameter that changes along a branch.
+    pub parameter: Extrapolated,
 }
 
 impl FlowFound {
-    /// Returns an object of JSON.
-    pub(super) fn object(&self, eps: f64) -> Value {
-        json!({
-            "eps": eps,
-            "period": self.period.value,
-            "error": self.period.error,
-            "multipliers": self.multipliers.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>(),
-        })
+    /// Extrapolates from the cycles at N, 2N, 4N, … steps, and puts the multipliers into the first.
+    fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
+        let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
+            Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
+        };
+        let found = FlowFound {
+            period: limit(&|point| period(&point.cycle, point.eps)),
+            parameter: limit(&|point| point.parameter),
+        };
+        let finest = &points[points.len() - 1].cycle.multipliers;
+        let is_pair = |one: &Complex<f64>| one.im != 0.0;
+        let are_alike = |point: &BranchPoint| {
+            let own = &point.cycle.multipliers;
+            own.len() == finest.len() && own.iter().map(is_pair).eq(finest.iter().map(is_pair))
+        };
+        let multiplier = |k: usize| {
+            let [re, im]: [&dyn Fn(&BranchPoint) -> f64; 2] =
+                [&|point| point.cycle.multipliers[k].re, &|point| point.cycle.multipliers[k].im];
+            Complex::new(limit(re).value, limit(im).value)
+        };
+        let multipliers = match points.iter().all(are_alike) {
+            true => (0..finest.len()).map(multiplier).collect(),
+            false => finest.clone(),
+        };
+        let mut first = points.swap_remove(0);
+        first.cycle.multipliers = multipliers;
+        (found, first)
     }
+}
+
+/// An object of JSON about a cycle, whose period is that of the map, without an error, where finer
+/// cycles were not found.
+pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
+    let of_map = period(cycle, eps);
+    json!({
+        "steps": cycle.points.len(),
+        "eps": eps,
+        "period_of_map": of_map,
+        "period": found.map_or(of_map, |found| found.period.value),
+        "error": found.map(|found| found.period.error),
+        "multipliers": cycle.multipliers.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>(),
+    })
+}
+
+/// The period 2εN of the map's cycle.
+fn period(cycle: &PeriodicPoint, eps: f64) -> f64 {
+    2.0 * eps * cycle.points.len() as f64
 }
 
 /// The steps of a field's map between points in the original variables, with derivatives: those of
@@ -149,7 +184,7 @@ impl Family {
         count: &Count<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
         /// The longest orbit, the longest return of one where no number of steps was asked for, and
-        /// how far a cycle's ε, or the steps of a return, may be from those that were looked for.
+        /// how far the steps of a return may be from those that were asked for.
         const MOST_POINTS: usize = 256_000;
         const MOST_STEPS: usize = 20_000;
         const NEAR: f64 = 0.1;
@@ -160,7 +195,8 @@ impl Family {
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            let is_it = (found.eps / eps - 1.0).abs() < NEAR && found.cycle.points.len() == steps;
+            // Of several rounds it is the first.
+            let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
         let mut x = self.leaf.coordinates(&self.start);
@@ -194,7 +230,8 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                let steps = wanted.unwrap_or(one.steps);
+                // Half the points of an even number are those of a period that doubles.
+                let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
                     Err(error) => why = error,
@@ -206,49 +243,39 @@ impl Family {
         Err(why)
     }
 
-    /// The cycle at N, 2N and 4N steps, with its branch.
+    /// The cycle at N steps, extrapolated from N, 2N, 4N, … steps, with its branch.
     pub(super) fn flow_found(
         &self,
         asked: &Periodic,
         count: &Count<'_>,
-    ) -> Result<(FlowCycle, FlowFound, Option<Branch>), StudyError> {
+    ) -> Result<(BranchPoint, FlowFound, Option<FlowBranch>), StudyError> {
         self.can_free_step()?;
         let numbers = asked.period.saturating_mul(numbers(self.study.coordinates().len()));
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
+        // Steps that begin on the relations of a lifted field each are not inverse to those at −ε.
+        let powers = if self.study.lifted().is_some() { Extrapolated::ALL } else { Extrapolated::EVEN };
         let begin = asked.begin();
         let map = |eps| self.flow_at(begin, eps, None, count);
         let cycles = || {
-            let first = self.flow_cycle(asked, begin, count)?;
-            let second = first.doubled(map)?;
-            let third = second.doubled(map)?;
-            Ok([first, second, third])
+            let mut cycles = vec![self.flow_cycle(asked, begin, count)?];
+            while cycles.len() <= powers.len() {
+                cycles.push(cycles[cycles.len() - 1].doubled(map)?);
+            }
+            Ok(cycles)
         };
         let no_cycle = |why| StudyError::NoCycle { system: self.study.name().to_owned(), why };
-        let cycles: [FlowCycle; 3] = cycles().map_err(no_cycle)?;
-        let multiplier = |k: usize| {
-            let all = cycles.each_ref().map(|cycle| cycle.cycle.multipliers[k]);
-            let [re, im] =
-                [all.map(|one| one.re), all.map(|one| one.im)].map(|all| Extrapolated::of(all).value);
-            Complex::new(re, im)
-        };
-        let mut found = FlowFound {
-            period: Extrapolated::of(cycles.each_ref().map(FlowCycle::period)),
-            multipliers: (0..cycles[0].cycle.multipliers.len()).map(multiplier).collect(),
-            turns: None,
-        };
+        let cycles: Vec<FlowCycle> = cycles().map_err(no_cycle)?;
         let branch = asked.over.as_ref().map(|axis| {
-            let [mut coarse, middle, fine] =
-                cycles.each_ref().map(|cycle| self.flow_branch(cycle, axis, count));
-            found.turns = turns([&coarse, &middle, &fine]);
-            for (turn, found) in coarse.turns.iter_mut().zip(found.turns.iter().flatten()) {
-                turn.parameter = found.value;
-            }
-            coarse.points.iter_mut().for_each(|point| self.unfold(&mut point.cycle));
-            coarse
+            let branches: Vec<_> = cycles.iter().map(|cycle| self.flow_branch(cycle, axis, count)).collect();
+            let (mut branch, found) = extrapolated(branches, powers);
+            self.finish(&mut branch, axis);
+            (branch, found)
         });
-        let [mut first, ..] = cycles;
+        let point =
+            |FlowCycle { cycle, eps }| BranchPoint { parameter: begin, eps, cycle, mark: Mark::Asked(0) };
+        let (found, mut first) = FlowFound::of(cycles.into_iter().map(point).collect(), powers);
         self.unfold(&mut first.cycle);
         Ok((first, found, branch))
     }
@@ -256,7 +283,9 @@ impl Family {
     fn flow_branch(&self, cycle: &FlowCycle, axis: &Axis, count: &Count<'_>) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
         let map = |value, eps| [None, self.parameter].map(|by| self.flow_at(value, eps, by, count));
-        flow_branch(map, cycle, ends, steps, |_| count.tell(1))
+        flow_branch(map, cycle, ends, steps, |point| {
+            count.tell(u64::from(matches!(point.mark, Mark::Asked(_))))
+        })
     }
 
     fn can_free_step(&self) -> Result<(), StudyError> {
@@ -267,14 +296,31 @@ impl Family {
     }
 }
 
-/// The changes of branches at N, 2N and 4N steps, if they are alike.
-fn turns(branches: [&Branch; 3]) -> Option<Vec<Extrapolated>> {
-    let [coarse, middle, fine] = branches.map(|branch| &branch.turns);
-    let are_alike = |(a, b, c): (&Turn, &Turn, &Turn)| {
-        (a.change == b.change && b.change == c.change)
-            .then(|| Extrapolated::of([a.parameter, b.parameter, c.parameter]))
+/// A branch, and its points' numbers where the branches of finer steps have them, too.
+type FlowBranch = (Branch, Vec<Option<FlowFound>>);
+
+/// The branch at N steps, extrapolated from those at N, 2N, 4N, … steps.
+fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
+    let is_like = |mark: Mark| move |point: &&BranchPoint| point.mark == mark;
+    let extrapolate = |(index, point): (usize, &BranchPoint)| {
+        // The branch may go through a value several times.
+        let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
+        let alike =
+            branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());
+        let alike: Vec<_> = alike.collect::<Option<_>>().filter(|_| point.mark != Mark::Between)?;
+        Some(FlowFound::of(alike, powers))
     };
-    let is_one_each = coarse.len() == middle.len() && middle.len() == fine.len();
-    let turns = coarse.iter().zip(middle).zip(fine).map(|((a, b), c)| are_alike((a, b, c)));
-    is_one_each.then(|| turns.collect())?
+    let found: Vec<_> = branches[0].points.iter().enumerate().map(extrapolate).collect();
+    let mut coarse = branches.swap_remove(0);
+    let points = coarse.points.iter_mut().zip(found);
+    let found = points.map(|(point, found)| {
+        let (found, first) = found?;
+        *point = first;
+        if let Mark::Change(_) = point.mark {
+            point.parameter = found.parameter.value;
+        }
+        Some(found)
+    });
+    let found = found.collect();
+    (coarse, found)
 }

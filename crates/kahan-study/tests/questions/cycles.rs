@@ -1,0 +1,54 @@
+//! Limit cycles of flows against numbers that none of our steps computes: shooting with DOP853 of
+//! SciPy, tolerance 1e-13.
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{Subject, Which};
+use serde_json::{Value, json};
+
+use super::{answer, study};
+
+const ROSSLER: &str = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + x*z - c*z;";
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
+}
+
+/// A cycle found near an orbit at the time step `dt`.
+fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
+    let mut asked = json!({"ask": "periodic", "eps": dt / 2.0, "free": "eps"});
+    asked.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
+    answer(&study(field.clone()), asked)
+}
+
+/// Asserts that a period is what it is within its error, and the map's period near it.
+fn assert_period(found: &Value, period: f64, most: f64) {
+    let flow = &found["flow"];
+    let [value, error, of_map] = ["period", "error", "period_of_map"].map(|name| number(&flow[name]));
+    assert!((value - period).abs() <= error && error < most * period, "{period}: {flow}");
+    assert!((of_map / period - 1.0).abs() < 0.05, "{period}: {flow}");
+    assert_eq!(number(&flow["steps"]) * 2.0 * number(&flow["eps"]), of_map);
+}
+
+#[test]
+fn loops_of_the_roessler_system_are_run_once_at_every_step() {
+    for ((c, of), period) in
+        [((5, 2), 5.748_991_183_278), ((7, 2), 11.545_218_287_763), ((4, 1), 23.177_001_055_976)]
+    {
+        let field = Subject::text(ROSSLER).with("c", Rational::new(c, of));
+        for (dt, most) in [(0.02, 1e-5), (0.05, 1e-4), (0.1, 2e-2)] {
+            let found = cycle(&field, dt, json!({"at": [1, 2, 0], "transient": 4000}));
+            assert_period(&found, period, most);
+            assert_eq!(found["stability"], "attracting", "{c}/{of} at {dt}");
+        }
+    }
+}
+
+#[test]
+fn errors_of_lifted_cycles_hold() {
+    let lifted = |text| Subject::text(text).lifted(Which::Automatic);
+    let field = lifted("xdot = y; ydot = (1 - x^2)*y - x;");
+    for (dt, most) in [(0.02, 1e-6), (0.04, 1e-6), (0.05, 1e-6), (0.06, 1e-6), (0.1, 1e-5)] {
+        let found = cycle(&field, dt, json!({"at": [2, 0]}));
+        assert_period(&found, 6.663_286_859_323, most);
+    }
+}
