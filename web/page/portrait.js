@@ -63,11 +63,14 @@ function merged(work) {
     isOvertaken = isBusy
     if (isBusy) return
     isBusy = true
-    do {
-      isOvertaken = false
-      await work()
-    } while (isOvertaken)
-    isBusy = false
+    try {
+      do {
+        isOvertaken = false
+        await work()
+      } while (isOvertaken)
+    } finally {
+      isBusy = false
+    }
   }
 }
 

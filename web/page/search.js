@@ -8,6 +8,8 @@ const FIRST_SEARCH = 4
 // Results that are no longer true: of another field all, of another value of a parameter those that
 // were found for the one before. A search that is under way begins anew.
 function forget(changed) {
+  // Orbits of another field have other columns.
+  if (!changed) [sheetOf, lastDrawn] = [null, []]
   const holds = changed && !(changed in (searched?.subject.params || {}))
   isWanted ||= $('search').classList.contains('running') && !holds
   for (const name of Object.keys(workers)) {

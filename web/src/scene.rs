@@ -71,7 +71,7 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
         let given = study.parameters().iter().zip(study.given());
         let given = given.filter_map(|(name, value)| Some((name.clone(), value.clone()?)));
         let own = study.given_by_name(&given.chain(values.iter().cloned()).collect::<Vec<_>>())?;
-        let shown = own.shown_orbit(None, own.lift_start().as_deref())?;
+        let shown = first_orbit(&own)?;
         let stays = shown.stays;
         let named = values.into_iter().map(|(name, value)| (name, Value::String(value.to_string())));
         let scene = (named.collect(), own, shown);
@@ -81,6 +81,28 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
         first.get_or_insert(scene);
     }
     Ok(first.expect("some values were tried"))
+}
+
+/// Coordinates of the first point that is tried before all others.
+const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
+
+/// The orbit of a point of size 1 where that stays and is wide, even if it comes to rest, or else
+/// the library's choice, which goes on moving.
+fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
+    if let Some(own) = study.start().or_else(|| study.lift_start()) {
+        return study.shown_orbit(None, Some(&own));
+    }
+    let count = study.coordinates().len();
+    let near = UNITS.iter().cycle().take(count).map(|&(above, below)| Rational::new(above, below));
+    let near = study.shown_orbit(None, Some(&near.collect::<Vec<_>>()));
+    let is_wide = |orbit: &ShownOrbit| {
+        let wide = orbit.extremes.iter().filter(|[low, high]| high - low > 0.2 && high - low < 50.0);
+        orbit.stays && wide.count() >= count.min(2)
+    };
+    match near {
+        Ok(orbit) if is_wide(&orbit) => Ok(orbit),
+        _ => study.shown_orbit(None, None),
+    }
 }
 
 /// First points beside one: multiples of it, and points with one coordinate changed.
