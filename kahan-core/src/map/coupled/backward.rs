@@ -1,11 +1,10 @@
-//! The step that promises a small backward error: what more than eight variables have.
+//! The step with a small backward error, for more than eight variables.
 //!
-//! In: a point and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in
-//! every row i, A(x,ε) and b(x,ε) exact at the floats as given and k the most entries in a row of
-//! A; or why there is none. Elimination gives x̃, and residuals in wider numbers, which carry
-//! bounds on their own errors, refine it at most twice. Nothing is believed but such a bound.
-//!
-//! With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
+//! In: a point and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every row
+//! i, or the reason for failure; A(x,ε) and b(x,ε) are exact at the given floats, and k is the
+//! largest number of entries in a row of A. Elimination gives x̃; residuals with bounds on their
+//! own errors refine x̃ at most twice and prove the result. With d = x̃ − x the residual b − A·x̃
+//! is 2εf − A·d, whose terms are small with ε.
 
 use core::array::from_fn;
 
@@ -25,18 +24,18 @@ use crate::step::error::Reason;
 use super::formulas::Values;
 use super::{CoupledField, CoupledStep, Factors, zeros};
 
-/// How often a solution is refined, with either elimination.
+/// The maximal number of refinements of a solution, for each elimination.
 const REFINEMENTS: usize = 2;
 
-/// What a solution leaves.
+/// The residual of a solution and its backward error.
 struct Rest<T, const N: usize> {
     /// b − A·x̃, rounded.
     residual: [T; N],
-    /// The backward error, at most; infinite where nothing is known.
+    /// An upper bound of the backward error; infinite if unknown.
     bound: f64,
 }
 
-/// The promised step.
+/// Computes the step with a proved backward error.
 #[inline(never)]
 pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, N, P, M, S>,
@@ -54,7 +53,7 @@ where
     }
 }
 
-/// A step that is to be promised.
+/// A step with the point at which its backward error is to be proved.
 struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
     step: &'a CoupledStep<K, T, N, P, M, S>,
     x: &'a [T; N],
@@ -65,13 +64,13 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
-    /// What the backward error may be.
+    /// Returns the permitted backward error.
     fn promise() -> f64 {
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Elimination along the couplings, and if that does not do, by partial pivoting; either with
-    /// residuals by `rest`, and if that does not tell, in wide numbers, in which nothing overflows.
+    /// Tries elimination along the couplings, then partial pivoting. Each uses residuals by `rest`
+    /// and, if these prove too little, in wide numbers without overflow.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -130,8 +129,8 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// x̃ by elimination over numbers of many digits, where entries or pivots leave the range of
-    /// the scalar.
+    /// Computes x̃ by elimination over long numbers, for entries or pivots beyond the scalar's
+    /// range.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
@@ -156,8 +155,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// A(x,ε) with rows of one size, and what they are multiplied by: an entry that is alone in its
-    /// row stays what it is divided by, so that a component that is 0 comes out as 0.
+    /// Writes A(x,ε) with rows scaled to size 1 and returns the scales. A single entry of a row
+    /// becomes exactly ±1 up to rounding, so that a component 0 stays 0.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -180,7 +179,7 @@ where
         solve_in_place(&mut matrix, b)
     }
 
-    /// det A, and that of the scaled matrix.
+    /// Returns det A and the determinant of the scaled matrix.
     #[inline(never)]
     fn determinants(&self) -> [T; 2] {
         let mut matrix = zeros();
@@ -191,8 +190,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide
-    /// numbers gets there; the least bound on the error that was reached goes to `least`.
+    /// Returns x̃ with the promised backward error, after refinement with residuals by `rest` or in
+    /// wide numbers; lowers `least` to the smallest error bound reached.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -234,7 +233,7 @@ where
         self.rest(next, T::widen, T::narrow)
     }
 
-    /// What x̃ = `next` leaves, computed in V.
+    /// Computes residual and backward error of x̃ = `next` in V.
     fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {
@@ -246,7 +245,7 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        // 2f, which becomes 2f + f′d and 2f − f′x.
+        // left: 2f, then 2f + f′d. right: 2f, then 2f − f′x.
         let mut left = [Bounded::<V>::zero(); N];
         for (left, component) in left.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
             *left = component + component;

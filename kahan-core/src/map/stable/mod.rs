@@ -1,9 +1,9 @@
-//! The step that promises: an error of at most 64 u of the largest component, or an error value.
+//! The stable step: its error is at most 64 u of the largest component, or it returns an error
+//! value.
 //!
-//! In: a map, a point and ε as given. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, established for
-//! this very call, or why not. There is one way to establish it and one formula for the step: the
-//! kernel of the fast step runs over bounded values, first in the scalar's own precision, and where
-//! that is too little in wider ones. Nothing is estimated from thresholds.
+//! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
+//! the reason for failure. The kernel of the fast step runs over bounded values, first in the
+//! scalar's own precision, then in wider ones.
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
@@ -13,8 +13,8 @@
 //! | 4 | the same | the form N/D, where increments cancel against the state |
 //! | 5 | 256 digits, with `std` | elimination on A(x,ε), where terms of the other forms are too far apart |
 //!
-//! The way down: [`stable_step`] tells which scalar it is, [`climb`] takes its rungs in their order
-//! (`rungs.rs`), a rung makes an [`Attempt`](attempt::Attempt), and that runs the prepared step.
+//! Calls: [`stable_step`] selects the scalar, [`climb`] takes the rungs in order (`rungs.rs`), and
+//! each rung makes an [`Attempt`](attempt::Attempt), which runs the prepared step.
 
 mod attempt;
 mod rungs;
@@ -38,11 +38,11 @@ pub(crate) use scalars::Promised;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
-/// The step with the promise that T can give: of a float of this crate the one above; of another
-/// scalar, that a finite result is what the fast step or elimination computes.
+/// Steps with the bound that T permits: 64 u for floats of this crate; for other scalars, a finite
+/// result of the fast step or of elimination.
 ///
-/// Floats ignore `prepared`, whose numbers are rounded and carry no bound: each rung prepares the
-/// step anew over values with bounds. In a loop compilers do that once, before its first round.
+/// Floats ignore `prepared`, whose numbers are rounded without a bound: each rung prepares the step
+/// over bounded values. In a loop compilers hoist the preparation.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -50,7 +50,7 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     x: &SVector<T, N>,
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep> {
-    // Which scalar it is, is known while compiling.
+    // Selected at compile time.
     if is::<T, f64>() {
         climb::<f64, M, T, N>(map, x, eps)
     } else if is::<T, f32>() {
@@ -62,12 +62,11 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Takes the rungs of F, the type that T is, in their order: the first is compiled into the caller,
-/// the others are called.
+/// Takes the rungs of F, a type identical to T: the first is inlined, the others are called.
 ///
-/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
-/// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
-/// registers: ordinary steps do not wait for memory on account of a call that they do not make.
+/// A called function works in memory. It gets a copy of the state, and x̃ is copied out of its
+/// result. So a loop's state and the x̃ of the first rung can stay in registers, and ordinary steps
+/// do not wait for memory.
 #[inline(always)]
 fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -79,8 +78,8 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::given(*eps)) {
-        // The limits are those of bounded values, which are narrower than those of floats: with two
-        // different limits compilers would keep the code of both forms in every step.
+        // The limits are those of bounded values, which are narrower than those of floats. With two
+        // limits compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)
@@ -95,7 +94,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }
 
-/// Takes the rungs behind the first one; x̃ goes to `next`.
+/// Takes the rungs after the first; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 fn higher<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
