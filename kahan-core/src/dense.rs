@@ -42,7 +42,6 @@ const fn height<T: InLanes>(variables: usize) -> usize {
     variables.next_multiple_of(T::ROWS)
 }
 
-/// Splits columns into blocks of `COLUMNS`, then single columns.
 fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     let whole = columns.end - columns.len() % COLUMNS;
     let blocks = (columns.start..whole).step_by(COLUMNS).map(|first| first..first + COLUMNS);
@@ -314,8 +313,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         true
     }
 
-    /// Returns the offset of the factors of a register of rows, by one of the pivots eliminated
-    /// together.
+    /// Returns the offset of the factors of a register of rows, by a pivot of the group.
     #[inline(always)]
     fn place_of_factors(row: usize, pivot: usize) -> usize {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
@@ -360,8 +358,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the row of a pivot, times its factors, from the rows between the pivot and `end`,
-    /// in W columns from `column` on.
+    /// Subtracts a pivot's row, times its factors, down to row `end`, in W columns from `column`.
     #[inline(always)]
     fn subtract<const W: usize>(
         self,
@@ -382,8 +379,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the rows of `PIVOTS` pivots, times their factors, from the rows from `below` on,
-    /// in W columns from `column` on.
+    /// Subtracts `PIVOTS` pivots' rows, times their factors, from row `below` on, in W columns.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(
@@ -420,7 +416,6 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Solves for the last column by back substitution.
     #[inline(always)]
     fn substitute_back(self, columns: &mut [T]) {
         let (columns, solution) = columns.split_at_mut(self.column(self.variables));

@@ -1,8 +1,7 @@
 //! Serialisation by hand, with the feature `serde`.
 //!
 //! In: a double-double number, a composition. Out: its two parts, and the name of its constant, and
-//! back. Other types derive their implementations. The format is free; `serde_json` needs its
-//! feature `float_roundtrip` to read back every bit of a float.
+//! back. `serde_json` needs its feature `float_roundtrip` to read back every bit of a float.
 
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -15,8 +15,7 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The largest number of rows of a panel; the first-level cache holds this number of rows of
-/// pivots.
+/// The largest number of rows of a panel, which fit a fast cache.
 const MOST_ROWS: usize = 32;
 /// The number of rows reduced together.
 const ROWS: usize = 4;
@@ -40,13 +39,11 @@ pub struct Supernodes {
     lists: Vec<u32>,
 }
 
-/// Consecutive rows. Right of the diagonal, each has an entry in the column of the next row and in
-/// all columns in which the next row has entries there. The panel has every column in which some
-/// row has an entry.
+/// Consecutive rows: each has, right of the diagonal, an entry in the column of the next row and in
+/// all of that row's columns. The panel's columns are those of all its rows.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
-    /// The number of columns.
     width: usize,
     /// The reductions of the rows, in the order of their pivots.
     reductions: Range<usize>,
@@ -76,7 +73,6 @@ struct Task {
     /// Whether the row is complete.
     is_last: bool,
     first: u32,
-    /// At most [`PIVOTS`].
     count: u32,
 }
 
@@ -85,7 +81,6 @@ struct Task {
 struct Run {
     /// The number of entries of the last pivot's row between the diagonal and this run.
     before: u32,
-    /// The first column.
     column: u32,
     length: u32,
 }
@@ -93,13 +88,11 @@ struct Run {
 /// The workspace of a factorisation.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
-    /// The rows of a panel over its columns.
     rows: Vec<T>,
     /// For each row the magnitude below which an entry may count as 0.
     limits: Vec<T>,
     /// The limits of all columns of A; an entry counts as 0 if it is below both.
     column_limits: Vec<T>,
-    /// The factors of rows reduced together, pivot by pivot.
     factors: Vec<T>,
     /// The offsets of the entries of the rows of pivots.
     uppers: Vec<usize>,
@@ -190,8 +183,8 @@ impl Supernodes {
         self.panels.push(Panel { rows, width: columns.len(), reductions });
     }
 
-    /// Appends the tasks of a reduction of a panel's rows, each by the pivots of another panel or
-    /// its own, from some first pivot on. If `apart`, rows are never reduced together.
+    /// Appends the tasks of a reduction of a panel's rows by pivots. If `apart`, rows are never
+    /// reduced together.
     fn push_tasks(
         &mut self,
         couplings: &Couplings<'_>,
@@ -290,8 +283,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the columns right of the next row's diagonal are those of this row without
-    /// the first.
+    /// Returns whether the next row has this row's columns but the first, right of the diagonals.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,
@@ -329,8 +321,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Returns the magnitude below which an entry may count as 0 beside the largest one; 0 if not
-/// finite.
+/// Returns the magnitude that may count as 0 beside the largest entry; 0 if not finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;
@@ -390,7 +381,6 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Computes the limits of columns; 0 without flushing.
     #[inline(always)]
     fn set_column_limits(&mut self) {
         let limits = &mut self.workspace.column_limits;
@@ -412,7 +402,6 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// Copies a row of A to row r of the panel.
     #[inline(always)]
     fn gather(&mut self, panel: &Panel, r: usize) {
         let own = &mut self.workspace.rows[r * panel.width..][..panel.width];
@@ -483,8 +472,7 @@ impl<T: InLanes> Work<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // The columns of the pivots' panel right of these pivots; the pivots' rows have entries in
-        // all.
+        // The columns right of these pivots in their panel; the pivots' rows have entries in all.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -550,7 +538,6 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// Subtracts the rows of pivots in C registers of columns.
     #[inline(always)]
     fn subtract_from<V: Lanes<T>, const R: usize, const C: usize>(
         &mut self,

@@ -1,9 +1,8 @@
 //! The coefficients of the compositions: decimals with 40 digits after the point.
 //!
 //! Computed from the published 20 to 26 digits by Newton's iteration on the order conditions
-//! (smallest change, because two sets leave a degree of freedom), then rounded. A test checks the
-//! conditions over ℚ, the sum 1, and every rounding. Each set ends with the middle coefficient, 1 −
-//! 2Σ of the others.
+//! (smallest change, because two sets leave a degree of freedom), then rounded. A test checks
+//! conditions, sums and roundings. Each set ends with the middle coefficient, 1 − 2Σ of the others.
 
 use crate::Constant;
 

@@ -13,8 +13,7 @@ use crate::{
 
 use super::Composition;
 
-/// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`]. Each
-/// step runs all stages in order.
+/// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -40,7 +39,6 @@ impl<P> Palindrome<P> {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
     }
 
-    /// Iterates over all stages in order.
     #[inline(always)]
     pub(super) fn in_order(&self) -> impl Iterator<Item = &P> {
         let distinct = &self.steps[..self.len];
@@ -109,7 +107,6 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Any stage can step at any ε.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))

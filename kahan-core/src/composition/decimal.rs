@@ -1,7 +1,6 @@
 //! Decimals of 40 digits after the point as constants, rounded while compiling.
 //!
-//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by long division of integers below
-//! 2²⁵⁶, so nothing is rounded twice.
+//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by exact long division.
 
 use crate::Constant;
 
@@ -39,7 +38,6 @@ impl Whole {
     }
 }
 
-/// A decimal of size 10⁻⁸ to 2 with its roundings.
 pub(super) struct Decimal {
     negative: bool,
     limbs: [u64; 3],
@@ -92,7 +90,6 @@ const fn nearest(part: Whole, bits: u32) -> (f64, Whole, f64) {
         rest = rest.doubled();
         unit /= 2.0;
     }
-    // The leading bit.
     let mut mantissa = 1_u64;
     rest = rest.minus(UNIT);
     let mut count = 1;

@@ -2,9 +2,8 @@
 //!
 //! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. φ_ε is
 //! symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is
-//! symmetric, too. Its order is even, and is p if the coefficients satisfy the order conditions.
-//! Coefficients are constant data ([`coefficients`]); tests check their conditions and the measured
-//! order.
+//! symmetric, too. Its order is even, and is p if the coefficients ([`coefficients`]) satisfy the
+//! order conditions.
 
 mod coefficients;
 mod composed;
@@ -102,8 +101,7 @@ impl Composition {
         Self { name, order, first_half }
     }
 
-    /// The recommended compositions of orders 2, 4, 6 and 8; the others cost more for an equal
-    /// error.
+    /// The recommended compositions; the others cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
     /// Returns the member of [`BEST`](Self::BEST) of this order, if any.

@@ -1,7 +1,6 @@
 //! The stages of a step, for callers that run them in lanes or with tangent vectors.
 //!
-//! In: a map at its ε, which is its only stage, or a composition. Out: the result of a function for
-//! each stage, in order.
+//! In: a prepared map (its only stage) or a composition. Out: one result per stage, in order.
 
 use nalgebra::SVector;
 
@@ -14,9 +13,7 @@ use super::composed::Palindrome;
 pub(crate) trait Staged<T: Scalar, const N: usize>:
     Step<Scalar = T, State = SVector<T, N>> + Clone
 {
-    /// The map stepped by all stages.
     type Map: KahanMap<T, N>;
-    /// One P for each stage.
     type Stages<P>;
 
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
@@ -24,8 +21,7 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
     /// Iterates over the entries of `stages` in the order of a step.
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Applies `of` to the k-th stages of several maps, for each k; `None` if the compositions
-    /// differ.
+    /// Applies `of` to the k-th stages of several maps; `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

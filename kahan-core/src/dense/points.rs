@@ -1,5 +1,4 @@
-//! Elimination for several points side by side: each lane of a register holds an entry of one
-//! point.
+//! Elimination for several points side by side, one point per lane.
 //!
 //! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x)
 //! for each, with the bits of a single point, and the growth of each elimination.
@@ -52,7 +51,6 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
         let loops = Loops::<T, L, true> { variables, height: variables, lanes: PhantomData };
         for part in 0..points::<T>() / L::WIDTH {
             let part = part * L::WIDTH;
-            // `factors` temporarily holds the points of a register, entry by entry.
             for i in 0..variables {
                 L::load(x, i * points::<T>() + part).store(factors, i * L::WIDTH);
             }
@@ -66,9 +64,8 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution and returns the largest growth: for each pivot the
-    /// smaller of its largest factor and its largest quotient of an entry to the right. `sizes` is
-    /// room for two numbers per variable.
+    /// Replaces the last column by the solution and returns the largest min(largest factor, largest
+    /// quotient to the right) of all pivots. `sizes` has two numbers per variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));

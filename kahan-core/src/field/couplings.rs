@@ -1,9 +1,8 @@
-//! Elimination along the couplings of variables: tables of the entries of A(x,ε), and loops over
-//! them.
+//! Elimination along couplings: tables of the entries of A(x,ε), and loops over them.
 //!
 //! In: numbers at the places of the tables. Out: A = L·U in these places, and solutions of A·X = B.
-//! Rows are not exchanged, so a pivot may be too small: [`factor`](Couplings::factor) reports it,
-//! and callers then use partial pivoting.
+//! [`factor`](Couplings::factor) reports pivots that are too small for elimination without
+//! exchanges.
 
 use core::ops::Range;
 
@@ -16,8 +15,7 @@ use crate::{Constant, Scalar};
 /// or column, so no digits are lost.
 pub const LARGEST_FACTOR: i64 = 16;
 
-/// The entries of A(x,ε), including fill-in. Rows and columns are numbered in elimination order,
-/// entries row by row.
+/// The entries of A(x,ε) with fill-in, row by row; rows and columns in elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
     /// The variable eliminated at each turn.
@@ -80,10 +78,8 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces A by its LU factors: L left of the diagonal, the reciprocals of pivots on it. `row`
-    /// is scratch for one row.
-    ///
-    /// Returns `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
+    /// Replaces A by its LU factors, with reciprocal pivots; `row` is scratch for one row. Returns
+    /// `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;

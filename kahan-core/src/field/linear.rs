@@ -2,8 +2,8 @@
 //!
 //! In: matrices whose size is part of the type. Out: solutions, determinants, products with the
 //! adjugate. [`solve`] and [`determinant`] use partial pivoting;
-//! [`determinant_and_adjugate_product`] only uses ring operations, so it has no poles. Only
-//! [`Scalar`] is required, without order or square root; only the scalar's own operations allocate.
+//! [`determinant_and_adjugate_product`] only uses ring operations, so it has no poles. Only the
+//! scalar's own operations allocate.
 
 use core::array::from_fn;
 
@@ -31,7 +31,6 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
         let row = pivot_row(a, k);
         a.swap_rows(k, row);
         b.swap_rows(k, row);
-        // The pivot is not needed again, so its reciprocal replaces it.
         let reciprocal = a[(k, k)].reciprocal()?;
         for i in k + 1..N {
             let factor = a[(i, k)].clone() * reciprocal.clone();
@@ -193,7 +192,6 @@ fn subtract_row<T: Scalar, const N: usize, const M: usize>(
     }
 }
 
-/// Returns x̃ − x = 2ε·A(x,ε)⁻¹·f(x) by elimination.
 #[inline]
 pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     matrix: SMatrix<T, N, N>,

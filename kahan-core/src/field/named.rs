@@ -1,7 +1,6 @@
-//! Names and proved integrals of a generated system.
+//! Names and proved integrals of a generated system, for generic code.
 //!
-//! In: a map. Out: names in the order of the vectors' entries, and the values of integrals. Generic
-//! code uses these traits; code that knows the type uses its constants and inherent methods.
+//! In: a map. Out: names in the order of the vectors' entries, and the values of integrals.
 
 use nalgebra::SVector;
 

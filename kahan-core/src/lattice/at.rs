@@ -20,8 +20,7 @@ use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
-/// Made by [`LatticeMap::at`](super::LatticeMap::at). It owns the memory of a step, so steps
-/// allocate nothing.
+/// Made by [`LatticeMap::at`](super::LatticeMap::at). Steps do not allocate.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
@@ -67,8 +66,7 @@ impl<T: LatticeScalar> Memory<T> {
         }
     }
 
-    /// Takes `steps` steps in place, at the ε of `constants`. At a pole an exact scalar stops and
-    /// keeps the last state.
+    /// Takes `steps` steps at the ε of `constants`; an exact scalar stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -95,8 +93,7 @@ impl<T: LatticeScalar> Memory<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = f(x), or with another right-hand side, by one elimination of the whole
-    /// chain.
+    /// Solves A(x,ε)·w = f(x), or = `right`, by one elimination of the whole chain.
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -128,7 +125,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Self::planned(map, eps, sites, partition)
     }
 
-    /// Prepares a chain with this partition, or none.
     pub(super) fn planned(
         map: M,
         eps: T,
@@ -166,7 +162,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         self.form.sites
     }
 
-    /// Returns the family.
     pub(super) fn map(&self) -> &M {
         &self.map
     }
@@ -176,8 +171,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps by one elimination of the whole chain: all steps of a short
-    /// chain, and those of a long chain with too small a pivot in a part.
+    /// Returns the number of steps by one elimination of the whole chain: those of short chains,
+    /// and of long ones with too small a pivot in a part.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
@@ -208,17 +203,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes one step with a bound on its backward error, in place; on an error the state is
-    /// unchanged.
+    /// Takes one step with a bound on its backward error; on an error the state is unchanged.
     ///
     /// `Ok` means |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i, proved for this
     /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the given floats, and k is the
     /// number of entries in the row of A. An exact scalar's step is exact.
     ///
     /// # Errors
-    /// At a pole, if x̃ is not finite or out of range, and if neither two refinements nor, in
-    /// chains of up to 4096 numbers, an elimination over many digits reaches the bound. That
-    /// elimination allocates.
+    /// At a pole, if the state or x̃ is not finite, and if neither two refinements nor (up to 4096
+    /// numbers) an allocating elimination over many digits reach the bound.
     ///
     /// # Panics
     /// If the state does not have this chain's length.
@@ -302,8 +295,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes `steps` steps in place; after each, calls `visit` with its number, from 1 on, and the
-    /// state.
+    /// Takes `steps` steps; after each, calls `visit` with its number, from 1 on, and the state.
     ///
     /// # Panics
     /// As [`step`](Self::step).
@@ -317,10 +309,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     /// Returns the componentwise backward error of `next` as the step from `x`: the largest
     /// component of
-    /// |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|).
+    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
     ///
     /// The numerator is 2ε times the defining equation of Kahan's map; with b = x + εBx + 2εc it is
-    /// |A x̃ − b|. Over an exact scalar the result is 0 only for the step. A NaN is returned as it occurs.
+    /// |A x̃ − b|. Over an exact scalar the result is 0 only for the step. A NaN is returned as it
+    /// occurs.
     ///
     /// # Panics
     /// If a state does not have this chain's length.
@@ -387,7 +380,6 @@ fn own<T>(memory: &mut Mutex<T>) -> &mut T {
     memory.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Uses a workspace owned by the caller, so any number of threads can share a map.
 impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;

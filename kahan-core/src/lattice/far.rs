@@ -1,7 +1,6 @@
 //! The step of a chain with entries or pivots beyond the range of its scalar.
 //!
-//! In: a state and ε. Out: x̃, by one elimination over long numbers, without a judgement of its
-//! error.
+//! In: a state and ε. Out: x̃, by one elimination over long numbers, not yet judged.
 
 use std::vec::Vec;
 

@@ -2,10 +2,9 @@
 //!
 //! In: the rows of a square system, one at a time, in the requested order. Out: the solution. A
 //! cyclic band of half-bandwidth h is an open one of 2h in the *folded* order 0, n−1, 1, n−2, ….
-//! Only U and the right-hand side are stored; candidate pivot rows lie in a moving window. Entries
-//! are added, so a ring shorter than its band is right, too. For rare use the memory is small: U is
-//! stored for one stretch of the chain, the window at the start of each; backwards, each stretch is
-//! eliminated again.
+//! Entries are added, so a ring shorter than its band is right, too. For rare use the memory is
+//! small: U is stored for one stretch of the chain, and each stretch is eliminated again in back
+//! substitution.
 
 use std::vec;
 use std::vec::Vec;
@@ -22,7 +21,6 @@ pub(super) enum Order {
 }
 
 impl Order {
-    /// Returns the unknown at a place in the order.
     fn unknown(self, place: usize, len: usize) -> usize {
         match self {
             Self::Folded if place % 2 == 1 => len - 1 - place / 2,
@@ -31,7 +29,6 @@ impl Order {
         }
     }
 
-    /// Returns the place of an unknown in the order.
     fn place(self, unknown: usize, len: usize) -> usize {
         match self {
             Self::Folded if unknown >= len.div_ceil(2) => 2 * (len - 1 - unknown) + 1,
@@ -41,7 +38,6 @@ impl Order {
     }
 }
 
-/// The workspace of an elimination.
 pub(super) struct Folded<T> {
     order: Order,
     len: usize,
@@ -51,8 +47,8 @@ pub(super) struct Folded<T> {
     width: usize,
     /// The number of places whose rows of U are stored at once.
     stretch: usize,
-    /// The `lower` + 1 rows from the current one on, each from the current place on, right-hand
-    /// side last.
+    /// The `lower` + 1 rows from the current one on, from the current place on, with right-hand
+    /// side.
     window: Vec<T>,
     /// The finished rows of a stretch, in the layout of the window.
     done: Vec<T>,
@@ -62,22 +58,18 @@ pub(super) struct Folded<T> {
     solution: Vec<T>,
 }
 
-/// A row under construction.
 pub(super) struct BandRow<'a, T> {
     order: Order,
     len: usize,
-    /// The place of the first entry.
     first: usize,
     entries: &'a mut [T],
 }
 
 impl<T: Scalar> BandRow<'_, T> {
-    /// Adds to the entry of an unknown.
     pub(super) fn add(&mut self, unknown: usize, value: T) {
         self.entries[self.order.place(unknown, self.len) - self.first] += value;
     }
 
-    /// Adds to the right-hand side.
     pub(super) fn add_right(&mut self, value: T) {
         if let Some(right) = self.entries.last_mut() {
             *right += value;
@@ -103,7 +95,6 @@ impl<T: Scalar> Folded<T> {
         let farthest = 2 * lower.max(upper);
         let (order, lower, upper) =
             if is_ring { (Order::Folded, farthest, farthest) } else { (Order::Natural, lower, upper) };
-        // No row reaches beyond the system.
         let (lower, upper) = (lower.min(len - 1), upper.min(len - 1));
         let (width, stretch) = ((lower + 1 + upper).min(len), stretch.min(len));
         let window = (lower + 1) * (width + 1);
@@ -162,13 +153,11 @@ impl<T: Scalar> Folded<T> {
         Some(())
     }
 
-    /// Returns the solution of the last call.
     pub(super) fn solution(&self) -> &[T] {
         &self.solution
     }
 
-    /// Eliminates a place of a stretch from the rows of the window: the pivot row moves to `done`,
-    /// the others move up.
+    /// Eliminates a place: moves the pivot row from the window to `done`, the others up.
     fn eliminate(&mut self, place: usize, rows: usize) -> Option<()> {
         let (width, stride) = (self.width, self.width + 1);
         let mut best = 0;
@@ -179,7 +168,6 @@ impl<T: Scalar> Folded<T> {
         }
         let pivot_row = &mut self.done[place * stride..][..stride];
         pivot_row.clone_from_slice(&self.window[best * stride..][..stride]);
-        // The place of the first row is free now.
         if best > 0 {
             let (first, others) = self.window.split_at_mut(best * stride);
             others[..stride].clone_from_slice(&first[..stride]);

@@ -1,10 +1,8 @@
-//! A family as a map of chains: names, conserved quantities, and equations, compiled or read at run
-//! time.
+//! A family as a map of chains: names, conserved quantities, and equations.
 //!
 //! In: prepared constants, the states of a site and its neighbours, their parameters. Out: the
 //! site's field and its rows of A(x,ε), over any scalar: a number, lanes of them, numbers with
-//! bounds. Families of the macro have their sizes in a type, so their kernels are compiled for
-//! these sizes.
+//! bounds.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::fmt::Debug;
@@ -43,22 +41,21 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     const SITE_PARAMETERS: &'static [&'static str] = &[];
 
-    /// The names of the linear integrals; empty for a family read at run time, whose reader has
-    /// them.
+    /// The names of the linear integrals; empty for a family read at run time.
     const INTEGRALS: &'static [&'static str] = &[];
     /// The name of H, if the family is ẋ = K∇H with a constant antisymmetric K.
     const HAMILTONIAN: Option<&'static str> = None;
 
-    /// Prepares the map at ε, half the time step, for a chain of `sites` sites, with all memory of
-    /// its steps.
+    /// Prepares the map at ε, half the time step, for a chain of `sites` sites, with all its
+    /// memory.
     ///
-    /// Every number of sites except 0 is valid: if a periodic chain is shorter than the stencil, a
-    /// site is its own neighbour, and its couplings add up.
+    /// If a periodic chain is shorter than the stencil, a site is its own neighbour, and its
+    /// couplings add up.
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. If only products of constants and parameters leave the range of T, there is a map: its
-    /// plain steps are not finite, its steps with a bound are unimpaired.
+    /// zero. If only constants leave the range of T, there is a map: its plain steps are not
+    /// finite, its steps with a bound are unimpaired.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -77,8 +74,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         self.at(eps_from_dt(dt), sites)
     }
 
-    /// The kernels for stepping in parts: a [`Stencil`] of the family's sizes, or a
-    /// [`Menu`](super::Menu).
+    /// The kernels: a [`Stencil`] of the family's sizes, or a [`Menu`](super::Menu).
     #[doc(hidden)]
     type Kernels: Kernels;
 

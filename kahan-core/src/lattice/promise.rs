@@ -1,10 +1,9 @@
 //! The step with a small backward error.
 //!
 //! In: a state and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-//! unknown i, or the reason for failure; A(x,ε) and b(x,ε) are exact at the given floats, and k is
-//! the number of entries in the row of A. Residuals in wider numbers with error bounds (still wider
-//! for very small numbers) refine a step at most twice. With d = x̃ − x the residual b − A·x̃ is
-//! 2εf − A·d, and b is A·x + 2εf.
+//! unknown i, or the reason for failure; k is the number of entries in the row of A. Residuals in
+//! wider numbers with error bounds refine a step at most twice. With d = x̃ − x the residual b −
+//! A·x̃ is 2εf − A·d, and b is A·x + 2εf.
 
 use core::cell::Cell;
 use std::vec;
@@ -20,10 +19,8 @@ use super::scalar::Judge;
 use super::sites::Site;
 use super::{LatticeMap, LatticeScalar};
 
-/// The largest number of refinements of a step.
 pub(super) const REFINEMENTS: usize = 2;
 
-/// The workspace of steps with a bound.
 pub(super) struct Promise<T: LatticeScalar> {
     /// `None` if a divisor of the constants is too small for these numbers; then only `far` judges.
     near: Option<Rows<T::Near>>,
@@ -37,14 +34,12 @@ pub(super) struct Promise<T: LatticeScalar> {
     pub(super) residual: Vec<T>,
 }
 
-/// The rows of a chain over bounded numbers.
 struct Rows<J> {
     eps: J,
     constants: Vec<J>,
     site: Site<J>,
 }
 
-/// The residual and the backward error of a row.
 struct Rest<T> {
     /// b − A·x̃, rounded.
     residual: T,
@@ -79,8 +74,7 @@ impl<T: LatticeScalar> Promise<T> {
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
-    /// Returns an upper bound of the backward error of `next` in units of (k + 8)·u, infinite if
-    /// unknown; stores the residual.
+    /// Bounds the backward error of `next` in units of (k + 8)·u and stores the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
@@ -112,8 +106,8 @@ impl<J: Scalar> Rows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes residual and backward error of `next` in the row of array b of the current site. No
-    /// input exceeds `largest`.
+    /// Computes residual and backward error in row b of the current site; no input exceeds
+    /// `largest`.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
         M: LatticeMap<T>,
@@ -139,7 +133,6 @@ impl<J: Scalar> Rows<J> {
     }
 }
 
-/// Returns the maximum of a size and the size of a number.
 fn larger<T: LatticeScalar>(size: f64, number: &T) -> f64 {
     let own = number.approximate().abs();
     if own <= size { size } else { own }

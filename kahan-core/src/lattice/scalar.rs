@@ -135,7 +135,6 @@ impl Solved for num_rational::BigRational {
     const UNIT: f64 = 0.0;
 }
 
-/// Exact numbers need no bounds.
 #[cfg(feature = "exact")]
 impl Judge<Self> for num_rational::BigRational {
     fn given(number: &Self) -> Self {

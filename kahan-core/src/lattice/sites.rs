@@ -1,7 +1,6 @@
 //! The equations at one site: gathers the neighbourhood, runs the equations, places the entries.
 //!
-//! In: a state and a site. Out: f and the rows of A(x,ε) there, each entry with its unknown. The
-//! equations may run over another scalar than the state's.
+//! In: a state and a site. Out: f and the rows of A(x,ε) there, each entry with its unknown.
 
 use std::vec;
 use std::vec::Vec;
@@ -19,20 +18,16 @@ pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isiz
     }
 }
 
-/// The neighbourhood of a site, and the results of its equations.
 pub(super) struct Site<L> {
-    /// The index of the site.
     i: usize,
     x: Vec<L>,
     c: Vec<L>,
-    /// Scratch for equations read at run time.
     registers: Vec<L>,
     f: Vec<L>,
     a: Vec<L>,
 }
 
 impl<L: Scalar> Site<L> {
-    /// Allocates for the sites of a family.
     pub(super) fn of(sizes: Sizes) -> Self {
         let Sizes { block, parameters, registers, .. } = sizes;
         let seen = 2 * sizes.reach + 1;
@@ -47,8 +42,7 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i; `convert` and `given` convert states and parameters to
-    /// L.
+    /// Gathers the neighbourhood of site i, states by `convert` and parameters by `given`.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
@@ -76,7 +70,6 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Computes the densities of the site gathered last.
     pub(super) fn densities<M: LatticeMap<T>, T: LatticeScalar>(
         &mut self,
         map: &M,
@@ -103,13 +96,11 @@ impl<L: Scalar> Site<L> {
         map.rows(constants, &self.x, &self.c, &mut self.registers, &mut self.f, &mut self.a);
     }
 
-    /// Returns f of array b.
     pub(super) fn f(&self, b: usize) -> &L {
         &self.f[b]
     }
 
-    /// Iterates over the entries of the row of array b with their unknowns; omits those beyond the
-    /// ends of an open chain.
+    /// Iterates over the entries of row b with their unknowns, without those beyond open ends.
     pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,
@@ -128,8 +119,7 @@ impl<L: Scalar> Site<L> {
         })
     }
 
-    /// Iterates over the entries of the row of array b of A, each unknown once: on a ring shorter
-    /// than the stencil several entries are added.
+    /// Iterates over the entries of row b of A, each unknown once (short rings add several).
     pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

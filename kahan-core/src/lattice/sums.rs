@@ -1,8 +1,7 @@
 //! Conserved quantities of a family, as sums over all sites.
 //!
-//! In: a state. Out: linear integrals, the energy, and the modified energy that the map conserves.
-//! The sums are compensated (A. Neumaier, ZAMM 54 (1974) 39–51), so a visible drift is due to the
-//! map.
+//! In: a state. Out: linear integrals, the energy, and the modified energy that the map conserves,
+//! by compensated sums (A. Neumaier, ZAMM 54 (1974) 39–51).
 
 use std::vec;
 use std::vec::Vec;
@@ -19,8 +18,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         M::INTEGRALS
     }
 
-    /// Returns the linear integrals of the map, which the macro has proved for every number of
-    /// sites.
+    /// Returns the linear integrals, which the macro has proved for every number of sites.
     ///
     /// # Panics
     /// If the state does not have this chain's length.
@@ -32,8 +30,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         totals.into_iter().map(Total::sum).collect()
     }
 
-    /// Evaluates the densities of every site, over the scalar to which `convert` takes a state's
-    /// entry.
+    /// Evaluates the densities of every site over L.
     fn for_each_site<S, L: Scalar + FromScalar<T>>(
         &self,
         x: &[S],
@@ -55,8 +52,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     /// Returns H(x), which the flow conserves but the map does not.
     ///
-    /// For a family without a Hamiltonian the call fails in `cargo build`, but passes `cargo
-    /// check`.
+    /// A call for a family without a Hamiltonian fails in `cargo build`, not in `cargo check`.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -104,7 +100,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
-/// A scalar for equations over values of T.
 trait FromScalar<T> {
     fn from_scalar(value: &T) -> Self;
 }
@@ -144,7 +139,6 @@ impl<T: LatticeScalar> Total<T> {
         self.sum = sum;
     }
 
-    /// Returns the compensated sum.
     pub(super) fn sum(self) -> T {
         // The compensation of an infinite sum is NaN.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }

@@ -1,7 +1,6 @@
-//! A map prepared at a fixed ε.
+//! A map prepared at a fixed ε: owns the map, ε and the constants that depend only on them.
 //!
-//! In: a map and ε, once. Out: steps that take only a state. A prepared map owns the map, ε and the
-//! constants that depend only on them. It borrows nothing, allocates nothing and holds no `dyn`.
+//! In: a map and ε, once. Out: steps that take only a state, without allocation or `dyn`.
 
 use core::fmt;
 
@@ -16,8 +15,7 @@ use super::{KahanMap, Orbit, Pivot};
 /// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
 ///
 /// Everything that depends only on ε and the parameters is computed once. Quotients remain in the
-/// step, so that a zero denominator shows as a pole. The type can be named, for example in a
-/// struct:
+/// step, so that a zero denominator shows as a pole. The type can be named, for example in a field:
 ///
 /// ```
 /// use kahan_core::KahanAt;
@@ -136,7 +134,6 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> Step for KahanAt<M, T, N> {
     }
 }
 
-/// Compares map and ε, which determine the prepared step.
 impl<M: KahanMap<T, N> + PartialEq, T: Scalar, const N: usize> PartialEq for KahanAt<M, T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.map == other.map && self.eps == other.eps

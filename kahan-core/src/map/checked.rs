@@ -1,15 +1,13 @@
 //! The checked step: the `try_step` of maps written by hand and of exact scalars.
 //!
-//! In: a point, ε, and the fast step. Out: a finite x̃, or the reason for failure. If the fast step
-//! leaves the scalar's range, elimination with partial pivoting follows, whose intermediate numbers
-//! stay near the size of the input. Neither gives a bound on the error.
+//! In: a point, ε, and the fast step. Out: a finite x̃ without an error bound, or the reason for
+//! failure. If the fast step leaves the scalar's range, elimination with partial pivoting follows.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::field::linear::{determinant, increment_by_elimination};
 use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep};
 
-/// Computes x̃ by the fast step `prepared`, or by elimination.
 pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     prepared: &M::Prepared,
@@ -54,13 +52,11 @@ fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
         && !map.field_at(x, eps).iter().all(T::is_zero)
 }
 
-/// Returns x + increment.
 fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, N>) -> SVector<T, N> {
     SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
-/// Returns whether elimination cannot overflow: with partial pivoting entries grow at most by the
-/// factor 2ᴺ⁻¹.
+/// Returns whether elimination cannot overflow: partial pivoting grows entries by at most 2ᴺ⁻¹.
 fn can_eliminate<T: Pivot, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     matrix.iter().all(|entry| {
         let grown = (1..N).fold(entry.clone(), |size, _| size.clone() + size);

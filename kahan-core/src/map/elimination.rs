@@ -1,8 +1,8 @@
 //! The step by elimination, for maps without a closed form.
 //!
 //! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state.
-//! The step suits every field, written by hand or too large to be reduced while compiling. At det
-//! A(x,ε) = 0 the step has no value, although the reduced map may have one.
+//! The step suits every field. If det A(x,ε) = 0 it has no value, although the reduced map may have
+//! one.
 
 use nalgebra::SVector;
 
@@ -65,7 +65,6 @@ impl<M, T> Elimination<M, T> {
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> PreparedStep<T, N> for Elimination<M, T> {
     type Wide<L: Scalar> = NoLanes;
 
-    /// Returns `None` at det A(x,ε) = 0, for a scalar without a reciprocal of zero.
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Self { map, eps } = self;

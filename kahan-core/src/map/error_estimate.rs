@@ -1,8 +1,7 @@
 //! Error estimates of steps and orbits relative to the flow.
 //!
-//! In: points of an orbit. Out: the leading term of the time discretisation error, without a
-//! reference solution. It is an estimate, not a bound: rounding and higher-order terms are
-//! excluded.
+//! In: points of an orbit. Out: the leading term of the time discretisation error, an estimate
+//! without rounding and higher-order terms, and without a reference solution.
 
 use core::array::from_fn;
 
@@ -19,11 +18,10 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     ///
     ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x; it needs no linear system and
-    /// has no poles. If coefficients depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the
-    /// estimate from x̃ raises the order to 3 but loses the structure of the map.
-    ///
-    /// Cost: f, f′ and Q once, and two products with f′.
+    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles. If
+    /// coefficients depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the estimate from x̃
+    /// raises the order to 3 but loses the structure of the map. Cost: f, f′ and Q once, and two
+    /// products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -45,8 +43,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     }
 }
 
-/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf; if coefficients depend on ε, plus 2ε(f at ε
-/// − f at 0).
+/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf, plus 2ε(f at ε − f at 0).
 fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
@@ -86,8 +83,7 @@ pub struct Estimated<T, const N: usize> {
     pub error: SVector<T, N>,
 }
 
-/// An orbit with an estimate of its error beside each point; made by
-/// [`Orbit::with_error_estimate`].
+/// An orbit with error estimates; made by [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
@@ -98,18 +94,15 @@ pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: u
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Adds to each point an estimate of its error relative to the flow through the next point
-    /// yielded, whose error is 0.
+    /// Adds estimates of the error relative to the flow through the next point, whose error is 0.
     ///
     /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the recurrence is
     ///
     ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
     ///
-    /// Errors are carried along by the linearised map; half of each local error counts at either
-    /// end of its step. At a fixed time the error is O(ε²) and the estimate is off by O(ε⁴), while
-    /// the error stays small compared with the scale on which φ′ changes. Rounding is excluded.
-    ///
-    /// Cost: about three steps per step: a tangent vector, and f, f′ and Q.
+    /// At a fixed time the error is O(ε²) and the estimate is off by O(ε⁴), while the error stays
+    /// small compared with the scale on which φ′ changes. Rounding is excluded. Cost: about three
+    /// steps per step.
     ///
     /// ```
     /// use kahan_core::prelude::*;

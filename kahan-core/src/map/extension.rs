@@ -1,8 +1,7 @@
 //! Systems converted to another scalar.
 //!
-//! In: a system with parameters of one scalar, and a conversion of numbers. Out: the system over
-//! the other scalar. This repeats a step in a wider precision, in dual numbers, or with an error
-//! bound beside each value.
+//! In: a system, and a conversion of its parameters to another scalar. Out: the system over that
+//! scalar, for steps in a wider precision, in dual numbers, or with error bounds.
 
 use nalgebra::SVector;
 
@@ -35,11 +34,13 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// are exact numbers, which every scalar rounds by itself.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
-    /// Carries the tangent vector `v` from `x` to x̃ = `y`: returns J(x)·v; `None` at a pole of an
-    /// exact scalar.
+    /// Returns J(x)·v, for x̃ = `y`; `None` at a pole of an exact scalar.
     ///
-    /// If det A is zero only at poles, the macro generates the solution of A(x,ε)·(ṽ − v) = 2ε
-    /// f′((x + x̃)/2)·v. Other maps differentiate their step and ignore `y`.
+    /// If det A is zero only at poles, the macro generates the solution of
+    ///
+    ///   A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v
+    ///
+    /// Other maps differentiate their step and ignore `y`.
     #[doc(hidden)]
     #[inline(always)]
     fn carry_tangent(

@@ -2,8 +2,8 @@
 //!
 //! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the
 //! linear system A·x̃ = b, Jacobians, determinants, orbits. Every step runs through a prepared
-//! step, which knows ε and the parameters: code from the macro, or elimination. All other methods
-//! have defaults for any field; the macro overrides those with a known closed form.
+//! step: code from the macro, or elimination. All else has defaults for any field; the macro
+//! overrides some of them.
 
 mod at;
 mod checked;
@@ -54,14 +54,14 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 ///
 /// # Poles
 /// The map is the *reduced* rational map: numerators and denominators have no common factor. At a
-/// pole this map has no value. There a float result is not finite, and an exact scalar panics. Two
-/// methods report poles instead: [`try_step`](Self::try_step) returns an error, and an [`Orbit`]
-/// ends. If det A(x,ε) = 0 but the reduced map has a value, steps and Jacobian use that value.
-/// Fields too large to be reduced while compiling, including all of more than eight variables, have
-/// a pole wherever det A = 0.
+/// pole this map has no value. There a float result is not finite, and an exact scalar panics, but
+/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0
+/// but the reduced map has a value, steps and Jacobian use that value. Fields too large to be
+/// reduced while compiling, including all of more than eight variables, have a pole wherever det A
+/// = 0.
 ///
 /// # Range
-/// If a denominator overflows, a float step may be wrong without notice. Only `try_step` detects
+/// If a denominator overflows, a float step may be wrong without notice; only `try_step` detects
 /// this.
 ///
 /// ```
@@ -85,8 +85,8 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// The step at a known ε, with everything computed that depends only on ε and the parameters.
     ///
-    /// The macro generates its own type. A map written by hand can use [`Elimination<Self,
-    /// T>`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
+    /// The macro generates a type. A map written by hand can use
+    /// [`Elimination`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
     type Prepared: PreparedStep<T, N>;
 
     /// Prepares the step at ε; an orbit and [`at`](Self::at) call this once.
@@ -124,8 +124,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.polarized(x, y)
     }
 
-    /// Returns A(x,ε) = I − εf′(x), the matrix of A(x,ε)·x̃ = b(x,ε), with the coefficients of f at
-    /// ε.
+    /// Returns the matrix A(x,ε) = I − εf′(x), with the coefficients of f at ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
@@ -134,7 +133,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         })
     }
 
-    /// Returns b(x,ε) = x + εBx + 2εc, the right-hand side of A(x,ε)·x̃ = b(x,ε).
+    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc.
     fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         let origin = SVector::from_fn(|_, _| T::zero());
         // ½Bx + c
@@ -146,9 +145,9 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Returns x̃, the state after one time step 2ε.
     ///
     /// Fields of ordinary size use the reduced closed form with one or two divisions. Away from
-    /// poles its error is of the order of the scalar's rounding unit while ‖ε f′(x)‖ is not much
-    /// above 1. For longer steps the error is about that of elimination with pivoting up to ‖ε
-    /// f′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
+    /// poles its error is of the order of the scalar's rounding unit while ‖εf′(x)‖ is not much
+    /// above 1. For longer steps the error is about that of elimination with pivoting up to
+    /// ‖εf′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
     ///
     /// Over floats a closed form takes the same operations at every point, without tests or
     /// allocations. Some fields have a faster form that divides by ε, used for |ε| from 2⁻⁶⁴ to 2⁶⁴
@@ -177,26 +176,21 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
     /// for x, ε and the parameters as given; u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
-    /// [`Dd`](crate::Dd). Every call establishes the bound by computing an error bound beside each
-    /// value: first in the scalar's own precision, if necessary in the next (`f64` for `f32`,
-    /// [`Dd`](crate::Dd) for `f64`), then in 17 digits of 64 bits at arbitrary positions, without
-    /// overflow. If terms are a thousand powers of ten apart, elimination over up to 256 such
-    /// digits follows; it takes milliseconds, allocates, and needs `std`. Ordinary points get the
-    /// bits of [`step`](Self::step) at little more than its cost; points near poles or far out cost
-    /// several times as much (times in `benches/results`). All other computations allocate nothing,
-    /// but in unoptimised builds wide numbers need stack space that grows with the number of
-    /// variables of a dense field.
+    /// [`Dd`](crate::Dd). Every call proves the bound by computing an error bound beside each
+    /// value: first in the scalar itself, if necessary in the next wider one, then in 17 digits of
+    /// 64 bits at arbitrary positions, without overflow. If terms are a thousand powers of ten
+    /// apart, elimination over up to 256 digits follows; it takes milliseconds, allocates, and
+    /// needs `std`. Ordinary points get the bits of [`step`](Self::step) at little more than its
+    /// cost; `benches/results` has the times. In unoptimised builds wide numbers need stack space
+    /// that grows with the number of variables.
     ///
     /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
-    /// error instead, proved likewise after at most two refinements, or after elimination over many
-    /// digits if numbers leave the range. With A and b exact at x, ε and the parameters as given,
-    /// and at most k entries in a row of A,
+    /// error instead, proved likewise. With at most k entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
     /// Exact scalars give the exact step. Maps written by hand and scalars of other crates get the
-    /// finite result of `step`, or of elimination with partial pivoting if `step` leaves the
-    /// scalar's range; that result has no bound.
+    /// finite result of `step`, or of elimination with partial pivoting, without a bound.
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, if x̃ is beyond the scalar's
@@ -209,9 +203,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// Does the work of [`try_step`](Self::try_step) with a prepared step; [`KahanAt`] calls it.
-    /// The macro overrides it by `stable_step`, whose result has a bound. This default serves maps
-    /// written by hand.
+    /// Takes a prepared step for [`try_step`](Self::try_step). The macro overrides this default,
+    /// which serves maps written by hand, by `stable_step`.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -225,8 +218,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         checked_step(self, prepared, x, eps)
     }
 
-    /// Applies the inverse map, which is the map with −ε: returns the state one time step 2ε
-    /// earlier.
+    /// Returns the state one time step 2ε earlier, by the inverse map, which is the map with −ε.
     ///
     /// # Panics
     /// For exact scalars, at a pole of the inverse map.
@@ -258,8 +250,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         determinant(self.jacobian(x, eps))
     }
 
-    /// Returns (N, D) = (adj A·b, det A), unreduced and without division: x̃ = N/D if D ≠ 0.
-    /// Defined everywhere.
+    /// Returns (N, D) = (adj A·b, det A) without division, defined everywhere: x̃ = N/D if D ≠ 0.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }

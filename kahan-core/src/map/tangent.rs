@@ -1,8 +1,7 @@
 //! Derivatives of one or several steps along a direction.
 //!
-//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by the linear
-//! system for J·v or by the closed form of the step over dual numbers. Products are never fused, so
-//! a vector has equal bits at every instruction set level and in every build.
+//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by its linear
+//! system or by a step over dual numbers. Products are never fused, so all builds give equal bits.
 
 use core::array::from_fn;
 
@@ -12,8 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::Along;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
-/// Returns J·v for the composition of `stages`, maps with their ε; `None` at a pole of an exact
-/// scalar.
+/// Returns J·v of consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
 #[inline(always)]
 pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -48,7 +46,6 @@ pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usiz
     map.carry_tangent(eps, &x, next, &v)
 }
 
-/// Steps dual numbers.
 #[inline(always)]
 fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
@@ -64,7 +61,6 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     Some(along)
 }
 
-/// Returns x̃ computed with unfused products.
 #[inline(always)]
 fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
@@ -75,7 +71,6 @@ fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     Some(vector(from_fn(|i| next[i].value.clone())))
 }
 
-/// Returns J(x)·v by one step over dual numbers.
 #[inline(always)]
 pub(super) fn carry_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,

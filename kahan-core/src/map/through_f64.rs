@@ -20,15 +20,12 @@ use crate::{Step, Stopped, Workspace};
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
-/// Away from poles the error of the `f64` step is about 10⁻⁸ of half an `f32` ulp, so x̃ is the
-/// `f32` nearest to the exact x̃, except for about one component in 10⁷ close to the middle between
-/// two floats. Near a pole both figures grow with the condition number of the step. In an orbit
-/// each step waits for the conversions: the step takes longer than in `f64` (see
-/// `benches/results`), but the state needs half the memory. An [`Ensemble`](crate::Ensemble) runs
-/// this map one trajectory at a time.
-///
-/// All modes of an orbit support this map. A compensated orbit rounds the increment with the carry
-/// once. A plain orbit still rounds each point to `f32`, which makes integrals drift as in `f32`.
+/// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷
+/// close to the middle between two floats; near a pole this rate grows with the condition number of
+/// the step. In an orbit each step waits for the conversions, which takes longer than a step in
+/// `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this map one trajectory at
+/// a time. A compensated orbit rounds the increment with the carry once; a plain orbit rounds each
+/// point to `f32`, which makes integrals drift as in `f32`.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -57,7 +54,6 @@ pub struct ThroughF64<M>(
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepThroughF64<S> {
     step: S,
-    /// ε of the step, rounded to `f32`.
     eps: f32,
 }
 
@@ -65,9 +61,7 @@ pub struct StepThroughF64<S> {
 impl ThroughF64<()> {
     /// Runs any step over `f64` on `f32` states: a chain, a map read at run time, a `&dyn
     /// Step<Scalar = f64>`. ε and parameters stay `f64`; [`eps`](Step::eps) returns the rounded ε.
-    ///
-    /// Cost: each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one `f64`
-    /// state.
+    /// Each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one `f64` state.
     pub fn of_step<S: Step<Scalar = f64>>(step: S) -> StepThroughF64<S> {
         let eps = *step.eps() as f32;
         StepThroughF64 { step, eps }
@@ -121,12 +115,10 @@ fn rounded<const N: usize>(x: &SVector<f64, N>) -> SVector<f32, N> {
 }
 
 impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF64Step<P> {
-    /// The cost of the step in `f64`.
     const COST: StepCost = P::COST;
 
     type Wide<L: Scalar> = NoLanes;
 
-    /// Returns the increment, rounded once.
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
         let increment = self.increment(x)?;
@@ -174,7 +166,6 @@ impl<M: QuadraticField<f32, N>, const N: usize> QuadraticField<f32, N> for Throu
 }
 
 impl<M> ThroughF64<M> {
-    /// Returns the map over `f64` with the converted parameters.
     fn wide<const N: usize>(&self) -> M::Extended<f64>
     where
         M: ExtendScalars<f32, N>,
@@ -183,8 +174,7 @@ impl<M> ThroughF64<M> {
     }
 }
 
-/// Step, Jacobian and determinants are computed in `f64` and rounded once; the field is evaluated
-/// in `f32`.
+/// Computes step, Jacobian and determinants in `f64` with one rounding, all else in `f32`.
 impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M> {
     type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 
@@ -193,8 +183,7 @@ impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M
         ThroughF64Step(self.wide().prepare(&f64::from(*eps)))
     }
 
-    /// Rounds the step of `f64` and its bound once; adds an error for results beyond the range of
-    /// `f32`.
+    /// Rounds the step of `f64`; a result beyond the range of `f32` is an error.
     fn try_prepared(
         &self,
         prepared: &Self::Prepared,

@@ -50,7 +50,6 @@ impl Pattern {
     }
 }
 
-/// Returns a pseudorandom number below 2³² (D. E. Knuth's multiplier).
 fn random(seed: &mut u64) -> u64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     *seed >> 32
@@ -62,7 +61,6 @@ fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
         for (divisor, block) in [(2, 1), (n, 1), (n, 6), (n / 3 + 1, 40)] {
             let coupled: Vec<bool> =
                 (0..n * n).map(|_| random(&mut seed).is_multiple_of(divisor as u64)).collect();
-            // Variables of a block have equal couplings, so rows become panels.
             let group = |i: usize| i / block * block;
             let pattern = Pattern::of(n, |i, j| coupled[group(i) * n + group(j)] || group(i) == group(j));
             let couplings = pattern.couplings();
@@ -91,7 +89,6 @@ fn panels_have_the_bits_of_rows() {
     factors_are_those_of_rows(|number| number as f32);
 }
 
-/// Returns a square lattice of variables, each coupled to its neighbours.
 fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }

@@ -5,10 +5,8 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-/// The bytes of a cache line.
 const LINE: usize = 64;
 
-/// Numbers that begin at a cache line.
 pub(super) struct Buffer<T> {
     entries: Vec<T>,
     start: usize,

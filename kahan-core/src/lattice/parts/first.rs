@@ -1,8 +1,8 @@
 //! The first pass: eliminates the interiors and leaves the Schur complements of the separators.
 //!
 //! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows of 2S
-//! + 1 numbers, S = R·B, and the largest multiplier of these rows. The rows of the separator to the
-//! right come first, and in each row the columns of that separator.
+//! + 1 numbers, S = R·B, and their largest multiplier. Rows and columns of the right separator come
+//! first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -18,7 +18,6 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::window::{Window, WindowRow};
 
-/// The first pass over some groups.
 pub(in crate::lattice) struct First<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
@@ -50,8 +49,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let First { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final dense system of a part: the last interior columns, the separator to the right,
-        // the one to the left, right-hand sides.
+        // The final system: last interior columns, right separator, left separator, right-hand
+        // side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(joints::size(s));
@@ -98,8 +97,7 @@ impl<
                 }
             }
             for r in 0..R {
-                // Of the right separator's rows only the couplings to the interior; the rest
-                // belongs to the next part.
+                // Only the couplings to the interior; the rest belongs to the next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -161,7 +159,6 @@ struct Rest<'a, T> {
     dense: &'a mut [T],
     first: usize,
     rows: usize,
-    /// The number of parts side by side.
     width: usize,
 }
 

@@ -1,8 +1,7 @@
 //! Parts of a group, side by side in lanes: gathered from the state, and scattered back.
 //!
-//! In: the positions of the parts. Out: their sites in turn, one register per array. On either side
-//! of an interior are its separator and R more sites, which the separator's rows use. Kernels of
-//! all sizes share one version per instruction set level.
+//! In: the positions of the parts. Out: their sites in turn, one register per array, with the
+//! separator and R more sites on either side.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
@@ -16,7 +15,6 @@ pub(super) struct Parts {
     pub(super) start: usize,
     /// The number of sites of each part, including its separator.
     pub(super) length: usize,
-    /// The number of parts.
     pub(super) width: usize,
 }
 
@@ -118,13 +116,11 @@ impl Parts {
     }
 }
 
-/// The rows of a matrix at a stride.
 struct Rows<N> {
     numbers: N,
     stride: usize,
 }
 
-/// Transposes a matrix.
 struct Transposed<'a, T> {
     rows: usize,
     columns: usize,
@@ -132,7 +128,6 @@ struct Transposed<'a, T> {
     to: Rows<&'a mut [T]>,
 }
 
-/// The side of a square block.
 const SIDE: usize = 4;
 
 #[expect(

@@ -11,8 +11,7 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest permitted ratio of an entry of a separator's row to its pivot: 2¹⁰ costs three of
-/// sixteen digits.
+/// The largest ratio of a separator's entry to its pivot: 2¹⁰ costs three of sixteen digits.
 const GROWTH: i64 = 1 << 10;
 
 /// Returns the numbers per part, for separators of this many unknowns: rows and largest multiplier.

@@ -1,7 +1,6 @@
 //! The kernels of the passes, selected by the sizes of a family, and their division among threads.
 //!
-//! In: a pass. Out: its result on the lanes of a level. A group's numbers depend on no other group,
-//! so threads change no bit.
+//! In: a pass. Out: its result on a level's lanes. Groups are independent: threads change no bit.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -16,8 +15,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second::Second;
 
-/// Divides groups and their numbers among threads, each with its own scratch; `place` returns the
-/// offset of a group's numbers.
+/// Divides groups and their numbers among threads; `place` returns a group's offset.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -44,14 +42,12 @@ pub(super) fn divide<T: Send>(
 #[cfg(feature = "parallel")]
 use rayon::join;
 
-/// Without threads one scratch exists, and `divide` never calls this.
 #[cfg(not(feature = "parallel"))]
 fn join(first: impl FnOnce(), second: impl FnOnce()) {
     first();
     second();
 }
 
-/// One of the two passes over some groups.
 pub(in crate::lattice) enum Pass<'a, M, T> {
     First(First<'a, M, T>),
     Second(Second<'a, M, T>),
@@ -59,17 +55,14 @@ pub(in crate::lattice) enum Pass<'a, M, T> {
 
 /// The kernels of chains of some sizes: one kernel, or a menu.
 pub(in crate::lattice) trait Kernels {
-    /// Returns whether these sizes have a kernel.
     fn have(sizes: Sizes) -> bool;
 
-    /// Runs a pass on the lanes of a level.
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
         M: LatticeMap<T>,
         T: LatticeScalar + InLanes;
 }
 
-/// A pass by the kernel of a stencil.
 pub(super) struct By<S, W>(pub(super) W, PhantomData<S>);
 
 impl<
@@ -95,8 +88,7 @@ impl<
     }
 }
 
-/// Splits the parts of some groups into batches that fit the lanes, each with the index of its
-/// first part.
+/// Splits the parts of some groups into batches of `width`, with the index of the first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,

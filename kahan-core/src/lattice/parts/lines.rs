@@ -19,20 +19,18 @@ pub struct SiteLine<L, const B: usize, const SITES: usize> {
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites gathered side by side, one register per entry of `x` and `c`; their equations are
-/// requested one after another.
+/// Sites gathered side by side, one register per entry; their equations are requested in order.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
     /// The constants of the lines.
     pub constants: &'a [T],
-    /// The first C constants, each spread over all lanes.
     pub(in crate::lattice) spread: [L; C],
     /// States, site by site.
     pub x: &'a [T],
     /// Parameters, site by site.
     pub c: &'a [T],
-    /// Scratch for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) of the
-    /// widest registers.
+    /// Scratch for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast)
+    /// registers.
     pub registers: &'a mut [T],
     /// The instruction set level of the registers.
     pub level: Level,
@@ -104,8 +102,7 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without its entries to the left, which belong
-    /// to the previous part.
+    /// Returns a row of site r of the left separator, without the entries of the previous part.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

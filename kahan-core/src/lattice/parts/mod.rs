@@ -2,9 +2,8 @@
 //!
 //! In: a state. Out: the next state in place, or a refusal. The first pass eliminates every
 //! interior and reduces the separators' rows to a small banded system. From its solution the second
-//! pass computes the interiors. Separators' rows are no pivots of an interior: if such a row
-//! exceeds a pivot by far, digits would be lost, and the step is refused without a change of the
-//! state.
+//! pass computes the interiors. If a separator's entry exceeds a pivot by far, digits would be
+//! lost, and the step is refused.
 
 mod buffer;
 mod first;
@@ -37,11 +36,9 @@ pub(super) use partition::Partition;
 use scratch::Scratch;
 use second::Second;
 
-/// The workspace of steps in parts.
 pub(super) struct InParts<T> {
     partition: Partition,
     level: Level,
-    /// One scratch per thread.
     scratch: Vec<Scratch<T>>,
     /// The results of the first pass, part by part.
     joints: Vec<T>,
@@ -58,8 +55,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// Allocates a workspace; `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step; returns `false` and keeps the state if a pivot is too small or a number not
-    /// finite.
+    /// Takes one step; refuses with an unchanged state if a pivot is too small.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,
@@ -132,7 +128,6 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             return false;
         }
 
-        // The second pass moves the interiors.
         let (kept, gained, sites) = (&**kept, reduced.solution(), state.len() / block);
         let interiors = &mut state[..partition.start(partition.groups()) * block];
         divide(

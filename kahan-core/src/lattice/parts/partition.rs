@@ -1,15 +1,12 @@
-//! The division of a chain into parts.
+//! The division of a chain into parts, which determines the bits of a step.
 //!
 //! In: the number of sites, the reach, the lanes. Out: separators of R sites, each followed by an
 //! interior, in groups of as many parts as the widest register has lanes. All parts of a group have
-//! one length. At least R sites are left over and close the chain. Only these inputs matter, so the
-//! bits of a step depend on nothing else.
+//! one length. At least R sites are left over and close the chain.
 
-/// The intended length of a part in sites: long compared with its separator, short enough for a
-/// group to stay in a fast cache.
+/// The intended length of a part: long beside its separator, small enough for a fast cache.
 const LENGTH: usize = 256;
 
-/// The parts of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::lattice) struct Partition {
     sites: usize,
@@ -28,8 +25,7 @@ impl Partition {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites; `None` if parts would have fewer than
-    /// `least`.
+    /// Divides a chain into parts of about `about` sites; `None` if fewer than `least` each.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,
@@ -73,7 +69,6 @@ impl Partition {
         self.length(0)
     }
 
-    /// Returns the number of sites left over, at least R.
     pub(super) fn left_over(&self) -> usize {
         self.sites - self.start(self.groups)
     }

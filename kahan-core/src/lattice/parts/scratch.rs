@@ -9,13 +9,10 @@ use super::partition::Partition;
 
 /// Registers of the sites of a group of parts.
 pub(in crate::lattice) struct Scratch<T> {
-    /// The instruction set level of the registers.
     pub(super) level: Level,
     /// States, from R sites before the left separator to R after the right one.
     pub(super) x: Buffer<T>,
-    /// Parameters of the sites of `x`.
     pub(super) c: Buffer<T>,
-    /// Scratch for equations read at run time.
     pub(super) registers: Buffer<T>,
     /// The final dense system of the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,

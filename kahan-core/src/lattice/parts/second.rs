@@ -17,13 +17,11 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::window::{Window, WindowRow};
 
-/// The second pass over some groups.
 pub(in crate::lattice) struct Second<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
     pub(super) twice: &'a T,
-    /// States and solution at the sites of the reduced system.
     pub(super) kept: &'a [T],
     pub(super) gained: &'a [T],
     pub(super) sites: usize,
@@ -47,7 +45,6 @@ impl<
 > OverLanes<T> for By<Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>, Second<'_, M, T>>
 {
     type Output = ();
-    /// The rows of the window, without columns of the separator.
     const IS_SMALL: bool = is_small(LOWER, WIDTH);
 
     #[inline(always)]
@@ -76,7 +73,6 @@ impl<
             let mut sites = Gathered::<T, L, C>::new(constants, x, c, registers, level, 2 * R);
             let left: [[L; B]; R] = from_fn(|r| from_fn(|b| L::load(known, (r * B + b) * L::WIDTH)));
             let done = scratch.done.entries();
-            // The first finished rows are those of the identity.
             let mut sweep = Sweep { window: Window::<L, B, 0, LOWER, WIDTH>::new(), done, count: 0 };
             for i in 0..R {
                 let line = map.line::<L, B, P, C, SITES>(&mut sites);
@@ -130,7 +126,6 @@ impl<
 /// A running elimination of the interiors, without columns of the separator.
 struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, 0, LOWER, WIDTH>,
-    /// The finished rows, each with its right-hand side.
     done: &'a mut [T],
     count: usize,
 }

@@ -1,8 +1,8 @@
 //! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
 //!
 //! In: the rows of a band, one at a time. Out: for each the finished row, which begins with its
-//! pivot's reciprocal. Columns of the separator to the left and right-hand sides are carried along.
-//! All loops have constant lengths, so they are unrolled and every number has a register.
+//! pivot's reciprocal. All loops have constant lengths, so they are unrolled and every number has a
+//! register.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
@@ -13,7 +13,6 @@ pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usiz
     pub(super) band: [L; WIDTH],
     /// The entries in the columns of the separator to the left.
     pub(super) left: [[L; B]; R],
-    /// The right-hand side.
     pub(super) right: L,
 }
 
@@ -87,7 +86,6 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
     }
 }
 
-/// Exchanges two numbers in the lanes of a mask.
 #[inline(always)]
 fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
     (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
@@ -123,7 +121,6 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
             pivot.band[0] = L::one() / pivot.band[0];
             return pivot;
         };
-        // The first row serves as `pivot`; the others are compared with it.
         let mut row = row;
         for k in 1..LOWER {
             pivot.exchange_if_larger(&mut self.rows[k]);

@@ -14,8 +14,7 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// Returns A(x,ε) = I − ε f′(x), column by column: ½(f(x + e) − f(x − e)) = f′(x) e for a quadratic
-/// f.
+/// Returns A(x,ε) column by column, with f′(x) e = ½(f(x + e) − f(x − e)) for a quadratic f.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
     for j in 0..x.len() {
@@ -32,7 +31,6 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
     a
 }
 
-/// The outcomes of steps.
 #[derive(Debug, Default)]
 struct Tally {
     compared: u32,
@@ -85,7 +83,6 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
     tally.whole += in_parts.whole_eliminations();
 }
 
-/// Tests random numbers of sites, and ε from 10⁻⁶ to 10³.
 fn at_random<M: LatticeMap<f64>>(rounds: u32, sites: Range<usize>, map: impl Fn(usize, u64) -> M) {
     let mut tally = Tally::default();
     let rounds = if cfg!(miri) { 2 } else { rounds };
@@ -94,7 +91,6 @@ fn at_random<M: LatticeMap<f64>>(rounds: u32, sites: Range<usize>, map: impl Fn(
         let eps = 10f64.powf(9.0 * (bits >> 40) as f64 / (1_u64 << 24) as f64 - 6.0);
         agrees(&map(sites, bits), sites, eps, seed as u64, &mut tally);
     }
-    // Short chains are not cut into parts.
     let cut = sites.end > 25 * M::REACH && tally.whole < u64::from(tally.compared);
     let short = sites.end <= 25 * M::REACH && tally.whole == u64::from(tally.compared);
     assert!(cfg!(miri) || (tally.compared >= rounds / 2 && (cut || short)), "{tally:?}");

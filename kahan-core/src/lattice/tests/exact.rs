@@ -15,7 +15,6 @@ fn q(p: i64, d: i64) -> Q {
     Q::constant(&Constant::ratio(p, d))
 }
 
-/// Returns a state of small rationals with distinct neighbours.
 fn state(len: usize) -> Vec<Q> {
     (0..len as i64).map(|i| q(3 + (7 * i * i + 5 * i) % 11, 2 + (3 * i) % 5)).collect()
 }
@@ -78,7 +77,6 @@ where
     let mut succeeded = 0;
     for (round, eps) in [1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3].into_iter().enumerate() {
         let mut at = map.at(eps, sites).expect("sites");
-        // Entries have sizes from 1/4 to 4.
         let x: Vec<f64> = random(round as u64)
             .take(sites * <M as LatticeMap<f64>>::BLOCK)
             .map(|bits| {

@@ -106,7 +106,6 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
         boundary(OPEN)
     }
 
-    /// Returns 3/h, 1/(2h³), and ε times both.
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
         let inverse = convert(&self.inverse);
         let advection = L::constant(&Constant::integer(3)) * inverse.clone();
@@ -136,12 +135,10 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     }
 }
 
-/// An unstructured field: three arrays, offsets up to five, each derivative a sum of eight
-/// products.
+/// An unstructured field: three arrays, offsets up to five, eight products per derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
 
-/// Returns the indices of the two factors of a term of array b.
 const fn factors(b: usize, term: usize) -> (usize, usize) {
     let seed = 7 * b + 11 * term + 3;
     ((seed * seed + 5 * seed) % 33, (3 * seed * seed + 17) % 33)

@@ -6,7 +6,6 @@ mod exact;
 mod families;
 mod parts;
 
-/// The sum recovers terms that were rounded away beside a larger one.
 #[test]
 fn a_total_keeps_what_its_sum_lost() {
     let mut total = super::sums::Total::zero();
@@ -16,7 +15,6 @@ fn a_total_keeps_what_its_sum_lost() {
     assert_eq!(total.sum(), 2.0);
 }
 
-/// Returns pseudorandom numbers of 64 bits.
 fn random(seed: u64) -> impl Iterator<Item = u64> {
     (1_u64..).map(move |k| {
         let z = (seed ^ k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

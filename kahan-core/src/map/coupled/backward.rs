@@ -1,10 +1,9 @@
 //! The step with a small backward error, for more than eight variables.
 //!
 //! In: a point and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every row
-//! i, or the reason for failure; A(x,ε) and b(x,ε) are exact at the given floats, and k is the
-//! largest number of entries in a row of A. Elimination gives x̃; residuals with bounds on their
-//! own errors refine x̃ at most twice and prove the result. With d = x̃ − x the residual b − A·x̃
-//! is 2εf − A·d, whose terms are small with ε.
+//! i, or the reason for failure; k is the largest number of entries in a row of A. Residuals with
+//! bounds on their own errors refine x̃ at most twice and prove the result. With d = x̃ − x the
+//! residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
 
 use core::array::from_fn;
 
@@ -24,7 +23,6 @@ use crate::step::error::Reason;
 use super::formulas::Values;
 use super::{CoupledField, CoupledStep, Factors, zeros};
 
-/// The maximal number of refinements of a solution, for each elimination.
 const REFINEMENTS: usize = 2;
 
 /// The residual of a solution and its backward error.
@@ -35,7 +33,6 @@ struct Rest<T, const N: usize> {
     bound: f64,
 }
 
-/// Computes the step with a proved backward error.
 #[inline(never)]
 pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, N, P, M, S>,
@@ -53,7 +50,6 @@ where
     }
 }
 
-/// A step with the point at which its backward error is to be proved.
 struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
     step: &'a CoupledStep<K, T, N, P, M, S>,
     x: &'a [T; N],
@@ -64,13 +60,12 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
-    /// Returns the permitted backward error.
     fn promise() -> f64 {
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries elimination along the couplings, then partial pivoting. Each uses residuals by `rest`
-    /// and, if these prove too little, in wide numbers without overflow.
+    /// Tries elimination along the couplings, then partial pivoting, each with residuals by `rest`
+    /// and, if necessary, in wide numbers without overflow.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -129,8 +124,7 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// Computes x̃ by elimination over long numbers, for entries or pivots beyond the scalar's
-    /// range.
+    /// Computes x̃ by elimination over long numbers.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
@@ -155,8 +149,7 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// Writes A(x,ε) with rows scaled to size 1 and returns the scales. A single entry of a row
-    /// becomes exactly ±1 up to rounding, so that a component 0 stays 0.
+    /// Writes A(x,ε) with rows scaled to size 1 and returns the scales.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -170,7 +163,6 @@ where
         scales
     }
 
-    /// Replaces b by A⁻¹b.
     #[inline(never)]
     fn solve_scaled(&self, b: &mut SVector<T, N>) -> Option<()> {
         let mut matrix = zeros();
@@ -190,8 +182,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// Returns x̃ with the promised backward error, after refinement with residuals by `rest` or in
-    /// wide numbers; lowers `least` to the smallest error bound reached.
+    /// Returns x̃ after refinement, if its backward error is small enough; lowers `least` to the
+    /// smallest error bound reached.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],

@@ -1,15 +1,13 @@
 //! Formulas as tables in postfix notation, run by one loop.
 //!
 //! In: a table, parameters, a state. Out: the values of the formulas in order. Over bounded
-//! numbers, straight-line code of a large field would be larger than the rest of a crate and would
-//! run rarely, so a table replaces it. The macro evaluates deep operands first, which limits the
-//! stack depth.
+//! numbers, straight-line code of a large field would exceed the rest of a crate and run rarely.
+//! The macro evaluates deep operands first, which limits the stack depth.
 
 use core::array::from_fn;
 
 use crate::{Constant, Scalar};
 
-/// The largest number of stack entries of a formula.
 const DEEPEST: usize = 16;
 
 /// An instruction of a postfix table.
@@ -39,7 +37,6 @@ pub enum Postfix<'a> {
     Done,
 }
 
-/// Iterator over the values of the formulas, each computed on demand.
 pub(super) struct Values<'a, T> {
     rest: core::slice::Iter<'a, Postfix<'a>>,
     parameters: &'a [T],

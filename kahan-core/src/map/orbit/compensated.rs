@@ -47,10 +47,9 @@ pub trait Increments: Step {
 
 /// A map that carries the rounding errors of its points; see [`Orbit::compensated`].
 ///
-/// A state has twice the map's dimension: a point, then its carry. The orbit is at point + carry;
-/// the carry is at most about an ulp of the point or of the last increment, whichever is larger.
-/// The carry starts as zeros, as [`state`](Step::state) sets it. A [part](Step::part) of a step
-/// changes only the point.
+/// A state has twice the map's dimension: a point, then its carry, initially zero. The orbit is at
+/// point + carry; the carry is at most about an ulp of the point or of the last increment. A
+/// [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -134,21 +133,20 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     /// Continues this orbit with compensated summation of the state (Kahan): the rounding error of
-    /// each addition x + (x̃ − x) is carried into the next one.
+    /// each addition x + (x̃ − x) is carried into the next one. Points are yielded rounded to about
+    /// an ulp.
     ///
     /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
     /// error of its increment, O(ε)·u, so the integrals of the map drift less.
     ///
     /// Limits: increments are still rounded, always in the same way. Errors with a nonzero mean
     /// grow linearly: in `f32` this shows beyond about 10⁶ steps, in `f64` for an ε whose powers
-    /// round badly; [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field has such
-    /// a mean at any ε and gains little, because its increments are a constant matrix times the
-    /// state. Near a pole the increment itself is inaccurate.
+    /// round badly; [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field gains
+    /// little: its increments are a constant matrix times the state. Near a pole the increment
+    /// itself is inaccurate.
     ///
-    /// Each yielded point is rounded to about an ulp.
-    ///
-    /// Cost: seven operations per component, off the critical path of the next step;
-    /// `benches/results` has the times.
+    /// Cost: seven operations per component, off the critical path; `benches/results` has the
+    /// times.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -1,10 +1,9 @@
 //! Orbits as iterators.
 //!
 //! In: a map at its ε, and a first state. Out: x₀, x₁, …, each computed on demand (exact points
-//! grow, so one point too many can cost more than all before it). The map determines the step and
-//! anything carried beside a point, so a mode costs only its own computations. Poles cause no
-//! panic: an orbit over exact scalars ends and keeps the reason; over floats it continues with
-//! non-finite numbers.
+//! grow, so one point too many can cost more than all before it). A mode costs only its own
+//! computations. At a pole an orbit over exact scalars ends and keeps the reason; over floats it
+//! continues with non-finite numbers.
 
 mod compensated;
 #[cfg(feature = "std")]
@@ -23,12 +22,10 @@ pub use compensated::{Compensated, Increments};
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
-/// The orbit x₀, x₁, … of a map S at its ε, x₀ first; made by [`KahanMap::orbit`], and of any map
-/// by [`Orbit::new`].
+/// The orbit x₀, x₁, … of a map S at its ε; made by [`KahanMap::orbit`] or [`Orbit::new`].
 ///
-/// The orbit holds the prepared map, so everything that depends only on ε and the parameters is
-/// computed once. Each point is bit for bit the [step](Step::next) of the previous one. The modes
-/// are other types of this iterator:
+/// Everything that depends only on ε and the parameters is computed once. Each point is bit for bit
+/// the [step](Step::next) of the previous one. The modes are other types of this iterator:
 ///
 /// | mode | made by | map |
 /// |---|---|---|
@@ -38,8 +35,9 @@ pub use scaled::Scaled;
 /// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
 /// | of a chain, of a map read at run time, of a map chosen at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
 ///
-/// Carries are not yielded. [`projective`](Self::projective) turns a plain orbit into an iterator
-/// that continues through poles.
+/// Carries are not yielded. [`projective`](Self::projective) continues a plain orbit through poles.
+/// [`nth`](Iterator::nth) is as fast as a hand-written loop over
+/// [`KahanAt::step`](crate::KahanAt::step).
 ///
 /// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
@@ -54,10 +52,6 @@ pub use scaled::Scaled;
 ///
 /// up to terms of order u². On an orbit on a curve or torus errors grow at most in proportion to k,
 /// so the distance grows at most like n²; in chaotic regions both grow exponentially.
-///
-/// # Cost
-/// [`nth`](Iterator::nth) is as fast as a hand-written loop over
-/// [`KahanAt::step`](crate::KahanAt::step).
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
@@ -96,7 +90,6 @@ impl<S: Step> Orbit<S> {
         self.stopped.as_ref()
     }
 
-    /// Ends the orbit at a pole.
     pub(crate) fn stop(&mut self) {
         self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
     }

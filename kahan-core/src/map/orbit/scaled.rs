@@ -13,7 +13,6 @@ use super::{Compensated, Increments, Orbit};
 ///
 /// For homogeneous f the map has the symmetry (x, ε) ↦ (λx, ε/λ). So X = εx is stepped at ε = 1,
 /// and x = X/ε is yielded. A step then rounds neither ε nor its powers, only the parameters.
-/// Compositions are excluded, because their stages would reintroduce rounded coefficients.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<S: Step> {
@@ -26,9 +25,8 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> 
     ///
     /// For long runs at an ε whose powers round badly and cannot be replaced by a [short
     /// one](crate::nearest_short_eps). Unless ε is a power of two, each point has two more
-    /// roundings: of X = εx at the beginning and of x = X/ε at the end. These do not accumulate.
-    ///
-    /// Cost: one division per component of each yielded point.
+    /// roundings, which do not accumulate: X = εx and x = X/ε. Cost: one division per component of
+    /// each yielded point.
     ///
     /// ```
     /// use kahan_core::prelude::*;

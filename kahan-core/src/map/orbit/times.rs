@@ -12,15 +12,13 @@ use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 use super::Orbit;
 
 impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
-    /// Yields the states at these times, counted from the next point of this orbit; a step takes
-    /// 2ε.
+    /// Yields the states at these times from the next point on; a step takes 2ε.
     ///
     /// The state between two points results from the first by the map with a fraction of ε: it is
-    /// not on the orbit, and its distance from the flow is that of a step, O(ε³). The orbit itself
-    /// continues from point to point. Times should increase, or decrease if ε is negative. An
-    /// earlier time yields a state by a step backwards from the last point.
-    ///
-    /// Cost: for each time one step and its preparation, besides the steps of the orbit.
+    /// not on the orbit, and its distance from the flow is that of a step, O(ε³). Times should
+    /// increase, or decrease if ε is negative; an earlier time yields a state by a step backwards
+    /// from the last point. Cost: for each time one step and its preparation, besides the steps of
+    /// the orbit.
     ///
     /// ```
     /// use kahan_core::prelude::*;

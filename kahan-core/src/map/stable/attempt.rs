@@ -22,9 +22,8 @@ pub(super) struct Attempt<V: Number, const N: usize> {
 }
 
 impl<V: Number, const N: usize> Attempt<V, N> {
-    /// Runs the increment form, with the operations and bits of the fast step, over numbers
-    /// embedded in V. Returns `None` if a denominator may be zero, or if an input exceeds the limit
-    /// for underflow.
+    /// Runs the increment form over numbers embedded in V, with the bits of the fast step; `None`
+    /// if a denominator may be zero or an input exceeds the limit for underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: Pair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -46,7 +45,6 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 
-    /// Bounds the error of the step with these increments.
     #[inline(always)]
     pub(super) fn by_increments<P: Pair<V>>(
         x: &SVector<Bounded<V, P>, N>,
@@ -84,8 +82,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // With one reciprocal, the largest magnitude times the largest weight is the
-                // maximum.
+                // One reciprocal: the largest magnitude times the largest weight.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
@@ -108,8 +105,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         })
     }
 
-    /// Returns whether the error, plus a rounding to the unit of V, is less than `limit` times the
-    /// largest component.
+    /// Returns whether the error with one more rounding is below `limit` times the maximum norm.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
@@ -119,8 +115,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
             || (largest.is_zero() && self.error.is_zero())
     }
 
-    /// Rounds the next state to another scalar; `None` unless it is finite and within `limit` times
-    /// its largest component.
+    /// Rounds to another scalar; `None` unless finite and within `limit` times the maximum norm.
     pub(super) fn rounded<T: Pivot + Copy>(
         mut self,
         limit: f64,
@@ -145,7 +140,6 @@ impl<V: Number, const N: usize> Attempt<V, N> {
     }
 }
 
-/// Returns the largest magnitude.
 #[inline(always)]
 fn largest<V: Number, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
     let larger = |one, other| if other > one { other } else { one };

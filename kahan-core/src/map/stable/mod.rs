@@ -1,9 +1,7 @@
-//! The stable step: its error is at most 64 u of the largest component, or it returns an error
-//! value.
+//! The stable step, with an error of at most 64 u of the largest component, or an error value.
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. The kernel of the fast step runs over bounded values, first in the
-//! scalar's own precision, then in wider ones.
+//! the reason for failure. The kernel of the fast step runs over bounded values in these rungs:
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
@@ -50,7 +48,6 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     x: &SVector<T, N>,
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep> {
-    // Selected at compile time.
     if is::<T, f64>() {
         climb::<f64, M, T, N>(map, x, eps)
     } else if is::<T, f32>() {
@@ -64,9 +61,8 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
 
 /// Takes the rungs of F, a type identical to T: the first is inlined, the others are called.
 ///
-/// A called function works in memory. It gets a copy of the state, and x̃ is copied out of its
-/// result. So a loop's state and the x̃ of the first rung can stay in registers, and ordinary steps
-/// do not wait for memory.
+/// A called function works in memory. The state is copied for it and x̃ copied out, so a loop's
+/// state and the x̃ of the first rung can stay in registers.
 #[inline(always)]
 fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,

@@ -1,7 +1,7 @@
 //! The rungs: the values that each computes with, and the report if all fail.
 //!
-//! Each rung leaves the stack before the next is called: over wide numbers, and in unoptimised
-//! builds over any, a step of many operations needs hundreds of kilobytes.
+//! Each rung leaves the stack before the next is called: over wide numbers a step of many
+//! operations needs hundreds of kilobytes.
 
 #[cfg(feature = "std")]
 use core::array::from_fn;
@@ -31,7 +31,6 @@ pub(super) const PROMISE: f64 = 63.0;
 /// leaves processor units idle, so magnitudes cost no time, and packing would delay the values.
 const SHORT: u32 = 36;
 
-/// Runs the first rung, in the scalar's own precision.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -44,18 +43,15 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usi
     } else {
         Attempt::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
-    // Without `filter`, which moves the attempt through memory and would delay each step of an
-    // orbit.
+    // Without `filter`, which would move the attempt through memory and delay each step.
     match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
 }
 
-/// Runs the first rung for steps divided by ε, at an ε outside of the permitted range, in the
-/// general form.
-///
-/// In separate code for each form, the number of roundings is known at compile time.
+/// Runs the first rung in the general form, for an ε not permitted for division. Separate code
+/// keeps the number of roundings known at compile time.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -66,7 +62,6 @@ pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: Promised, const N: usiz
     in_own_precision(map, &x, &eps)
 }
 
-/// Computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -138,9 +133,7 @@ pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
 }
 
 /// Runs rung 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to `next`.
-///
-/// Elimination avoids expanded and reduced formulas, whose terms may exceed all digits, and needs
-/// only A and f.
+/// Expanded formulas, whose terms may exceed all digits, are avoided.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
@@ -197,8 +190,7 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of rungs 3 and 4. Functions are not inlined: they serve all scalars, and each leaves
-/// the stack before the next begins.
+/// The inputs of rungs 3 and 4, whose functions are not inlined, to free the stack between them.
 struct InWide<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,
@@ -206,14 +198,12 @@ struct InWide<M, const N: usize> {
 }
 
 impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
-    /// Runs the increment form.
     #[inline(never)]
     fn increments(&self) -> Option<Attempt<Wide, N>> {
         let quotients = self.map.prepare(&self.eps).quotients(&self.state)?;
         Some(Attempt::by_increments(&self.state, quotients))
     }
 
-    /// Runs the form N/D.
     #[inline(never)]
     fn reduced_map(&self) -> Option<Attempt<Wide, N>> {
         Attempt::by_reduced_map(&self.map, &self.state, self.eps)

@@ -11,27 +11,22 @@ use crate::scalar::bounded::{Both, Number, PackedDouble, PackedSingle, Pair};
 use crate::scalar::{Capacity, Long};
 use crate::{Dd, Pivot};
 
-/// A scalar with a stable step.
 pub(crate) trait Promised: Number + Pivot {
     /// A value with its magnitude, packed in one register if possible.
     type Packed: Pair<Self>;
 
     /// The scalar of the second rung; the widest scalar refers to itself.
     type Wider: Promised;
-    /// Whether this is the widest scalar.
     const IS_WIDEST: bool;
 
     /// The largest number of variables for which the first rung uses this scalar itself.
     const MOST_VARIABLES: usize = usize::MAX;
 
-    /// Converts to the wider scalar.
     fn embed(&self) -> Self::Wider;
-    /// Rounds from the wider scalar.
     fn round(value: Self::Wider) -> Self;
 
     /// Converts to a wide number.
     fn widen(&self) -> Wide;
-    /// Rounds from a wide number.
     fn narrow(value: Wide) -> Self;
 }
 
@@ -40,8 +35,8 @@ impl Promised for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// In more variables a step multiplies many factors. Products of ordinary numbers then leave
-    /// the range of `f32`, and nearly every step would need `f64`.
+    /// In more variables products of ordinary numbers leave the range of `f32`, and nearly every
+    /// step would need `f64`.
     const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
@@ -113,10 +108,8 @@ impl Promised for Dd {
 /// x̃ computed by elimination over long numbers.
 #[cfg(feature = "std")]
 pub(crate) struct Eliminated<T> {
-    /// x̃, rounded.
     next: Vec<T>,
-    /// Whether each component is within 8u of the exact one, which implies the promised backward
-    /// error.
+    /// Whether each component has an error of at most 8u, which implies the promised bound.
     is_promised: bool,
     /// Whether a larger capacity would give no more information.
     is_settled: bool,
@@ -124,7 +117,6 @@ pub(crate) struct Eliminated<T> {
 
 #[cfg(feature = "std")]
 impl<T: Promised> Eliminated<T> {
-    /// Rounds x̃ and checks the result.
     pub(crate) fn of(exact: &[Long]) -> Self {
         let next: Vec<T> = exact.iter().map(|number| T::narrow(number.leading())).collect();
         let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
@@ -134,8 +126,7 @@ impl<T: Promised> Eliminated<T> {
     }
 }
 
-/// Eliminates with growing capacity until x̃ is proved, by its digits or by `is_kept` from its
-/// backward error; `None` if all fail.
+/// Eliminates with growing capacity until x̃ is proved by its digits or `is_kept`; else `None`.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,

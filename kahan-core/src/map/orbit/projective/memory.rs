@@ -8,11 +8,9 @@ use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// The smallest permitted ratio of a pivot to its row or column; a step then loses at most ten
-/// bits.
+/// The smallest ratio of a pivot to its row or column; a step then loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
-/// Returns |εf′ᵢⱼ| from A = I − εf′.
 #[inline(always)]
 fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usize) -> f64 {
     let slope = matrix[(i, j)].clone();

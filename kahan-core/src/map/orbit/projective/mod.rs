@@ -30,8 +30,7 @@ const MOST_STEPS: usize = 12;
 /// The largest number of variables with lines through points, whose matrices lie on the stack.
 const MOST_VARIABLES: usize = 32;
 
-/// The orbit x₀, x₁, … of a Kahan map through its poles, x₀ first; made by
-/// [`Orbit::projective`].
+/// The orbit of a Kahan map through its poles; made by [`Orbit::projective`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
@@ -42,12 +41,10 @@ pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     stopped: Option<SingularStep>,
 }
 
-/// The position of an orbit.
 #[derive(Clone)]
 enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     /// Before the first point.
     First(SVector<T, N>),
-    /// At a point without loss of information.
     Point {
         x: SVector<T, N>,
         /// Whether |εf′| is known to be small at x.
@@ -55,7 +52,6 @@ enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     },
     /// On its way through a pole.
     Passage(Box<Passage<M, T, N>>),
-    /// After the end.
     Nowhere,
 }
 
@@ -66,32 +62,28 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> At<M, T, N> {
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Continues this orbit through its poles: yields points of projective space, which are at
-    /// infinity where the map has a pole.
+    /// Continues this orbit through its poles: yields points of projective space.
     ///
-    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0 for the map φ and any direction v. This
-    /// is the value of the n-th iterate as a rational map of projective space, and more than
-    /// stepping from point to point. A map may contract a curve or surface to one point, finite or
-    /// infinite, and separate its points some steps later; `kahan poles` finds these curves. Until
-    /// then the orbit follows lines through the point before the contraction. If the points are
-    /// still merged after twelve steps, the orbit continues from the merged point.
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0 for the map φ and any direction v: the
+    /// value of the n-th iterate as a rational map of projective space. A map may contract a curve
+    /// or surface to one point, finite or infinite, and separate its points some steps later;
+    /// `kahan poles` finds these curves. Until then the orbit follows lines through the point
+    /// before the contraction. If the points are still merged after twelve steps, the orbit
+    /// continues from the merged point.
     ///
-    /// Exact orbits are exact: lines are series in δ.
-    ///
-    /// Over floats, points have the bits of [`KahanMap::orbit`](crate::KahanMap::orbit) while
-    /// A(x,ε) and A(x̃,−ε) are far from singular: no pivot is below a 1024th of its row or column,
-    /// as far as the digits of x̃ show. Near a pole an ordinary orbit loses digits, first in large
-    /// coordinates, later in the coordinates to which it returns. Here these points are computed in
-    /// 17 digits of 64 bits and rounded once each, until a rounding is amplified by at most ten
-    /// bits at the point before the pole. Hence an orbit loses at most ten bits on its way through
-    /// a pole. If a float is near a pole but not at it, the next point is large but finite, unless
-    /// it is beyond the range of the scalar. In more than 32 variables the orbit takes only
-    /// ordinary steps.
+    /// Exact orbits are exact: lines are series in δ. Over floats, points have the bits of
+    /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular:
+    /// no pivot is below a 1024th of its row or column, as far as the digits of x̃ show. Other
+    /// points are computed in 17 digits of 64 bits and rounded once each, until a rounding is
+    /// amplified by at most ten bits at the point before the pole. Hence an orbit loses at most ten
+    /// bits on its way through a pole. If a float is near a pole but not at it, the next point is
+    /// large but finite, unless it is beyond the range of the scalar. In more than 32 variables the
+    /// orbit takes only ordinary steps.
     ///
     /// Cost: over floats, a step and the matrix A, or two matrices and their eliminations if |εf′|
-    /// is not small; over exact scalars, a step and a determinant. Ordinary float steps allocate
-    /// nothing. A step near a pole allocates; it costs several orders of magnitude more over
-    /// floats, and several exact steps per term of the series over exact scalars.
+    /// is not small; over exact scalars, a step and a determinant. A step near a pole allocates; it
+    /// costs several orders of magnitude more over floats, and several exact steps per term of the
+    /// series over exact scalars.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -117,9 +109,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
-    /// Returns why the orbit has ended. `Some` after a state that is not finite, after a point of
-    /// indeterminacy (the limits along two lines differ), or if the longest series or the smallest
-    /// δ shows no limit.
+    /// Returns why the orbit has ended: after a non-finite state, at a point of indeterminacy (the
+    /// limits along two lines differ), or if no limit shows.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -141,7 +132,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         }
     }
 
-    /// Returns the point after the ordinary point x.
     fn after(&mut self, x: SVector<T, N>) -> Option<ProjectivePoint<T, N>> {
         let next = self.prepared.next(&x);
         if let Some(next) = &next
@@ -168,7 +158,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         x.into()
     }
 
-    /// Begins a passage at x and returns the next point.
     fn begin(&mut self, x: SVector<T, N>) -> Result<ProjectivePoint<T, N>, Lost> {
         if N > MOST_VARIABLES {
             return Err(Lost::Unknown);
@@ -178,7 +167,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         Ok(self.arrive(passage, place))
     }
 
-    /// Returns the next point along the lines of `passage`.
     fn along(&mut self, mut passage: Box<Passage<M, T, N>>) -> Option<ProjectivePoint<T, N>> {
         match passage.advance() {
             Ok(place) => Some(self.arrive(passage, place)),
@@ -187,7 +175,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         }
     }
 
-    /// Keeps the passage while its lines are needed.
     fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: Place<T, N>) -> ProjectivePoint<T, N> {
         let Place { point, is_through } = place;
         let is_over = is_through == Some(true) || (passage.taken() >= MOST_STEPS && !point.is_infinite());

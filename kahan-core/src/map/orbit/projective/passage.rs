@@ -17,11 +17,9 @@ use super::ThroughPoles;
 use super::germ::Germ;
 use super::point::ProjectivePoint;
 
-/// Random coefficients of δ: small integers would often sum to 0, or lie in an exceptional plane of
-/// the map.
+/// Random coefficients of δ; small integers would often sum to 0 or lie in a special plane.
 const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
-/// Returns the i-th coordinate of a direction.
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
     let place = i + 5 * line + 3 * effort;
     S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
@@ -53,14 +51,12 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
     SMatrix::from_fn(|i, j| (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone()))
 }
 
-/// A point of a passage.
 pub(super) struct Place<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
     /// Whether points near the first one are separate again; `None` if unknown.
     pub(super) is_through: Option<bool>,
 }
 
-/// The reason for a missing next point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lost {
     /// Along two lines the limits differ, with the greatest effort, too.
@@ -83,7 +79,6 @@ pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usiz
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
-    /// Begins a passage at a point.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
         let (map, eps, unit) =
             (map.extend_scalars(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
@@ -92,12 +87,10 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         passage
     }
 
-    /// Returns the number of steps taken.
     pub(super) fn taken(&self) -> usize {
         self.taken
     }
 
-    /// Returns the last point; `None` before the first step.
     pub(super) fn into_last(self) -> Option<ProjectivePoint<T, N>> {
         self.last
     }
@@ -125,14 +118,12 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         }
     }
 
-    /// Sets the lines of the current effort at the first point.
     fn begin(&mut self) {
         let delta = T::Germ::delta(self.effort);
         let lines = if delta.is_zero() { 1 } else { 2 };
         self.lines = (0..lines).map(|line| self.line(line, &delta)).collect();
     }
 
-    /// Returns the point x + δv as a line.
     fn line(&self, line: usize, delta: &T::Germ) -> ProjectiveLine<T::Germ, N> {
         let along = self.unit.clone() * delta.clone();
         let moved = |i: usize| T::Germ::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
@@ -169,7 +160,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
     }
 }
 
-/// Returns whether two limits are one point; different limits differ in their leading digits.
 fn are_near<T: ThroughPoles, const N: usize>(a: &ProjectivePoint<T, N>, b: &ProjectivePoint<T, N>) -> bool {
     a == b || (a.is_infinite() == b.is_infinite() && T::are_near(a.coordinates(), b.coordinates()))
 }

@@ -4,12 +4,10 @@ use nalgebra::SVector;
 
 use crate::{Pivot, Scalar};
 
-/// A point \[X : W\] of projective space: x = X/W if W ≠ 0, else the point at infinity in the
-/// direction X, which equals that in −X.
+/// A point \[X : W\] of projective space: x = X/W, or for W = 0 at infinity in directions X and −X.
 ///
-/// Normal form: W = 1 or W = 0. At infinity the first largest coordinate is 1; coordinates within a
-/// part in 2²⁰ of the largest count as largest. So equal points have equal coordinates, up to
-/// rounding.
+/// Normal form: W is 1 or 0. At infinity the first coordinate within a part in 2²⁰ of the largest
+/// is 1. So equal points have equal coordinates, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -59,7 +57,6 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
 /// The relative difference up to which a coordinate counts as one of the largest.
 const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
 
-/// Returns the index of the first of the largest coordinates.
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {
     let larger = |best: usize, i: usize| {
         if coordinates[i].magnitude_exceeds(&coordinates[best]) { i } else { best }

@@ -1,7 +1,6 @@
 //! The scalars that support orbits through poles.
 //!
-//! In: a step. Out: whether an orbit can take the step without loss, and the type of numbers for
-//! the passage otherwise.
+//! In: a step. Out: whether it loses nothing, and otherwise the type of numbers for the passage.
 
 use core::mem;
 
@@ -13,14 +12,12 @@ use crate::{Dd, KahanMap, Pivot, Scalar};
 use super::germ::Germ;
 use super::memory::{has_small_slopes, is_far_from_singular};
 
-/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`], and with the feature `exact`
-/// `BigRational`.
+/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`] or (`exact`) `BigRational`.
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + Followed {}
 
 /// A scalar with numbers for the passage through poles.
 pub(super) trait Followed: Scalar {
-    /// The numbers of a passage.
     type Germ: Germ<Self>;
 
     /// Returns whether x̃ retains enough digits of x. `is_flat` is true only if |εf′| is known to
@@ -40,7 +37,6 @@ pub(super) trait Followed: Scalar {
 /// The relative distance of limits that count as equal.
 const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
 
-/// Returns the magnitude of the largest entry.
 fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
     x.iter().map(|entry| entry.approximate().abs()).fold(0.0, f64::max)
 }
@@ -76,8 +72,7 @@ macro_rules! implement_for_float {
     };
 }
 
-/// Returns whether both matrices of a step are far from singular; called unless |εf′| is known to
-/// be small.
+/// Returns whether both matrices of a step are far from singular.
 #[cold]
 #[inline(never)]
 fn loses_little<M: KahanMap<T, N>, T: Scalar, const N: usize>(

@@ -22,7 +22,6 @@ fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
     off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
 }
 
-/// Returns (1−u)ᵏ for 1: a value with k roundings downwards.
 fn rounded_down<const BITS: i32>(k: usize) -> Beside<BITS> {
     let one = Beside::given(1.0);
     off_by(DOWN, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
@@ -59,14 +58,12 @@ fn a_sum_rounds_once() {
     }
 }
 
-/// The errors of both terms, with either sign and different numbers of roundings.
 #[test]
 fn a_sum_has_the_errors_of_its_terms() {
     for (a, b) in [(5, 5), (0, 5), (5, 0)] {
         let sum = off_by(UP, || rounded_up::<FINE>(a).plus(&rounded_up(b)));
         let all = f64::from(u8::from(a > 0) + u8::from(b > 0)) * 5.0 / 2.0 + 1.0;
         assert_near(&sum, ALL * all / 6.0);
-        // A difference cancels, but its error remains.
         let difference = rounded_up::<FINE>(a).minus(&rounded_down(b));
         assert_near(&difference, ALL * (all - 1.0) / 6.0);
     }
@@ -79,13 +76,11 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
         assert_near(&off_by(DOWN, || rounded_down::<FINE>(a).times(&rounded_down(b))), ALL);
         let nothing = Beside::given(0.0);
         let sum = off_by(UP, || rounded_up::<FINE>(a).times_plus(&rounded_up(b), &nothing));
-        // Two roundings, as in a build without fused operations.
         assert_near(&sum, ALL);
     }
 }
 
-/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes rounded 40 times are too small: half of the slack would
-/// not suffice.
+/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are too small: half of the slack would not suffice.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
@@ -112,8 +107,7 @@ fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
 #[test]
 fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
-        // Inputs, whose reciprocal is not available; below, a whole literal, whose quotient is a
-        // reciprocal.
+        // Without a known reciprocal; below, whole literals with one.
         let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
         let k = a.max(b) as f64 + 1.0;
         let part = (a + b + 1) as f64 / (2.0 * k);
@@ -126,8 +120,7 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// A divisor with an error of nearly a 64th: v̂ is too small by that and replaces v in m, which
-/// fails without slack.
+/// A divisor with an error of nearly a 64th, so that v̂, which replaces v in m, is too small.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -135,7 +128,7 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// A divisor whose error may reach a 64th of it has no quotient; slightly below, it has one.
+/// A divisor whose error may reach a 64th of it has no quotient.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::given(1.0);
@@ -187,8 +180,7 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
-/// n̂·r̂ with the bound w·m: errors of numerator, reciprocal and product, for both kinds of
-/// reciprocals.
+/// n̂·r̂ against w·m: errors of numerator, reciprocal and product.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -211,8 +203,7 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
     }
 }
 
-/// A product of the numerator with 1 or another exact number has the numerator's roundings and one
-/// more.
+/// A product with an exact number has the numerator's roundings and one more.
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
@@ -232,10 +223,8 @@ fn a_known_radius_is_the_error() {
     let third = crate::Constant::ratio(1, 3);
     let exact = Bounded::<Wide>::given(Wide::from(1.0)) + crate::Scalar::constant(&third);
     assert!(f64::from(exact.error()) == 0.0 && exact.roundings() == 0);
-    // A divisor of many digits leaves a remainder.
     let sum = Bounded::<Wide>::given(Wide::from(1e300)) + Bounded::given(Wide::from(3e-300));
     let quotient = exact.quotient(sum).expect("a quotient");
-    // Without underflow no divisor is too small.
     assert!(exact.quotient(Bounded::given(Wide::from(1e-300))).is_some());
     let radius = quotient.value().radius();
     assert!(radius > Size::from(0.0) && quotient.error() >= radius);
@@ -245,8 +234,7 @@ fn a_known_radius_is_the_error() {
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
 }
 
-/// Packed values and magnitudes equal those computed separately, bit for bit, except for
-/// multiply-adds fused by only one of them.
+/// Packed values and magnitudes equal separate ones bit for bit, except for fused multiply-adds.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {
@@ -271,14 +259,12 @@ fn packed_pairs_are_pairs() {
     }
 }
 
-/// The units of hardware floats are exact; that of a pair of floats covers the bounds stated for
-/// its operations.
+/// The unit of a pair of floats covers the bounds stated for its operations.
 #[test]
 fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by 14u²; a multiply-add, which counts twice, by 16u² of the product and 5u²
-    // of the result.
+    // A quotient errs by 14u²; a multiply-add, counted twice, by 16u² (product) and 5u² (result).
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

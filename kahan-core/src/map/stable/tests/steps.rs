@@ -1,5 +1,4 @@
-//! Whole steps over the worst-rounding scalar: the bound of an attempt, and the results that the
-//! first rung accepts.
+//! Whole steps with worst-case rounding: the bounds of attempts, and results of the first rung.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -74,7 +73,6 @@ impl<const BITS: i32> Promised for Worst<BITS> {
     }
 }
 
-/// Returns max |xᵢ − yᵢ| and max |yᵢ|.
 fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) {
     let largest = |values: &mut dyn Iterator<Item = Q>| {
         values.map(|value| value.abs().to_f64().expect("a number")).fold(0.0, f64::max)
@@ -98,7 +96,6 @@ fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) 
     }
 }
 
-/// Makes an attempt by the step of a map over bounded values.
 fn by_step<M, const N: usize>(
     map: &M,
     x: &SVector<Bounded<Number24>, N>,
@@ -128,8 +125,7 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
-            // The last roundings of components, in the product and the unfused sum, are excluded
-            // from the bound.
+            // The last roundings, of product and sum, are excluded from the bound.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
@@ -173,8 +169,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
         by_step(&Long { a }, &given(&x), eps).expect("no pole is near")
     });
-    // The constant second component is larger; the first begins at 0, so its last roundings have
-    // its own size.
+    // The second component is larger; the first begins at 0, so its last roundings are of its size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
@@ -182,7 +177,6 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
     assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
 }
 
-/// Results of the first rung are within 64 u of the exact step, and approach that beside poles.
 #[test]
 fn the_first_rung_keeps_the_promise() {
     let riccati = Riccati { k: Number24::of_float(0.75) };
@@ -208,8 +202,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input beyond the limit for underflow: y² of a small y is off by η, and a·η far exceeds the
-/// allowance.
+/// An input beyond the limit for underflow: y² is off by η, and a·η exceeds the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -234,7 +227,6 @@ fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
 }
 
-/// Results are finite, and so must inputs be.
 #[test]
 fn what_is_not_finite_is_no_result() {
     assert!(Decay.try_step(&vector![f64::INFINITY], 0.125).is_err());
@@ -244,8 +236,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// Leading terms that cancel at a parameter require exact digits 2·10³ bits apart, also with
-/// literals that are not floats.
+/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {
@@ -276,8 +267,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// Terms too far apart for 17 digits in expanded forms, although the equation determines the step
-/// well: elimination answers.
+/// Terms too far apart for 17 digits in expanded forms; elimination answers.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
@@ -301,8 +291,7 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// The backward error of many variables at every size: with constants and inputs beyond the limits
-/// of double-doubles, and with overflow in elimination over doubles.
+/// Steps of many variables at every size, also if constants or elimination in doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();
@@ -372,7 +361,6 @@ fn reports_say_what_is_the_case() {
     assert!(digits(f64::INFINITY).contains("17 digits of 64 bits do not tell whether this point is a pole"));
 }
 
-/// Steps at and next to a pole have full accuracy.
 #[test]
 fn no_float_is_too_near_to_a_pole() {
     for k in 0..60 {

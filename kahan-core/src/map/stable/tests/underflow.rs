@@ -1,5 +1,4 @@
-//! Values near underflow: errors of η, amplified by products as far as the range permits, against
-//! the allowance.
+//! Values near underflow: errors of η, amplified as far as the range permits.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -54,7 +53,6 @@ fn sums_and_constants_take_their_bits() {
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
     };
     let largest = largest_input(formula);
-    // Each doubling takes one bit.
     assert!(largest <= 4.0);
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 
@@ -68,8 +66,7 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Division by the least divisor amplifies an error of η by the bits of divisors, twice if the
-/// divisor has that error.
+/// Division by the least divisor amplifies η by its bits, twice if the divisor has the error.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -89,7 +86,6 @@ fn quotients_take_the_bits_of_divisors_twice() {
     };
     let largest = largest_input(formula);
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
-    // Below the least divisor the quotient is undefined.
     assert!(Value::given(1.0).over(&Value::given(least / 1.02)).is_none());
 }
 
@@ -108,8 +104,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Premises that constants and operations can violate without inputs; then no input is small
-/// enough. Each premise is necessary: slightly beyond it, the true error exceeds the bound.
+/// Premises that constants and operations can violate without inputs. Each is necessary: slightly
+/// beyond it, the true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -118,11 +114,9 @@ mod premises {
 
     const MOST_UNDERFLOWS: u32 = 1024;
 
-    /// Fine enough that only underflow causes errors.
     const FINEST: i32 = 120;
     type Value = Beside<FINEST>;
 
-    /// Doubles a value `times` times; each takes one bit.
     fn doubled(value: &Value, times: u32) -> Value {
         off_by((0, 0), || (0..times).fold(value.clone(), |sum, _| sum.plus(&sum)))
     }
@@ -169,8 +163,7 @@ mod premises {
         // A rounded literal may underflow, too.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), Limit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), Limit::NONE);
-        // A sum takes the underflows of the worse term and one bit for the other; a quotient takes
-        // those of both operands and one of its own.
+        // A sum takes the underflows of the worse term and one bit for the other.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
         assert_eq!(sum.largest_input(), Limit::below(20 - 5));
@@ -198,7 +191,6 @@ mod premises {
         });
     }
 
-    /// The inputs of a divisor count: errors of underflow in the divisor grow with them.
     #[test]
     fn a_quotient_has_the_inputs_of_its_divisor() {
         let input = || Bounded::<Worst<FINEST>>::given(Worst::of_float(1.0));
@@ -206,8 +198,7 @@ mod premises {
         // Of 20 bits, a quotient takes twice the 4 bits of the least divisor.
         assert_eq!(quotient(input()).largest_input(), Limit::below((20 - 8) / 2));
         assert_eq!(quotient(input() * input() * input()).largest_input(), Limit::below((20 - 8) / 4));
-        // v̂·(b̂ − b)/b̂ with b = x·(0·0)·x + ⅛: if the inputs of b did not count, 2¹⁰ would pass,
-        // with an error 2²⁰·η of b.
+        // b = x·(0·0)·x + ⅛: if its inputs did not count, 2¹⁰ would pass with an error 2²⁰·η of b.
         let size = power_of_two(10);
         let formula = |x: f64| {
             let lost = off_by(TINY, || Beside::<FINEST>::given(0.0).times(&Beside::given(0.0)));
@@ -229,15 +220,13 @@ mod premises {
         }
     }
 
-    /// Literals beyond a format: an infinite one exceeds all bits, and one that underflows errs
-    /// within the bound.
+    /// An infinite literal exceeds all bits; one that underflows errs within the bound.
     #[test]
     fn literals_at_the_ends_of_a_range_are_bounded() {
         let of = |single: f32, double: f64, limbs: (&[u64], &[u64])| {
             let constant = Constant::exact(false, limbs.0, limbs.1, single, double, 0.0);
             (Bounded::<f32>::constant(&constant), Bounded::<f64>::constant(&constant))
         };
-        // 2²⁰⁰ and 2⁻²⁰⁰.
         let (single, double) = of(f32::INFINITY, 200_f64.exp2(), (&[0, 0, 0, 256], &[1]));
         assert_eq!((single.largest_input(), double.largest_input()), (Limit::NONE, Limit::below(914 - 201)));
         let (single, double) = of(0.0, (-200_f64).exp2(), (&[1], &[0, 0, 0, 256]));
@@ -245,7 +234,6 @@ mod premises {
         assert_ne!(single.largest_input(), Limit::NONE);
     }
 
-    /// Only an ε within its bits is divided by as a constant.
     #[test]
     fn an_eps_beyond_its_bits_is_a_divisor_as_any() {
         let bits = Worst::<FINEST>::RANGE.bits_of_steps as i32;
@@ -273,7 +261,7 @@ mod premises {
     }
 }
 
-/// A numerator of 0 after underflow, times a reciprocal: only the allowance covers the error.
+/// A numerator of 0 after underflow: only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");
@@ -295,8 +283,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
 
-/// The reciprocal of a whole constant, at a precision finer than the loss of its divisor below the
-/// range.
+/// The reciprocal of a constant, finer than its divisor's loss below the range.
 #[test]
 fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;
@@ -311,8 +298,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// The limits on inputs with hardware floats: the least numbers, amplified as far as the range
-/// permits.
+/// The limits on inputs with hardware floats.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]
@@ -324,7 +310,6 @@ macro_rules! floats_at_the_end_of_their_range {
                     (0..count).fold(tiny, |product, _| product * Bounded::given(x))
                 };
                 let x = formula(1.0, 1.0, 1.0).largest_input().size() as $float;
-                // Half of the least number, which is lost.
                 let (a, b) = ($least, 0.5);
                 let value = formula(a, b, x);
                 let exact = (0..count).fold(f64::from(a) * 2.0_f64.powi(100) * 0.5, |product, _| product * f64::from(x));

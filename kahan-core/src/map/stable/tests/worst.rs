@@ -1,6 +1,6 @@
 //! A scalar with worst-case rounding: each operation errs by u in the direction that a test
 //! chooses, and optionally by η, as in underflow. Values are rationals, so tests know the true
-//! error. The range is small, so a few operations reach its limits.
+//! error.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -22,11 +22,9 @@ pub(super) struct Worst<const BITS: i32>(&'static Q);
 thread_local! {
     /// The errors of the next results, in units u and η.
     static OFF: Cell<(i64, i64)> = const { Cell::new((0, 0)) };
-    /// Whether magnitudes are rounded down by u.
     static ARE_MAGNITUDES_LOW: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Calls `run` with every operation on magnitudes off by −u.
 pub(super) fn with_low_magnitudes<V>(run: impl FnOnce() -> V) -> V {
     let before = ARE_MAGNITUDES_LOW.replace(true);
     let result = run();
@@ -46,7 +44,6 @@ pub(super) fn two_to(power: i32) -> Q {
     Q::from_integer(2.into()).pow(power)
 }
 
-/// The exponent of η in `Worst::RANGE`.
 pub(super) const ETA: i32 = -70;
 
 impl<const BITS: i32> Worst<BITS> {
@@ -62,7 +59,6 @@ impl<const BITS: i32> Worst<BITS> {
         self.0.clone()
     }
 
-    /// Returns a result with the chosen error.
     fn rounded(exact: Q) -> Self {
         let (relative, absolute) = OFF.get();
         let relative = Q::from_integer(relative.into()) * two_to(-BITS);
@@ -72,7 +68,6 @@ impl<const BITS: i32> Worst<BITS> {
 }
 
 impl<const BITS: i32> Scalar for Worst<BITS> {
-    /// Converts a constant; integers are exact, other numbers are rounded.
     fn constant(c: &Constant<'_>) -> Self {
         let ratio = c.to_ratio();
         if ratio.is_integer() { Self::new(ratio) } else { Self::rounded(ratio) }
@@ -217,26 +212,22 @@ pub(super) struct Beside<const BITS: i32> {
 }
 
 impl<const BITS: i32> Beside<BITS> {
-    /// Returns an input.
     pub(super) fn given(value: f64) -> Self {
         let exact = Q::from_f64(value).expect("a finite number");
         Self { bounded: Bounded::given(Worst::new(exact.clone())), exact }
     }
 
-    /// Returns a literal p/q.
     pub(super) fn literal(p: i64, q: i64) -> Self {
         let exact = Q::new(p.into(), q.into());
         let constant = if q == 1 { Constant::integer(p) } else { Constant::ratio(p, q) };
         Self { bounded: Scalar::constant(&constant), exact }
     }
 
-    /// Returns the true error.
     pub(super) fn error(&self) -> Q {
         (self.bounded.value().exact() - &self.exact).abs()
     }
 
-    /// Returns the ratio of the error to its bound; a valid bound gives at most 1. Checks that |v|
-    /// ≤ m up to the slack.
+    /// Returns error/bound, at most 1 if the bound is valid. Checks |v| ≤ m up to the slack.
     pub(super) fn part(&self) -> f64 {
         let magnitude: f64 = self.bounded.magnitude().into();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");
@@ -244,7 +235,6 @@ impl<const BITS: i32> Beside<BITS> {
         part.to_f64().expect("a number")
     }
 
-    /// Returns self/other, if defined.
     pub(super) fn over(&self, other: &Self) -> Option<Self> {
         let bounded = self.bounded.quotient(other.bounded)?;
         Some(Self { bounded, exact: &self.exact / &other.exact })
@@ -262,7 +252,6 @@ impl<const BITS: i32> Beside<BITS> {
         Self { bounded: self.bounded * other.bounded, exact: &self.exact * &other.exact }
     }
 
-    /// Returns self·other + addend.
     pub(super) fn times_plus(&self, other: &Self, addend: &Self) -> Self {
         let bounded = self.bounded.multiply_add(other.bounded, addend.bounded);
         Self { bounded, exact: &self.exact * &other.exact + &addend.exact }
@@ -272,7 +261,6 @@ impl<const BITS: i32> Beside<BITS> {
         Self { bounded: -self.bounded, exact: -&self.exact }
     }
 
-    /// Returns self/ε as in a step that is divided by ε.
     pub(super) fn over_input(&self, eps: &Self) -> Self {
         Self { bounded: self.bounded.over_input(eps.bounded), exact: &self.exact / &eps.exact }
     }

@@ -12,8 +12,7 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{Germ, direction};
 
-/// The exponent of δ relative to the unit: a factor δ⁴ still leaves the digits of a
-/// [`Dd`](crate::Dd).
+/// The exponent of δ relative to the unit: δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
 const DELTA: i32 = -192;
 
 /// The exponent of the threshold relative to the unit: a larger coordinate of a perturbed point
@@ -23,8 +22,7 @@ const INFINITE: i64 = 96;
 /// The number of known bits of a limit; exceeds the precision of any float of this crate.
 const KNOWN: i64 = 110;
 
-/// Returns the limit of a coordinate as δ → 0, by dropping traces of δ far below its leading
-/// digits; `size` is the size of the point.
+/// Returns the limit of a coordinate as δ → 0: drops traces of δ far below its leading digits.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();
@@ -37,8 +35,7 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
 const LOST: i64 = 10;
 
 impl<T: Promised> Germ<T> for Wide {
-    /// The first effort perturbs nothing and serves points near, but not at, a pole. The others
-    /// differ in their directions.
+    /// The first effort perturbs nothing, for points near a pole; the others differ in directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {

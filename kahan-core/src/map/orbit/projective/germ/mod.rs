@@ -1,8 +1,8 @@
 //! Numbers that depend on a perturbation δ, for orbits through poles.
 //!
-//! In: numbers of a scalar, and the effort to spend. Out: numbers that depend on δ, and the limits
-//! of computed points as δ → 0. Exact scalars use Laurent series in an unknown δ ([`series`]).
-//! Floats use a δ far below their last digits and numbers of 17 digits of 64 bits ([`digits`]).
+//! In: numbers of a scalar, and the effort to spend. Out: numbers that depend on δ, and their
+//! limits as δ → 0. Exact scalars use Laurent series in δ ([`series`]). Floats use a δ far below
+//! their last digits and numbers of 17 digits of 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
@@ -22,7 +22,6 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     /// The number of efforts; each resolves more than the previous one.
     const EFFORTS: usize;
 
-    /// Converts a number; the result does not depend on δ.
     fn of(number: &T) -> Self;
 
     /// Returns δ; 0 in an effort without perturbation.
@@ -31,17 +30,15 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     /// Returns the size of coordinates near a point, the unit of δ.
     fn unit(point: &[T]) -> Self;
 
-    /// Returns the limit of a point as δ → 0, in coordinates of this unit; `None` if too little is
-    /// known.
+    /// Returns the limit of a point as δ → 0, in these units; `None` if too little is known.
     fn limit<const N: usize>(
         point: &SVector<Self, N>,
         unit: &Self,
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Returns whether the map from neighbourhoods of the first point to those of `point` is
-    /// one-to-one; `derivative` is that of the first point by `point`. `None` if too little is
-    /// known.
+    /// Returns whether neighbourhoods of the first point and `point` correspond one-to-one;
+    /// `derivative` is that of the first point by `point`. `None` if too little is known.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
@@ -49,7 +46,6 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     ) -> Option<bool>;
 }
 
-/// Returns the point at infinity in a direction, in normal form.
 fn direction<S: Scalar, T: Pivot, const N: usize>(
     entries: &[S; N],
     largest: usize,

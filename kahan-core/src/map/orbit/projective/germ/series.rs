@@ -12,7 +12,6 @@ use crate::scalar::Laurent;
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{Germ, direction};
 
-/// The number of terms of the series in each effort.
 const TERMS: [usize; 3] = [6, 12, 24];
 
 impl<T: Pivot> Germ<T> for Laurent<T> {
