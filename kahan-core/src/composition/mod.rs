@@ -30,7 +30,7 @@ pub(crate) use stages::Staged;
 ///
 /// # What does not
 /// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, but the
-///   composition conserves none. H and K of E2, E4, E5, E6 and the Euler top each oscillate by O(εᵖ)
+///   composition conserves none. H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ)
 ///   about the flow's integral, without drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
 /// - **An ε of few bits** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.

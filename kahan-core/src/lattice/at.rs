@@ -41,7 +41,7 @@ struct Memory<T: LatticeScalar> {
     whole_eliminations: u64,
 }
 
-/// The determinants of the size and layout of the workspace.
+/// Everything that determines the size and layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Form {
     sizes: Sizes,
@@ -307,13 +307,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of `next` as the step from `x`: the largest
-    /// component of
+    /// Returns the componentwise backward error of `next` as the step from `x`, the maximum of
+    ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
     ///
-    /// The numerator is 2ε times the defining equation of Kahan's map; with b = x + εBx + 2εc it is
-    /// |A x̃ − b|. Over an exact scalar the result is 0 only for the step. A NaN is returned as it
-    /// occurs.
+    /// With b = x + εBx + 2εc the numerator is |A x̃ − b|, or 2ε times the defect of Kahan's
+    /// defining equation. Over an exact scalar the result is 0 only for the step. A NaN is returned
+    /// as it occurs.
     ///
     /// # Panics
     /// If a state does not have this chain's length.

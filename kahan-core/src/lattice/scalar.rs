@@ -63,7 +63,6 @@ pub(super) trait Judge<T>: Scalar {
     fn known(&self) -> (T, Known<Size>);
 }
 
-/// Conversions of a float to bounded numbers and back.
 macro_rules! judged_in {
     ($float:ty, $wider:ty: |$number:ident| $widen:expr, |$value:ident| $round:expr) => {
         impl Judge<$float> for Bounded<$wider> {
@@ -86,7 +85,6 @@ judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
 judged_in!(f64, Wide: |number| number.widen(), |value| f64::narrow(value));
 judged_in!(Dd, Wide: |number| number.widen(), |value| Dd::narrow(value));
 
-/// Implements the traits for a float, from its `Near` and `Parts`.
 macro_rules! implement_for_float {
     ($float:ty, $near:ty, $parts:ty) => {
         impl LatticeScalar for $float {

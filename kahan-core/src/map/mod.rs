@@ -58,7 +58,7 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0
 /// but the reduced map has a value, steps and Jacobian use that value. Fields too large to be
 /// reduced while compiling, including all of more than eight variables, have a pole wherever det A
-/// = 0.
+/// vanishes.
 ///
 /// # Range
 /// If a denominator overflows, a float step may be wrong without notice; only `try_step` detects

@@ -1,8 +1,8 @@
 //! The first pass: eliminates the interiors and leaves the Schur complements of the separators.
 //!
-//! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows of 2S
-//! + 1 numbers, S = R·B, and their largest multiplier. Rows and columns of the right separator come
-//! first.
+//! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows, S =
+//! R·B, of 2S + 1 numbers, and their largest multiplier. Rows and columns of the right separator
+//! come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -42,7 +42,6 @@ impl<
 > OverLanes<T> for By<Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>, First<'_, M, T>>
 {
     type Output = ();
-    /// The rows of the window and of the separator.
     const IS_SMALL: bool = is_small(LOWER + R * B, WIDTH + R * B);
 
     #[inline(always)]

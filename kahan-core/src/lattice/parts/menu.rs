@@ -19,7 +19,7 @@ pub enum Menu {}
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl Menu {
-            /// Returns the sizes with the bandwidths of the first sufficient kernel, if any.
+            /// Returns the sizes with the bandwidths of the first sufficient kernel, or unchanged.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

@@ -47,7 +47,7 @@ pub(super) struct InParts<T> {
     reduced: Folded<T>,
 }
 
-/// Stepping of long chains of T in parts.
+/// A workspace that steps long chains of T in parts.
 pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// The number of parts side by side; `None` for scalars without lanes.
     const LANES: Option<usize>;

@@ -33,7 +33,7 @@ pub use scaled::Scaled;
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
 /// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
-/// | of a chain, of a map read at run time, of a map chosen at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
+/// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
 /// Carries are not yielded. [`projective`](Self::projective) continues a plain orbit through poles.
 /// [`nth`](Iterator::nth) is as fast as a hand-written loop over

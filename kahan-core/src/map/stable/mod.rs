@@ -5,11 +5,11 @@
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
-//! | 1 | the scalar itself; not for `f32` in more than four variables | ordinary points, at less than twice the operations of a step |
-//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64`; `Dd` has none | cancellation: near poles, large ε |
-//! | 3 | 17 digits of 64 bits, wherever these lie | overflow, underflow, extreme cancellation, by the increment form |
-//! | 4 | the same | the form N/D, where increments cancel against the state |
-//! | 5 | 256 digits, with `std` | elimination on A(x,ε), where terms of the other forms are too far apart |
+//! | 1 | the scalar; not for `f32` in more than four variables | ordinary points |
+//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
+//! | 3 | 17 digits of 64 bits at arbitrary positions | over- and underflow, extreme cancellation |
+//! | 4 | as 3, in the form N/D | increments that cancel against the state |
+//! | 5 | up to 256 digits, with `std`, by elimination | terms too far apart for the other forms |
 //!
 //! Calls: [`stable_step`] selects the scalar, [`climb`] takes the rungs in order (`rungs.rs`), and
 //! each rung makes an [`Attempt`](attempt::Attempt), which runs the prepared step.

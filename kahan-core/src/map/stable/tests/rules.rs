@@ -9,7 +9,7 @@ use crate::scalar::bounded::{Bounded, SLACK};
 
 /// A precision coarse enough for (1+u)ᵏ − 1 to differ from ku.
 const COARSE: i32 = 10;
-/// A precision fine enough for (1+u)ᵏ − 1 to equal ku.
+/// A precision fine enough for (1+u)ᵏ − 1 to be nearly ku.
 const FINE: i32 = 24;
 
 const UP: (i64, i64) = (1, 0);
@@ -192,7 +192,6 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
                 (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
-            // Then a bound overflows if the increment does.
             assert!(weight >= reciprocal.bounded.value().size());
             let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;

@@ -220,7 +220,6 @@ fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
     // 2·7/9 of the least number is not a float.
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
-    // 9 times the least number becomes 7 times it.
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
     let least = f64::from_bits(1);
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());

@@ -66,7 +66,7 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Division by the least divisor amplifies η by its bits, twice if the divisor has the error.
+/// Quotients by the least divisor amplify η by its bits, twice if the divisor has an error.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
