@@ -35,9 +35,8 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
 /// Returns whether a finite increment conceals an overflow, because 1/∞ = 0.
 ///
 /// An overflowing denominator makes the increments of its components 0; an overflowing inner
-/// denominator makes all increments 0. In an elimination too large for a closed form, an
-/// overflowing pivot makes one increment 0. Every other overflow leaves ∞ or NaN. If f(x) = 0,
-/// increments of 0 conceal nothing.
+/// denominator makes all increments 0. In a map that eliminates, an overflowing pivot makes one
+/// increment 0. Every other overflow leaves ∞ or NaN. If f(x) = 0, increments of 0 conceal nothing.
 fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,

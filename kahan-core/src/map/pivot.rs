@@ -2,8 +2,8 @@
 
 use crate::{Dd, Scalar};
 
-/// A scalar that can be compared by magnitude and tested for finiteness;
-/// [`try_step`](crate::KahanMap::try_step) judges its results so.
+/// A scalar with a comparison by magnitude and a test for finiteness, as
+/// [`try_step`](crate::KahanMap::try_step) requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot judge whether a step is finite",
     label = "not a `Pivot`; for a number, write `1.0`, not `1`",

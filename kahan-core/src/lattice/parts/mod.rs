@@ -55,7 +55,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// Allocates a workspace; `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step; refuses with an unchanged state if a pivot is too small.
+    /// Takes one step; refuses, with an unchanged state, on a small pivot or a non-finite number.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,

@@ -149,7 +149,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// Writes A(x,ε) with rows scaled to size 1 and returns the scales.
+    /// Writes A(x,ε) with each row divided by its largest entry and returns the factors. If a row
+    /// has only one entry, a component 0 of x̃ stays 0.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {

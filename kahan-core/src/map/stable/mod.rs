@@ -1,7 +1,7 @@
 //! The stable step, with an error of at most 64 u of the largest component, or an error value.
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. The kernel of the fast step runs over bounded values in these rungs:
+//! the reason for failure. The step is computed with error bounds on each value, in these rungs:
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
