@@ -215,7 +215,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// A value with a known radius: m and k follow from the radius, whatever was cancelled before.
+/// A value with a known radius: m and k follow from the radius, not from cancelled terms.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
