@@ -1,11 +1,10 @@
-//! Elimination of a field in which very many products of two variables occur: coefficients packed
-//! in the order in which they are read, and loops over rows, or over the points of an ensemble.
+//! Elimination for fields with very many products of two variables: coefficients packed in reading
+//! order, and loops over rows, or over the points of an ensemble.
 //!
 //! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's
-//! plans and of [`Couplings`](crate::__private::Couplings), in their order. Rows, or points, are
-//! computed side by side, so lanes of any number give the same bits. The zeros that stand for
-//! products without a coefficient change the sign of a zero at most, as long as all numbers are
-//! finite.
+//! plans and of [`Couplings`](crate::__private::Couplings), in equal order. Rows or points are
+//! computed side by side, so any number of lanes gives equal bits. Zeros for missing products
+//! change at most the sign of a zero, while all numbers are finite.
 
 mod points;
 #[cfg(test)]
@@ -21,38 +20,36 @@ use crate::{Constant, Level};
 
 pub use points::{points, velocities};
 
-/// The pivots that are eliminated together.
+/// The number of pivots eliminated together.
 const PIVOTS: usize = 8;
-/// The columns that are computed together.
+/// The number of columns computed together.
 const COLUMNS: usize = 4;
 
-/// How many coefficients a component of a field has: the constant, those of the variables, and
-/// those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
+/// Returns the number of coefficients of a component: the constant, those of the variables, then
+/// those of the products xⱼxₖ with j ≤ k, row by row of this triangle.
 #[must_use]
 pub const fn coefficients(variables: usize) -> usize {
     1 + variables + variables * (variables + 1) / 2
 }
 
-/// The place of xⱼxₖ, j ≤ k, among the coefficients of a component.
+/// Returns the index of xⱼxₖ, j ≤ k, among the coefficients of a component.
 const fn place(variables: usize, j: usize, k: usize) -> usize {
     1 + variables + j * variables - j * (j + 1) / 2 + k
 }
 
-/// The rows of a column, those that fill up registers included.
+/// Returns the rows of a column, including padding to whole registers.
 const fn height<T: InLanes>(variables: usize) -> usize {
     variables.next_multiple_of(T::ROWS)
 }
 
-/// Blocks of as many columns as are computed together, and then the columns that are left, one by
-/// one.
 fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     let whole = columns.end - columns.len() % COLUMNS;
     let blocks = (columns.start..whole).step_by(COLUMNS).map(|first| first..first + COLUMNS);
     blocks.chain((whole..columns.end).map(|column| column..column + 1))
 }
 
-/// Appends the coefficients of a field in the order in which [`velocity`] reads them. Those of a
-/// component are `coefficients(variables)` numbers of `field`, one component after the other.
+/// Appends the coefficients of a field in the reading order of [`velocity`]. `field` holds
+/// `coefficients(variables)` numbers for each component in turn.
 pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     let mut places: Vec<usize> = (0..=variables).collect();
     for block in blocks(0..variables) {
@@ -73,14 +70,14 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     }
 }
 
-/// The numbers that a step is computed in.
+/// The workspace of a step.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
-    /// A(x,ε), column by column, and f(x) behind it.
+    /// A(x,ε), column by column, then f(x).
     columns: Vec<T>,
-    /// The factors that rows are reduced by, for each of the pivots that are eliminated together.
+    /// The elimination factors of each row, for the pivots eliminated together.
     factors: Vec<T>,
-    /// The pivots that have a large factor.
+    /// The pivots with a large factor.
     suspects: Vec<usize>,
 }
 
@@ -91,28 +88,28 @@ impl<T> Default for Workspace<T> {
 }
 
 impl<T: InLanes> Workspace<T> {
-    /// The last column: f(x), or the solution.
+    /// Returns the last column: f(x), or the solution.
     #[must_use]
     pub fn last(&self, variables: usize) -> &[T] {
         &self.columns[height::<T>(variables) * variables..][..variables]
     }
 
-    /// An entry of A(x,ε), which was [assembled](assemble).
+    /// Returns an entry of A(x,ε) after [`assemble`].
     #[must_use]
     pub fn entry(&self, variables: usize, [i, j]: [usize; 2]) -> T {
         self.columns[height::<T>(variables) * j + i]
     }
 }
 
-/// Computes A(x,ε)⁻¹f(x) for the field with these [packed](pack) coefficients; the result is the
-/// [last](Workspace::last) column. Returns `false` where a pivot is 0 or too small, as
-/// [`Couplings::factor`](crate::__private::Couplings::factor) does.
+/// Computes A(x,ε)⁻¹f(x) from [packed](pack) coefficients into the [last](Workspace::last) column.
+/// Returns `false` if a pivot is 0 or too small, like
+/// [`Couplings::factor`](crate::__private::Couplings::factor).
 #[must_use]
 pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
     run(Work { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
 }
 
-/// Computes A(x,ε), and f(x) behind it.
+/// Computes A(x,ε) and f(x).
 pub fn assemble<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
     run(Work { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
 }
@@ -146,7 +143,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// The loops over lanes L of T, which hold rows, or, if `POINTS`, points.
+/// Loops over lanes L of T, which hold rows, or points if `POINTS`.
 #[derive(Clone, Copy)]
 struct Loops<T, L, const POINTS: bool> {
     variables: usize,
@@ -155,38 +152,36 @@ struct Loops<T, L, const POINTS: bool> {
 }
 
 impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
-    /// The numbers that an entry is.
+    /// The numbers per entry.
     const ENTRY: usize = if POINTS { L::WIDTH } else { 1 };
-    /// The rows that a register is part of.
+    /// The rows per register.
     const STEP: usize = if POINTS { 1 } else { L::WIDTH };
 
-    /// Where the entry of row i in column j begins.
+    /// Returns the offset of the entry in row i and column j.
     #[inline(always)]
     fn at(self, i: usize, j: usize) -> usize {
         (j * self.height + i) * Self::ENTRY
     }
 
-    /// Where column j begins.
     #[inline(always)]
     fn column(self, j: usize) -> usize {
         self.at(0, j)
     }
 
-    /// The coefficient at a place, of the rows of a register from `row` on.
+    /// Loads the coefficient at `place` for the rows of a register from `row` on.
     #[inline(always)]
     fn coefficient(packed: &[T], place: usize, row: usize) -> L {
         let place = place * T::ROWS + row % T::ROWS;
         if POINTS { L::spread(&packed[place]) } else { L::load(packed, place) }
     }
 
-    /// A variable, of all points of a register.
+    /// Loads a variable for all points of a register.
     #[inline(always)]
     fn state(x: &[T], k: usize) -> L {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// The registers between two places that begin one. Ranges of other steps are not always
-    /// inlined.
+    /// Returns the registers between two aligned offsets; `step_by` ranges are not always inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -224,7 +219,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
     }
 
     /// Adds the products with W variables, from `first` on, to the slopes in the rows of a
-    /// register, and what these variables contribute to the field.
+    /// register, and the contribution of these variables to the field.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -280,7 +275,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
-    /// Replaces the last column by the solution; `false` where a pivot is 0 or too small.
+    /// Replaces the last column by the solution; `false` if a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
         let Workspace { columns, factors, suspects } = workspace;
@@ -318,15 +313,14 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         true
     }
 
-    /// The place of the factors of a register of rows, by a pivot of those that are eliminated
-    /// together.
+    /// Returns the offset of the factors of a register of rows, by a pivot of the group.
     #[inline(always)]
     fn place_of_factors(row: usize, pivot: usize) -> usize {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Writes the factors of a pivot, 0 for the rows up to it, and replaces the pivot by its
-    /// reciprocal. Returns whether a factor is larger than `most`; `None` where the pivot is 0.
+    /// Writes the factors of a pivot, 0 for the rows up to the pivot, and replaces the pivot by its
+    /// reciprocal. Returns whether a factor is larger than `most`; `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];
@@ -351,10 +345,10 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         Some(is_large || L::any(largest.exceeds(L::spread(&most))))
     }
 
-    /// Reduces W columns, from this one on, by pivots whose factors are known.
+    /// Reduces W columns, from `column` on, by pivots with known factors.
     #[inline(always)]
     fn reduce<const W: usize>(self, columns: &mut [T], factors: &[T], column: usize, pivots: Range<usize>) {
-        // Rows of pivots are reduced by those before them.
+        // Rows of pivots are reduced only by earlier pivots.
         let below = pivots.end.next_multiple_of(T::ROWS);
         for k in pivots.clone() {
             self.subtract::<W>(columns, factors, column, below, [k, k - pivots.start]);
@@ -364,8 +358,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the row of a pivot, times its factors, from the rows between it and `end` of W
-    /// columns, from this one on.
+    /// Subtracts a pivot's row, times its factors, down to row `end`, in W columns from `column`.
     #[inline(always)]
     fn subtract<const W: usize>(
         self,
@@ -386,8 +379,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the rows of as many pivots as are eliminated together, times their factors, from
-    /// the rows of W columns, from this row and this column on.
+    /// Subtracts `PIVOTS` pivots' rows, times their factors, from row `below` on, in W columns.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(
@@ -424,7 +416,6 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Solves the last column by the rows of the pivots, the last one first.
     #[inline(always)]
     fn substitute_back(self, columns: &mut [T]) {
         let (columns, solution) = columns.split_at_mut(self.column(self.variables));

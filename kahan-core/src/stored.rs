@@ -1,22 +1,21 @@
-//! Values as data, with the feature `serde`, where deriving is not enough.
+//! Serialisation by hand, with the feature `serde`.
 //!
 //! In: a double-double number, a composition. Out: its two parts, and the name of its constant, and
-//! back. Other types derive what they need where they stand. No format is chosen here; for
-//! `serde_json` to read back every bit of a float takes its feature `float_roundtrip`.
+//! back. `serde_json` needs its feature `float_roundtrip` to read back every bit of a float.
 
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Composition, Dd};
 
-/// As \[high, low\], of which no bit is lost.
+/// Writes \[high, low\] without loss.
 impl Serialize for Dd {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (self.high(), self.low()).serialize(serializer)
     }
 }
 
-/// The sum of any two floats.
+/// Accepts any two floats and adds them.
 impl<'a> Deserialize<'a> for Dd {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         let (high, low) = Deserialize::deserialize(deserializer)?;
@@ -24,14 +23,14 @@ impl<'a> Deserialize<'a> for Dd {
     }
 }
 
-/// As the [name](Composition::name) of its constant.
+/// Writes the [name](Composition::name) of the constant.
 impl Serialize for Composition {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }
 }
 
-/// Refuses names that are not those of [`Composition::ALL`].
+/// Refuses names outside of [`Composition::ALL`].
 impl<'a> Deserialize<'a> for Composition {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         struct Name;

@@ -1,10 +1,9 @@
-//! Elimination along the couplings over floats, by panels: rows one after the other whose entries
-//! right of the diagonal stand in the same columns, so that loops over lanes reduce several rows by
-//! several pivots.
+//! Elimination along the couplings over floats, by panels (supernodes): consecutive rows with equal
+//! columns right of the diagonal. Loops over lanes reduce several rows by several pivots.
 //!
 //! In: the tables of [`Couplings`], and A(x,ε) in their places. Out: the factors in these places,
-//! by the operations of [`Couplings::factor`] in their order, so with its bits. (J. W. H. Liu,
-//! E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252, on supernodes.)
+//! bit for bit those of [`Couplings::factor`], because the order of operations is equal. (J. W. H.
+//! Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252, on supernodes.)
 
 #[cfg(test)]
 mod tests;
@@ -16,15 +15,15 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The most rows of a panel: the nearest cache holds this number of rows of pivots.
+/// The largest number of rows of a panel, which fit a fast cache.
 const MOST_ROWS: usize = 32;
-/// The rows that are reduced together.
+/// The number of rows reduced together.
 const ROWS: usize = 4;
-/// The pivots that rows are reduced by at once.
+/// The number of pivots applied to rows at once.
 const PIVOTS: usize = 16;
-/// The fewest pivots of a panel that reduce rows together, whatever their columns are.
+/// The largest number of pivots of a panel that may reduce rows one by one along a list.
 const FEWEST: usize = 4;
-/// The fewest columns in a row that loops over lanes are used for.
+/// The smallest number of columns for loops over lanes.
 const SHORTEST: u32 = 4;
 
 /// The panels of an elimination.
@@ -34,74 +33,68 @@ pub struct Supernodes {
     reductions: Vec<Reduction>,
     tasks: Vec<Task>,
     runs: Vec<Run>,
-    /// For each entry of A, in its panel, the column.
+    /// The column within its panel, for each entry of A.
     columns: Vec<u32>,
     /// Columns of a panel, for the entries of rows of pivots.
     lists: Vec<u32>,
 }
 
-/// Rows one after the other. Each has, right of the diagonal, an entry in the column of the next
-/// and in those of all entries that the next has there. The columns of a panel are those in which
-/// some row has an entry.
+/// Consecutive rows: each has, right of the diagonal, an entry in the column of the next row and in
+/// all of that row's columns. The panel's columns are those of all its rows.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
-    /// The number of columns.
     width: usize,
-    /// Which of the reductions are those of the rows, in the order of their pivots.
+    /// The reductions of the rows, in the order of their pivots.
     reductions: Range<usize>,
 }
 
-/// The rows of a panel are reduced by pivots of a panel.
+/// The reduction of the rows of a panel by the pivots of a panel.
 #[derive(Clone, Debug)]
 struct Reduction {
-    /// The row behind the last pivot.
+    /// The row after the last pivot.
     end: usize,
-    /// The column behind that of the last pivot.
+    /// The column after that of the last pivot.
     behind: usize,
     tasks: Range<usize>,
-    /// Which of the runs are the columns that are reduced, after those of the pivots.
+    /// The runs of reduced columns right of the pivots.
     runs: Range<usize>,
-    /// Where the columns behind that of the last pivot stand in the lists, and before them those of
-    /// the pivots, if rows are reduced by one pivot after the other.
+    /// The position in `lists` of the columns right of the last pivot, preceded by the columns of
+    /// the pivots; set if rows are reduced by one pivot after the other.
     list: Option<usize>,
 }
 
-/// Rows of a panel are reduced by the pivots of a reduction from a first one on.
+/// The reduction of rows by consecutive pivots of a reduction.
 #[derive(Clone, Debug)]
 struct Task {
-    /// [`ROWS`] of them, or the first only.
+    /// [`ROWS`] rows, or only the first.
     rows: [u32; ROWS],
     is_alone: bool,
-    /// Whether the row is done with.
+    /// Whether the row is complete.
     is_last: bool,
     first: u32,
-    /// At most [`PIVOTS`].
     count: u32,
 }
 
-/// Columns of a panel one after the other, which a row of pivots has entries in.
+/// Consecutive columns of a panel in which a row of pivots has entries.
 #[derive(Clone, Debug)]
 struct Run {
-    /// The number of entries before them that the row of the last pivot has right of the diagonal.
+    /// The number of entries of the last pivot's row between the diagonal and this run.
     before: u32,
-    /// The first of the columns.
     column: u32,
     length: u32,
 }
 
-/// The numbers that a factorisation is computed in.
+/// The workspace of a factorisation.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
-    /// The rows of a panel, each over its columns.
     rows: Vec<T>,
-    /// For each of them the magnitude below which an entry may count as 0.
+    /// For each row the magnitude below which an entry may count as 0.
     limits: Vec<T>,
-    /// Such magnitudes of all columns of A: an entry that counts as 0 is below both.
+    /// The limits of all columns of A; an entry counts as 0 if it is below both.
     column_limits: Vec<T>,
-    /// The factors by which rows are reduced together, pivot after pivot.
     factors: Vec<T>,
-    /// Where the entries of the rows of pivots begin.
+    /// The offsets of the entries of the rows of pivots.
     uppers: Vec<usize>,
 }
 
@@ -113,7 +106,7 @@ impl<T> Default for PanelWorkspace<T> {
 }
 
 impl Supernodes {
-    /// The panels of the rows.
+    /// Divides the rows into panels.
     #[must_use]
     pub fn of(couplings: &Couplings<'_>) -> Self {
         let count = couplings.rows.len();
@@ -139,8 +132,8 @@ impl Supernodes {
         all
     }
 
-    /// Appends a panel of these rows. `panel_of` has the panel of each row up to the last of them;
-    /// `places` is a number for each row to work in.
+    /// Appends a panel of these rows. `panel_of` holds the panel of each row up to the last of
+    /// them; `places` is scratch with one number per row.
     fn push(
         &mut self,
         couplings: &Couplings<'_>,
@@ -190,9 +183,8 @@ impl Supernodes {
         self.panels.push(Panel { rows, width: columns.len(), reductions });
     }
 
-    /// Appends what is to be done for a reduction of the rows of a panel, each by the pivots of
-    /// another, or of its own, from some first one on. Rows that are `apart` are never reduced
-    /// together.
+    /// Appends the tasks of a reduction of a panel's rows by pivots. If `apart`, rows are never
+    /// reduced together.
     fn push_tasks(
         &mut self,
         couplings: &Couplings<'_>,
@@ -236,7 +228,7 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Rows are reduced by pivots before `end`, each from a first one on.
+    /// Appends the reduction of `ROWS` rows by pivots before `end`, each from its first one on.
     fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -245,7 +237,7 @@ impl Supernodes {
         self.push_pivots(rows, false, first..end);
     }
 
-    /// A row is reduced by these pivots, and then is done with if it `is_last`.
+    /// Appends the reduction of one row by these pivots, and its completion if `is_last`.
     fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
         self.push_pivots([r, 0, 0, 0], true, pivots);
         if is_last {
@@ -261,14 +253,14 @@ impl Supernodes {
         }
     }
 
-    /// Replaces A by its factors, as [`Couplings::factor`] does. `false` where a pivot is 0, or too
-    /// small; the values then are of no use.
+    /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
+    /// or too small; the values are then useless.
     ///
-    /// With `flushes` an entry counts as 0 that is smaller than [`InLanes::NEGLIGIBLE`] times the
-    /// largest entry of A in its row, and in its column, beside the diagonal. Factors decay like a
-    /// power of ε with the distance between variables, and processors are slow with numbers below
-    /// the normal ones. A unit of a variable multiplies a row and divides a column: solutions keep
-    /// their bits, in f64, in all units whose quotients are at least 2¹⁰⁰ times `NEGLIGIBLE`.
+    /// With `flushes` an entry counts as 0 if it is smaller than [`InLanes::NEGLIGIBLE`] times the
+    /// largest off-diagonal entry of A in its row, and in its column. Factors decay like a power of
+    /// ε with the distance between variables, and processors are slow on subnormal numbers. A unit
+    /// of a variable multiplies a row and divides a column: in f64, solutions keep their bits for
+    /// all units whose quotients are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -291,7 +283,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Whether the next row has, right of its diagonal, the columns of this one that are behind it.
+    /// Returns whether the next row has this row's columns but the first, right of the diagonals.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,
@@ -329,8 +321,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// The magnitude below which an entry may count as 0 beside the largest one; 0 where that is not
-/// finite.
+/// Returns the magnitude that may count as 0 beside the largest entry; 0 if not finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;
@@ -339,7 +330,7 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Each function is called at one place for each number of rows, as its body is compiled there.
+    /// Each function has one call site for each number of rows, because its body is inlined there.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;
@@ -390,7 +381,6 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Finds the limits of columns; without flushing they are 0.
     #[inline(always)]
     fn set_column_limits(&mut self) {
         let limits = &mut self.workspace.column_limits;
@@ -412,7 +402,6 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// Copies a row of A to row r of the panel.
     #[inline(always)]
     fn gather(&mut self, panel: &Panel, r: usize) {
         let own = &mut self.workspace.rows[r * panel.width..][..panel.width];
@@ -428,7 +417,7 @@ impl<T: InLanes> Work<'_, T> {
         self.workspace.limits[r] = negligible(largest);
     }
 
-    /// An entry of row r of the panel in a column of A, or 0 where it is negligible.
+    /// Returns an entry of row r of the panel in a column of A, or 0 if negligible.
     #[inline(always)]
     fn flushed(&self, entry: T, r: usize, column: usize) -> T {
         let PanelWorkspace { limits, column_limits, .. } = &*self.workspace;
@@ -437,7 +426,7 @@ impl<T: InLanes> Work<'_, T> {
         if is_negligible { T::zero() } else { entry }
     }
 
-    /// Copies row r of the panel back, with the reciprocal of its pivot; `false` where that is 0.
+    /// Copies row r of the panel back, with the reciprocal of its pivot; `false` if the pivot is 0.
     #[inline(always)]
     fn has_scattered(&mut self, panel: &Panel, r: usize) -> bool {
         let own = &self.workspace.rows[r * panel.width..][..panel.width];
@@ -458,14 +447,14 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// The place of a pivot, and of the end of its row.
+    /// Returns the place of a pivot, and the end of its row.
     #[inline(always)]
     fn pivot(&self, row: usize) -> [usize; 2] {
         let right = self.couplings.rows[row].right();
         [right.start - 1, right.end]
     }
 
-    /// Reduces R rows together; `false` where a pivot is too small.
+    /// Reduces R rows together; `false` if a pivot is too small.
     #[inline(always)]
     fn has_reduced<L: Lanes<T>, const R: usize>(
         &mut self,
@@ -483,7 +472,7 @@ impl<T: InLanes> Work<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // Columns of the pivots' panel behind these pivots, of which their rows have all.
+        // The columns right of these pivots in their panel; the pivots' rows have entries in all.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -507,9 +496,8 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// The factor that a row is reduced by with a pivot, by which it reduces the columns before
-    /// `end`; `None` where the pivot is too small. The row's entry in the pivot's column is at
-    /// `place`.
+    /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`; `None`
+    /// if the pivot is too small. The row's entry in the pivot's column is at `place`.
     #[inline(always)]
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);
@@ -550,7 +538,6 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// Subtracts them in C registers of columns.
     #[inline(always)]
     fn subtract_from<V: Lanes<T>, const R: usize, const C: usize>(
         &mut self,

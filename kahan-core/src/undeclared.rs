@@ -1,10 +1,9 @@
-//! What one asks of a system that cannot answer: rustc then says what to declare, or what to write.
+//! Methods that a system lacks, with diagnostics that say what to declare or write.
 //!
-//! A block without an integral, without a density, or with integers for parameters has these
-//! methods in place of the real ones. No type fulfils what they ask for, so that a call never gets
-//! past the compiler, and nothing is compiled. They take `&mut self`: rustc tries methods with
-//! `&self` first, so that integrals written by hand go before them, and so does the map of a system
-//! whose scalar is not inferred yet.
+//! A block without an integral, without a density, or with integer parameters has these methods in
+//! place of the real ones. No type satisfies their bounds, so every call is a compile error, and no
+//! code is generated. They take `&mut self`: rustc tries methods with `&self` first, so handwritten
+//! integrals take precedence, and so does the map of a system whose scalar is not yet inferred.
 
 use core::iter::Empty;
 
@@ -12,12 +11,11 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// Implements none of the traits below, so that asking a block for what it does not declare is an
-/// error with their message.
+/// A type without implementations of the traits below, whose messages therefore appear as errors.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
-/// The block of S declares an integral; none does in this way.
+/// The block of S declares an integral; never implemented.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no integral",
     label = "declare one in the block: `integral H = …;`",
@@ -25,7 +23,7 @@ pub struct Block;
 )]
 pub trait DeclaresIntegral<S: ?Sized, T> {}
 
-/// The block of S declares a density; none does in this way.
+/// The block of S declares a density; never implemented.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no density",
     label = "declare one in the block: `density rho = …;`",
@@ -33,7 +31,7 @@ pub trait DeclaresIntegral<S: ?Sized, T> {}
 )]
 pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// S has scalars for parameters; none has in this way.
+/// S has scalars for parameters; never implemented.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",
@@ -45,7 +43,7 @@ fn unanswered() -> ! {
     unreachable!("no type has what this asks for")
 }
 
-/// Of a block without integrals.
+/// The methods of a block without integrals.
 pub trait WithoutIntegrals {
     /// Not to be called.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
@@ -56,7 +54,7 @@ pub trait WithoutIntegrals {
     }
 }
 
-/// Of a block without a density.
+/// The methods of a block without a density.
 pub trait WithoutDensity {
     /// Not to be called.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
@@ -67,7 +65,7 @@ pub trait WithoutDensity {
     }
 }
 
-/// Of a system whose parameters are integers.
+/// The methods of a system with integer parameters.
 pub trait IntegerParameters {
     /// Not to be called.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>

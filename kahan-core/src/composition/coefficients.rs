@@ -1,9 +1,8 @@
-//! The coefficients: decimals of 40 digits after the point.
+//! The coefficients of the compositions: decimals with 40 digits after the point.
 //!
-//! Made from the published 20 to 26 digits by Newton's iteration (least change; two of the sets
-//! leave a degree of freedom) on the order conditions, and rounded. A test checks each set's
-//! conditions over ℚ, the sum 1, and every rounding. In each set γ₁, …, then the middle one, 1 − 2Σ
-//! of the others.
+//! Computed from the published 20 to 26 digits by Newton's iteration on the order conditions
+//! (smallest change, because two sets leave a degree of freedom), then rounded. A test checks
+//! conditions, sums and roundings. Each set ends with the middle coefficient, 1 − 2Σ of the others.
 
 use crate::Constant;
 

@@ -1,7 +1,7 @@
-//! A composition at a fixed ε, and orbits by it.
+//! A composition at a fixed ε, and its orbits.
 //!
-//! In: a map at its ε, and a composition. Out: steps that take a state only, each of them the
-//! stages in their order. Those that differ lie in an array of fixed size, so nothing is allocated.
+//! In: a map at its ε, and a composition. Out: steps that take only a state and run the stages in
+//! order. The distinct stages lie in an array of fixed size, so nothing is allocated.
 
 use core::array::from_fn;
 use core::fmt;
@@ -14,8 +14,6 @@ use crate::{
 use super::Composition;
 
 /// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
-///
-/// Each of its steps is the steps of its stages, one after the other.
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -23,25 +21,24 @@ pub struct Composed<S: Step> {
     eps: S::Scalar,
 }
 
-/// Up to 17 steps that read the same from either end.
+/// A palindromic sequence of up to 17 stages.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
-    /// The first `len` are run; the others repeat the middle one.
+    /// The first `len` entries are run; the others repeat the middle one.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,
 }
 
-/// The most steps that differ.
+/// The largest number of distinct stages.
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to 9.
+    /// Returns the palindrome of 2·`len` − 1 stages with k-th stage `step(k)`, `len` from 1 to 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
     }
 
-    /// Each of the steps in its turn.
     #[inline(always)]
     pub(super) fn in_order(&self) -> impl Iterator<Item = &P> {
         let distinct = &self.steps[..self.len];
@@ -49,7 +46,6 @@ impl<P> Palindrome<P> {
         (0..=last).map(move |k| &distinct[k.min(last - k)])
     }
 
-    /// What `of` makes of each.
     #[inline(always)]
     pub(super) fn map<'a, Q>(&'a self, of: impl Fn(&'a P) -> Q) -> Palindrome<Q> {
         Palindrome { steps: self.steps.each_ref().map(of), len: self.len }
@@ -57,24 +53,24 @@ impl<P> Palindrome<P> {
 }
 
 impl<S: Step> Composed<S> {
-    /// The composition of the map that `at` makes at the ε of each stage.
+    /// Composes a map that `at` prepares at the ε of each stage.
     fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
         let gammas = composition.first_half;
         let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());
         Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
     }
 
-    /// The composition.
+    /// Returns the composition.
     pub fn composition(&self) -> Composition {
         self.composition
     }
 
-    /// ε, half the time step of all stages together.
+    /// Returns ε, half the time step of all stages together.
     pub fn eps(&self) -> &S::Scalar {
         &self.eps
     }
 
-    /// The orbit that begins with `x`; it owns a copy of the prepared stages.
+    /// Returns the orbit that begins with `x`; the orbit owns a copy of the prepared stages.
     #[inline]
     pub fn orbit(&self, x: S::State) -> Orbit<Self>
     where
@@ -83,8 +79,7 @@ impl<S: Step> Composed<S> {
         Orbit::new(self.clone(), x)
     }
 
-    /// The state one time step of 2ε later, by all stages in order; not finite where a stage meets
-    /// a pole.
+    /// Returns the state one time step 2ε later; not finite if a stage meets a pole.
     #[inline]
     pub fn step(&self, x: &S::State) -> S::State {
         let Some(next) = self.next(x, &mut Workspace::new()) else {
@@ -112,7 +107,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Any stage steps at any ε.
+        // Any stage can step at any ε.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -146,7 +141,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// The composition of this map at its ε: a step of it takes the same time 2ε.
+    /// Composes this map at its ε; a step still takes the time 2ε.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -176,11 +171,9 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// The same orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε, which has
-    /// a higher order. It goes on from where this orbit is; every stage is prepared once.
-    ///
-    /// A step still takes the time 2ε and yields one point. What survives and what does not, and
-    /// the cost, are said at [`Composition`].
+    /// Continues this orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε,
+    /// which has a higher order. Every stage is prepared once. A step still takes the time 2ε and
+    /// yields one point. [`Composition`] lists the preserved properties and the cost.
     ///
     /// ```
     /// use kahan_core::Composition;
@@ -211,7 +204,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// The same of an orbit whose points carry their rounding errors: it keeps them.
+    /// Composes like a plain orbit, and keeps the carries of the points.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
         self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)

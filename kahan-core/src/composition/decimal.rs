@@ -1,11 +1,9 @@
 //! Decimals of 40 digits after the point as constants, rounded while compiling.
 //!
-//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by long division of whole numbers
-//! below 2²⁵⁶, so that nothing is rounded twice.
+//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by exact long division.
 
 use crate::Constant;
 
-/// 10⁴⁰
 const UNIT: Whole = Whole { high: 0x1d, low: 0x6329_f1c3_5ca4_bfab_b9f5_6100_0000_0000 };
 const LIMBS_OF_UNIT: [u64; 3] = UNIT.limbs();
 
@@ -40,7 +38,6 @@ impl Whole {
     }
 }
 
-/// A decimal of size 10⁻⁸ to 2, its digits and its roundings.
 pub(super) struct Decimal {
     negative: bool,
     limbs: [u64; 3],
@@ -50,7 +47,7 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// The number that is written so: a sign or none, digits, a point, 40 digits.
+    /// Parses an optional sign, digits, a point, 40 digits.
     pub(super) const fn read(text: &str) -> Self {
         let text = text.as_bytes();
         let negative = text[0] == b'-';
@@ -85,15 +82,14 @@ impl Decimal {
     }
 }
 
-/// The float of so many bits that is nearest to part/10⁴⁰, which is above 0 and less than 2; the
-/// remainder of the division, and the unit in which it and the last bit are counted.
+/// Returns the float of `bits` bits nearest to part/10⁴⁰, which lies between 0 and 2, with the
+/// remainder of the division, and the unit of remainder and last bit.
 const fn nearest(part: Whole, bits: u32) -> (f64, Whole, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {
         rest = rest.doubled();
         unit /= 2.0;
     }
-    // The first bit is 1.
     let mut mantissa = 1_u64;
     rest = rest.minus(UNIT);
     let mut count = 1;

@@ -1,10 +1,9 @@
-//! Compositions: one step of higher order made of several steps of Kahan's map.
+//! Compositions: steps of higher order made of several steps of Kahan's map.
 //!
 //! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. φ_ε is
 //! symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is
-//! symmetric too, has an even order, and reaches order p where its coefficients satisfy the order
-//! conditions. Nothing is adapted while it runs: the coefficients are data ([`coefficients`]), and
-//! tests check both their conditions and the order that is measured.
+//! symmetric, too. Its order is even, and is p if the coefficients ([`coefficients`]) satisfy the
+//! order conditions.
 
 mod coefficients;
 mod composed;
@@ -19,9 +18,9 @@ pub use composed::Composed;
 pub(crate) use stages::Staged;
 
 /// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε
-/// is made of the steps with γ₁ε, …, γₛε, in this order.
+/// consists of the steps with γ₁ε, …, γₛε, in this order.
 ///
-/// The constants below are all compositions there are; their coefficients have 40 digits.
+/// The constants below are all available compositions; their coefficients have 40 digits.
 ///
 /// # What survives
 /// - **Reversibility**: the inverse is the composition with −ε.
@@ -30,16 +29,16 @@ pub(crate) use stages::Staged;
 ///   H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
 ///
 /// # What does not
-/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, and the
-///   composition none of them. H and K of E2, E4, E5, E6 and the Euler top each oscillate by O(εᵖ)
-///   about the flow's integral, without a drift.
-/// - **Exactness**: the coefficients are irrational, so a composition exists over floats only.
+/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, but the
+///   composition conserves none. H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ)
+///   about the flow's integral, without drift.
+/// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
 /// - **An ε of few bits** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
 ///
 /// # Cost
-/// s steps each; the (s + 1)/2 different ones are prepared once. Σ|γᵢ| says how much further than
-/// 2ε the stages go together: the smaller, the less an order costs in accuracy. Some γᵢ are
-/// negative, so a composition also steps back, and may meet a pole where the plain step does not.
+/// s steps each, of which (s + 1)/2 distinct ones are prepared once. Σ|γᵢ| is the total distance of
+/// the stages relative to 2ε; a smaller sum gives a smaller error. Some γᵢ are negative, so a
+/// composition also steps back, and may meet a pole where the plain step does not.
 ///
 /// | constant | order | stages | Σ\|γ\| |
 /// |---|---|---|---|
@@ -53,45 +52,41 @@ pub(crate) use stages::Staged;
 pub struct Composition {
     name: &'static str,
     order: u32,
-    /// γ₁, …, γ_{(s+1)/2}: the last is the middle one.
+    /// γ₁, …, γ_{(s+1)/2}; the middle coefficient is last.
     first_half: &'static [Constant<'static>],
 }
 
-/// What survives and what does not is the same for all; see above.
 impl Composition {
     /// Kahan's map itself: order 2, one stage.
     pub const KAHAN: Self = Self::new("KAHAN", 2, coefficients::KAHAN);
 
-    /// Order 4 with 3 stages, the fewest; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
+    /// Order 4 with 3 stages, the minimum; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
     ///
     /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A.
     /// Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H.
     /// Yoshida, Phys. Lett. A 150 (1990) 262.
     pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, coefficients::TRIPLE_JUMP);
 
-    /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: the choice at order 4.
-    ///
-    /// M. Suzuki, Phys. Lett. A 146 (1990) 319.
+    /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: recommended at order 4. M.
+    /// Suzuki, Phys. Lett. A 146 (1990) 319.
     pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
-    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a.
-    ///
-    /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
+    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a. W. Kahan, R.-C. Li, Math. Comp. 66
+    /// (1997) 1089.
     pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
-    /// Order 8 with 15 stages, the fewest, Σ|γ| = 6.53.
+    /// Order 8 with 15 stages, the minimum, Σ|γ| = 6.53.
     ///
     /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K.
     /// Umeno, in Computer Simulation Studies in Condensed-Matter Physics VI (1993) 74; R. I.
     /// McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
     pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, coefficients::SUZUKI_UMENO_8);
 
-    /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: the choice at order 8.
-    ///
-    /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
+    /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: recommended at order 8. W. Kahan,
+    /// R.-C. Li, Math. Comp. 66 (1997) 1089.
     pub const KAHAN_LI_8: Self = Self::new("KAHAN_LI_8", 8, coefficients::KAHAN_LI_8);
 
-    /// All of them, by order and number of stages.
+    /// All compositions, by order and number of stages.
     pub const ALL: [Self; 6] = [
         Self::KAHAN,
         Self::TRIPLE_JUMP,
@@ -106,30 +101,30 @@ impl Composition {
         Self { name, order, first_half }
     }
 
-    /// The ones to take, of orders 2, 4, 6 and 8; the others need more for the same error.
+    /// The recommended compositions; the others cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
-    /// That one of the [`BEST`](Self::BEST) which has this order; `None` where there is none.
+    /// Returns the member of [`BEST`](Self::BEST) of this order, if any.
     pub fn of_order(order: u32) -> Option<Self> {
         Self::BEST.into_iter().find(|best| best.order == order)
     }
 
-    /// The constant's name, as written in Rust.
+    /// Returns the name of the constant, as written in Rust.
     pub const fn name(&self) -> &'static str {
         self.name
     }
 
-    /// The order p: the error of one step is O(εᵖ⁺¹), that at a fixed time O(εᵖ).
+    /// Returns the order p: the error of one step is O(εᵖ⁺¹), the error at a fixed time is O(εᵖ).
     pub const fn order(&self) -> u32 {
         self.order
     }
 
-    /// The number s of stages.
+    /// Returns the number s of stages.
     pub const fn stages(&self) -> usize {
         2 * self.first_half.len() - 1
     }
 
-    /// γ₁, …, γₛ, exact decimals of 40 digits after the point whose sum is exactly 1.
+    /// Iterates over γ₁, …, γₛ, exact decimals of 40 digits after the point with sum exactly 1.
     pub fn coefficients(
         &self,
     ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {
@@ -137,7 +132,7 @@ impl Composition {
         (0..self.stages()).map(move |k| &half[k.min(last - k)])
     }
 
-    /// What a step costs, from the cost of one stage.
+    /// Returns the cost of a step, from the cost of one stage.
     pub const fn cost(&self, stage: StepCost) -> StepCost {
         let stages = self.stages() as u32;
         StepCost {
@@ -148,7 +143,6 @@ impl Composition {
     }
 }
 
-/// Two are the same constant.
 impl PartialEq for Composition {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name

@@ -1,8 +1,6 @@
-//! The stages of a step, for those who run them in a way of their own: in lanes, or with tangent
-//! vectors.
+//! The stages of a step, for callers that run them in lanes or with tangent vectors.
 //!
-//! In: a map at its ε, which is its only stage, or a composition. Out: what a caller makes of each
-//! stage, in the stages' order.
+//! In: a prepared map (its only stage) or a composition. Out: one result per stage, in order.
 
 use nalgebra::SVector;
 
@@ -11,23 +9,19 @@ use crate::{KahanAt, KahanMap, Scalar, Step};
 use super::Composed;
 use super::composed::Palindrome;
 
-/// A map at its ε each of whose steps is one or several of Kahan's.
+/// A prepared map whose step consists of one or several of Kahan's steps.
 pub(crate) trait Staged<T: Scalar, const N: usize>:
     Step<Scalar = T, State = SVector<T, N>> + Clone
 {
-    /// The map of all stages.
     type Map: KahanMap<T, N>;
-    /// A P for each stage.
     type Stages<P>;
 
-    /// Applies `of` to each stage.
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
 
-    /// Returns what stands for each stage, in the order of a step.
+    /// Iterates over the entries of `stages` in the order of a step.
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Applies `of` to the k-th stages of several maps, for each k; `None` where the maps have
-    /// different compositions.
+    /// Applies `of` to the k-th stages of several maps; `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

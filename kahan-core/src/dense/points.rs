@@ -1,7 +1,7 @@
-//! The points of an ensemble side by side: each lane of a register holds an entry of one of them.
+//! Elimination for several points side by side, one point per lane.
 //!
-//! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x) of
-//! each, with the bits of the point alone, and how much its elimination grew.
+//! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x)
+//! for each, with the bits of a single point, and the growth of each elimination.
 
 use core::marker::PhantomData;
 
@@ -10,15 +10,15 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 
 use super::{COLUMNS, Loops, Workspace, minus_product};
 
-/// How many points [`velocities`] takes: the numbers of a register of 512 bits.
+/// Returns the number of points that [`velocities`] takes: the numbers in a register of 512 bits.
 #[must_use]
 pub const fn points<T: InLanes>() -> usize {
     T::MOST
 }
 
-/// Replaces each of some [points] by A(x,ε)⁻¹f(x); entry i of point p is number i·[`points`] + p.
-/// The pivots of point p are too small where the magnitude of `growth[p]` is larger than
-/// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR) then; a pivot that is 0 leads to numbers that are not finite.
+/// Replaces each of [`points`] points by A(x,ε)⁻¹f(x); entry i of point p has index i·[`points`] +
+/// p. The pivots of point p are too small if the magnitude of `growth[p]` exceeds
+/// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR); a zero pivot gives non-finite numbers.
 pub fn velocities<T: InLanes>(
     packed: &[T],
     x: &mut [T],
@@ -51,7 +51,6 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
         let loops = Loops::<T, L, true> { variables, height: variables, lanes: PhantomData };
         for part in 0..points::<T>() / L::WIDTH {
             let part = part * L::WIDTH;
-            // The points of a register, entry after entry, stand where the solution will.
             for i in 0..variables {
                 L::load(x, i * points::<T>() + part).store(factors, i * L::WIDTH);
             }
@@ -65,9 +64,8 @@ impl<T: InLanes> OverLanes<T> for PointsWork<'_, T> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution. Returns the largest growth: of each pivot the
-    /// smaller one of its largest factor and of the largest quotient of an entry behind it.
-    /// `sizes` is room for two numbers a variable.
+    /// Replaces the last column by the solution and returns the largest min(largest factor, largest
+    /// quotient to the right) of all pivots. `sizes` has two numbers per variable.
     #[inline(always)]
     fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
         let (n, zero) = (self.variables, L::spread(&T::zero()));
@@ -118,8 +116,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, true> {
         growth
     }
 
-    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j, times
-    /// their factors.
+    /// Subtracts, in W rows of column j, the rows of all pivots before both, times their factors.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {

@@ -5,8 +5,7 @@ use super::{LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, ve
 use crate::Level;
 use crate::ensemble::lanes::InLanes;
 
-/// Lanes of two and of four numbers have the same bits, whatever is left over at the end of
-/// registers, blocks of columns, and groups of pivots.
+/// Registers of two and of four numbers give equal bits, with any remainders of blocks.
 #[test]
 fn lanes_of_any_number_have_the_same_bits() {
     fn agree<T: InLanes + From<f32>>(bits: impl Fn(T) -> u64) {
@@ -36,8 +35,7 @@ fn lanes_of_any_number_have_the_same_bits() {
     agree(|x: f32| u64::from(x.to_bits()));
 }
 
-/// Points side by side have the bits of each alone, and their growth tells where a pivot is too
-/// small.
+/// Points side by side have the bits of single points; growth shows too small pivots.
 #[test]
 fn points_side_by_side_are_solved_as_each_alone() {
     let mut state = 7_u32;

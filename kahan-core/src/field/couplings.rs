@@ -1,39 +1,36 @@
-//! Elimination along the couplings of variables: tables that say where A(x,ε) has entries, and
-//! loops over them.
+//! Elimination along couplings: tables of the entries of A(x,ε), and loops over them.
 //!
-//! In: numbers at the places of the tables. Out: A = L·U in those places, and solutions of A·X = B.
-//! Rows are not exchanged, so a pivot may be too small to divide by: [`factor`](Couplings::factor)
-//! says so, and whoever calls pivots instead.
+//! In: numbers at the places of the tables. Out: A = L·U in these places, and solutions of A·X = B.
+//! [`factor`](Couplings::factor) reports pivots that are too small for elimination without
+//! exchanges.
 
 use core::ops::Range;
 
 use crate::{Constant, Scalar};
 
-/// A pivot that is smaller, by more than this factor, than an entry of its row and an entry of its
-/// column sends the step to partial pivoting.
+/// The ratio above which a pivot is too small: an entry of its row and an entry of its column both
+/// exceed the pivot by more than this factor, and the step uses partial pivoting.
 ///
-/// Elsewhere the product that is subtracted from an entry is at most this many times as large as
-/// another entry of its row or column, so that no digits are lost.
+/// Otherwise a product subtracted from an entry is at most this many times another entry of its row
+/// or column, so no digits are lost.
 pub const LARGEST_FACTOR: i64 = 16;
 
-/// Where A(x,ε) has entries, those that elimination fills in among them. Rows and columns are
-/// counted in the order of elimination, entries row after row.
+/// The entries of A(x,ε) with fill-in, row by row; rows and columns in elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
-    /// Which variable is eliminated at each turn.
+    /// The variable eliminated at each turn.
     pub order: &'a [u32],
-    /// The rows.
+    /// The ranges of the rows.
     pub rows: &'a [CouplingRow],
     /// The column of each entry.
     pub columns: &'a [u32],
-    /// Where each block ends, the number of its last row and 1: blocks are solved one after the
-    /// other.
+    /// The end of each block (its last row plus 1); blocks are solved one after the other.
     pub blocks: &'a [u32],
     /// The place of each entry of f′ that is not identically zero.
     pub places: &'a [u32],
 }
 
-/// The places of a row's entries.
+/// The range of a row's entries.
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingRow {
     start: u32,
@@ -43,8 +40,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// A row from its first entry, the first in its own block, the one on the diagonal, and the end
-    /// behind its last.
+    /// Returns a row from the places of its first entry, its first entry in its own block and its
+    /// diagonal entry, and the end of its entries.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }
@@ -62,14 +59,14 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// The entries that are multiplied by what is solved already.
+    /// The entries multiplied by known unknowns in forward substitution.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
 }
 
 impl Couplings<'_> {
-    /// A(x,ε) = I − εf′(x), from the entries of f′ in the order of their places.
+    /// Computes A(x,ε) = I − εf′(x), from the entries of f′ in the order of `places`.
     pub fn fill<T: Scalar>(&self, slopes: &[T], eps: &T, values: &mut [T]) {
         values.fill(T::zero());
         for (place, slope) in self.places.iter().zip(slopes) {
@@ -81,10 +78,8 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces A by its factors: left of the diagonal those of rows, on it the reciprocals of
-    /// pivots. `row` is a row to work in.
-    ///
-    /// `false` where a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
+    /// Replaces A by its LU factors, with reciprocal pivots; `row` is scratch for one row. Returns
+    /// `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
@@ -96,8 +91,8 @@ impl Couplings<'_> {
         has_pivots && !is_refused
     }
 
-    /// Replaces A by its factors; `false` where a pivot is 0. `see` is given each factor that a row
-    /// is reduced by, before it the turn of its pivot, and the factors so far.
+    /// Replaces A by its LU factors; `false` if a pivot is 0. Calls `see` with the turn of the
+    /// pivot, the factor, and the factors so far, before each reduction of a row.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -131,19 +126,19 @@ impl Couplings<'_> {
         !is_singular
     }
 
-    /// The reciprocal of the pivot of a turn, and the entries behind it in its row.
+    /// Returns the reciprocal of the pivot of a turn, and the entries to its right.
     pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
         let row = &self.rows[turn];
         (&values[row.diagonal as usize], &values[row.right()])
     }
 
-    /// The reciprocals of the pivots, where `values` are factors: their product is 1/det A.
+    /// Iterates over the reciprocals of the pivots in LU factors; their product is 1/det A.
     pub fn pivots<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
         self.rows.iter().map(|row| &values[row.diagonal as usize])
     }
 
-    /// Replaces b by the solution of A·x = b, both in the order of elimination; `values` are
-    /// factors. Behind the diagonal, columns that are solved first are subtracted first.
+    /// Solves A·x = b in place, in elimination order, from LU factors. Back substitution subtracts
+    /// the columns in the order in which they are solved.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -159,7 +154,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces b by the solution of Aᵀ·x = b; see [`solve`](Self::solve).
+    /// Solves Aᵀ·x = b in place; see [`solve`](Self::solve).
     pub fn solve_transposed<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let subtract = |i: usize, places: Range<usize>, b: &mut [T]| {
             for place in places {
@@ -181,7 +176,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// bᵢ without the products at these places.
+    /// Returns bᵢ minus the products at these places.
     #[inline]
     fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
         places.fold(b[i].clone(), |sum, place| {
@@ -189,7 +184,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// The variables of the rows and columns of f′ that have an entry, in the order of the places.
+    /// Iterates over the variables of row and column of each entry of f′, in the order of `places`.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         let mut row = 0;
         self.places.iter().map(move |&place| {
@@ -200,7 +195,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// The most entries in a row of A.
+    /// Returns the largest number of entries in a row of A.
     #[must_use]
     pub fn widest_row(&self) -> usize {
         let width = |row: &CouplingRow| {

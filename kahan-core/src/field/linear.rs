@@ -1,10 +1,9 @@
 //! Linear algebra on small matrices over any scalar.
 //!
-//! In: matrices whose size is part of the type, by value. Out: solutions, determinants, products
-//! with the adjugate. [`solve`] and [`determinant`] eliminate with partial pivoting;
-//! [`determinant_and_adjugate_product`] uses ring operations only, so it has no poles. Nothing
-//! allocates beyond what the scalar's own operations do, and nothing but [`Scalar`] is asked of the
-//! entries: no order, no square root.
+//! In: matrices whose size is part of the type. Out: solutions, determinants, products with the
+//! adjugate. [`solve`] and [`determinant`] use partial pivoting;
+//! [`determinant_and_adjugate_product`] only uses ring operations, so it has no poles. Only the
+//! scalar's own operations allocate.
 
 use core::array::from_fn;
 
@@ -12,9 +11,8 @@ use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::Scalar;
 
-/// The solution X of A·X = B, or `None` if A is singular and the scalar has no reciprocal of zero.
-///
-/// Floats always get an answer; for a singular matrix it is not finite.
+/// Returns the solution X of A·X = B, or `None` if A is singular and the scalar has no reciprocal
+/// of zero. Over floats, a singular matrix gives a result that is not finite.
 pub fn solve<T: Scalar, const N: usize, const M: usize>(
     mut a: SMatrix<T, N, N>,
     mut b: SMatrix<T, N, M>,
@@ -23,7 +21,7 @@ pub fn solve<T: Scalar, const N: usize, const M: usize>(
     Some(b)
 }
 
-/// The same in the place of B, at the cost of A: large matrices are not copied.
+/// Solves in place of B and overwrites A, without copies of large matrices.
 #[inline(always)]
 pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, N>,
@@ -33,7 +31,6 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
         let row = pivot_row(a, k);
         a.swap_rows(k, row);
         b.swap_rows(k, row);
-        // The pivot itself is not needed again: its reciprocal takes its place.
         let reciprocal = a[(k, k)].reciprocal()?;
         for i in k + 1..N {
             let factor = a[(i, k)].clone() * reciprocal.clone();
@@ -54,18 +51,17 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     Some(())
 }
 
-/// det A; 0 for a singular matrix in every scalar.
+/// Returns det A; 0 for a singular matrix in every scalar.
 pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     eliminated_determinant(&mut a)
 }
 
-/// The same, at the cost of A.
+/// Returns det A and overwrites A.
 #[inline(always)]
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries, not the pivot alone: beside an entry that is not a number, a zero pivot
-        // proves nothing.
+        // All entries, because a zero pivot beside a NaN proves nothing.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -86,15 +82,14 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
     determinant
 }
 
-/// (adj(A)·b, det A) without a division.
+/// Returns (adj(A)·b, det A) without division.
 ///
-/// With C = I − A and χ(λ) = λᴺ + c₁λᴺ⁻¹ + … + c_N its characteristic polynomial,
+/// With C = I − A and its characteristic polynomial χ(λ) = λᴺ + c₁λᴺ⁻¹ + … + c_N,
 ///
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
-/// the second by the theorem of Cayley and Hamilton. For Kahan's A = I − εf′ the terms have the
-/// size of εᵏ, so starting from C rather than A avoids the cancellation of binomials. O(N⁴)
-/// operations.
+/// the second by the Cayley–Hamilton theorem. For Kahan's A = I − εf′ the terms are of size εᵏ, so
+/// C instead of A avoids the cancellation of binomials. Cost: O(N⁴) operations.
 pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
@@ -123,17 +118,16 @@ pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     (product, determinant)
 }
 
-/// c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the algorithm of Samuelson and Berkowitz.
+/// Returns c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the Samuelson–Berkowitz algorithm.
 ///
-/// The leading block of size m+1 is [[C_m, s], [r, d]]; its coefficients are those of C_m
+/// The leading block of size m+1 is [[C_m, s], [r, d]]. Its coefficients are those of C_m
 /// multiplied by the Toeplitz matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf.
 /// Process. Lett. 18 (1984) 147–150).
 fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); entry k of each array is the one of
-        // index k+1.
+        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); array entry k has index k+1.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -152,7 +146,7 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     coefficients
 }
 
-/// −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s for the leading block of size m+1; zeros after.
+/// Returns −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s for the leading block of size m+1, then zeros.
 fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) -> [T; N] {
     let mut power: [T; N] = from_fn(|i| if i < m { c[(i, m)].clone() } else { T::zero() });
     from_fn(|k| {
@@ -170,7 +164,7 @@ fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) ->
     })
 }
 
-/// Σ c_ij·v_j over j < m.
+/// Returns Σ c_ij·v_j over j < m.
 fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize, v: &[T; N]) -> T {
     let mut sum = T::zero();
     for j in 0..m {
@@ -179,12 +173,12 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// The row at or below k whose entry in column k is the best to divide by; of equals, the first.
+/// Returns the row from k on with the best pivot in column k; the first of equals.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }
 
-/// row i −= factor · row k, from column `from` on.
+/// Subtracts factor · row k from row i, from column `from` on.
 fn subtract_row<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, M>,
     i: usize,
@@ -198,7 +192,6 @@ fn subtract_row<T: Scalar, const N: usize, const M: usize>(
     }
 }
 
-/// x̃ − x = 2ε·A(x,ε)⁻¹·f(x) by elimination.
 #[inline]
 pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     matrix: SMatrix<T, N, N>,
@@ -210,13 +203,13 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
-/// A vector from its entries.
+/// Returns a vector of these entries.
 #[inline(always)]
 pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))
 }
 
-/// The entries of a vector, to be bound to names by a pattern.
+/// Returns the entries of a vector, for binding by a pattern.
 #[inline(always)]
 pub fn components<T, const N: usize>(vector: &SVector<T, N>) -> &[T; N] {
     let [entries] = &vector.data.0;

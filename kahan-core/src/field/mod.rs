@@ -1,8 +1,7 @@
-//! The vector field, as the four objects that every formula of the method is made of.
+//! The vector field, as the four functions from which all formulas of the method are made.
 //!
-//! In: a state. Out: f, f′, and the two symmetric forms whose diagonal is Q and f. An
-//! implementation is free of ε: what depends on the step belongs to [`KahanMap`](crate::KahanMap).
-//! Where coefficients depend on ε, the field is the one at ε = 0, which the map approximates.
+//! In: a state. Out: f, f′, and the two symmetric forms with diagonals Q and f. Implementations do
+//! not depend on ε; coefficients that do are those at ε = 0.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;
@@ -14,22 +13,19 @@ use crate::Scalar;
 
 pub use named::{Integrals, Named};
 
-/// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ.
+/// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ, without poles in x.
 ///
-/// [`kahan!`](crate::kahan!) implements it; by hand, all four methods must describe the same field.
-/// None of them divides by a state, so none has a pole.
+/// [`kahan!`](crate::kahan!) implements it; by hand, all four methods must describe one field.
 pub trait QuadraticField<T: Scalar, const N: usize> {
-    /// f(x), the right-hand side of ẋ = f(x).
+    /// Returns f(x), the right-hand side of ẋ = f(x).
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N>;
 
-    /// f′(x), with the entry ∂fᵢ/∂xⱼ in row i, column j.
+    /// Returns f′(x), with ∂fᵢ/∂xⱼ in row i, column j.
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N>;
 
-    /// Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)], symmetric and linear in each argument; Q(x,x) is the
-    /// quadratic part of f.
+    /// Returns Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)]; Q(x,x) is the quadratic part of f.
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Q(x,y) + ½B(x+y) + c, symmetric; at (x,x) it is f(x), at (x,x̃) the increment of Kahan's map
-    /// over 2ε.
+    /// Returns Q(x,y) + ½B(x+y) + c, symmetric: f(x) at (x,x), and (x̃ − x)/(2ε) at (x,x̃).
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 }

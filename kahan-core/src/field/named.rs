@@ -1,32 +1,29 @@
-//! What a generated system knows of its own text: names, and the integrals it was proved to have.
+//! Names and proved integrals of a generated system, for generic code.
 //!
-//! In: a map. Out: names in the order of the vectors' entries, and the integrals' values. Generic
-//! code goes through these traits; code that has the type at hand uses its constants and inherent
-//! methods.
+//! In: a map. Out: names in the order of the vectors' entries, and the values of integrals.
 
 use nalgebra::SVector;
 
 use crate::Scalar;
 
-/// The names of a system's variables and parameters, as its author wrote them.
+/// The names of a system's variables and parameters, as written in the source.
 pub trait Named {
-    /// The state variables, in the order of a state's entries.
+    /// Returns the state variables, in the order of a state's entries.
     fn variables(&self) -> &'static [&'static str];
 
-    /// The parameters, in the order they were declared; here, none.
+    /// Returns the parameters, in the order of declaration; none by default.
     fn parameters(&self) -> &'static [&'static str] {
         &[]
     }
 }
 
-/// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves
-/// unchanged.
+/// A map on Tᴺ with M declared integrals: functions of state and ε that a step preserves.
 pub trait Integrals<T: Scalar, const N: usize, const M: usize> {
-    /// The integrals' names, in the order of the values.
+    /// Returns the names of the integrals, in the order of the values.
     fn integral_names(&self) -> &'static [&'static str];
 
-    /// The integrals at x, for the map whose ε, half the time step, is `eps`.
+    /// Returns the integrals at x, for the map with half time step `eps`.
     ///
-    /// Where an integral has a pole of its own, a float is not finite and an exact scalar panics.
+    /// At a pole of an integral, a float is not finite and an exact scalar panics.
     fn integrals(&self, x: &SVector<T, N>, eps: T) -> SVector<T, M>;
 }

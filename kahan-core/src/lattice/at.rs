@@ -1,6 +1,6 @@
 //! A family at one ε, for chains of one length.
 //!
-//! In: a state. Out: the next one, in its place. All memory is taken here, before the first step.
+//! In: a state. Out: the next one, in place. All memory is allocated before the first step.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -20,20 +20,19 @@ use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
-/// Made by [`LatticeMap::at`](super::LatticeMap::at); it owns the memory of a step, and a step
-/// allocates nothing.
+/// Made by [`LatticeMap::at`](super::LatticeMap::at). Steps do not allocate.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
     forward: Vec<T>,
     backward: Vec<T>,
     form: Form,
-    /// Steps take what is their own; where it is taken already, they make another.
+    /// The workspace of steps; concurrent calls allocate another.
     memory: Mutex<Memory<T>>,
     promise: Promise<T>,
 }
 
-/// What a step computes in.
+/// The workspace of a step.
 struct Memory<T: LatticeScalar> {
     form: Form,
     site: Site<T>,
@@ -42,7 +41,7 @@ struct Memory<T: LatticeScalar> {
     whole_eliminations: u64,
 }
 
-/// What decides how much memory a step takes, and how it is laid out.
+/// Everything that determines the size and layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Form {
     sizes: Sizes,
@@ -56,7 +55,7 @@ impl<T: LatticeScalar> Memory<T> {
     fn new(form: Form) -> Self {
         let Form { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        // A chain in parts is eliminated as a whole where a part meets too small a pivot.
+        // If a part meets too small a pivot, the whole chain is eliminated.
         let folded = if partition.is_some() { Folded::rarely } else { Folded::new };
         Self {
             form,
@@ -67,8 +66,7 @@ impl<T: LatticeScalar> Memory<T> {
         }
     }
 
-    /// Takes `steps` steps in place, at the ε that the constants were prepared for. An exact scalar
-    /// stops at a pole and leaves the state before it.
+    /// Takes `steps` steps at the ε of `constants`; an exact scalar stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -95,8 +93,7 @@ impl<T: LatticeScalar> Memory<T> {
         Ok(())
     }
 
-    /// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the
-    /// whole chain.
+    /// Solves A(x,ε)·w = f(x), or = `right`, by one elimination of the whole chain.
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -119,7 +116,7 @@ impl<T: LatticeScalar> Memory<T> {
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// The chain of these lines, whose parameters have as many values as there are sites.
+    /// Prepares a chain; site parameters must have `sites` values each.
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
         let sizes = map.sizes();
@@ -128,7 +125,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Self::planned(map, eps, sites, partition)
     }
 
-    /// The same, cut as planned or not at all.
     pub(super) fn planned(
         map: M,
         eps: T,
@@ -142,7 +138,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = Promise::new(&map, &eps, sites * sizes.block);
-        // What is beyond the range of these numbers alone does not hinder a step with a promise.
+        // Constants may overflow in T without harm to a promised step.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -151,43 +147,40 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// The same map, its steps on another level; `None` if this processor lacks it.
+    /// Sets the instruction set level of the steps; `None` if this processor lacks it.
     ///
-    /// A level decides the last bits of long chains of `f32` and `f64`, as those of an
-    /// [`Ensemble`](crate::Ensemble); the largest is taken unless told otherwise.
+    /// The level affects the last bits of long chains of `f32` and `f64`, as for an
+    /// [`Ensemble`](crate::Ensemble); the default is the highest.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(Memory::new(self.form));
         level.is_available().then_some(self)
     }
 
-    /// The number of sites.
+    /// Returns the number of sites.
     pub fn sites(&self) -> usize {
         self.form.sites
     }
 
-    /// The family.
     pub(super) fn map(&self) -> &M {
         &self.map
     }
 
-    /// ε, half the time step.
+    /// Returns ε, half the time step.
     pub fn eps(&self) -> &T {
         &self.eps
     }
 
-    /// How many steps were one elimination of the whole chain: all of a short one, and those of a
-    /// long one whose parts met too small a pivot.
+    /// Returns the number of steps by one elimination of the whole chain: those of short chains,
+    /// and of long ones with too small a pivot in a part.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
 
-    /// One step, x ↦ x̃, in place.
-    ///
-    /// What is not a number stays so; at a pole, floats are not finite.
+    /// Takes one step x ↦ x̃ in place. NaN persists; at a pole, floats are not finite.
     ///
     /// # Panics
-    /// If the state is not of this chain's length; at a pole of an exact scalar.
+    /// If the state does not have this chain's length; at a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
         self.check(state);
@@ -197,7 +190,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// One step of the inverse map, in place: the step with −ε.
+    /// Takes one step of the inverse map in place: the step with −ε.
     ///
     /// # Panics
     /// As [`step`](Self::step).
@@ -210,19 +203,18 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// One step with a promise, in place; the state stays as it is where there is none.
+    /// Takes one step with a bound on its backward error; on an error the state is unchanged.
     ///
-    /// `Ok` says of x̃, for this very call, that |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for
-    /// every unknown i: A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the floats as given, and k
-    /// is the number of entries in the row of A. An exact scalar's step is exact.
+    /// `Ok` means |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i, proved for this
+    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the given floats, and k is the
+    /// number of entries in the row of A. An exact scalar's step is exact.
     ///
     /// # Errors
-    /// At a pole, where x̃ is not finite or leaves the range, and where neither two refinements
-    /// nor, in chains of up to 4096 numbers, an elimination over many digits keeps the promise.
-    /// That elimination allocates.
+    /// At a pole, if the state or x̃ is not finite, and if neither two refinements nor (up to 4096
+    /// numbers) an allocating elimination over many digits reach the bound.
     ///
     /// # Panics
-    /// If the state is not of this chain's length.
+    /// If the state does not have this chain's length.
     #[track_caller]
     pub fn try_step(&mut self, state: &mut [T]) -> Result<(), SingularStep> {
         self.check(state);
@@ -255,7 +247,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             }
             least = bound.min(least);
             if turn < REFINEMENTS {
-                // What is not finite is begun again, from x̃ = x.
+                // A non-finite x̃ is replaced by x before the refinement.
                 if !is_finite {
                     state.clone_from_slice(&promise.before);
                     promise.bound(map, state);
@@ -284,10 +276,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// So many steps, in place, whether or not [`Step`] is in scope.
+    /// Takes `steps` steps in place, also without [`Step`] in scope.
     ///
-    /// They are taken in the map's own memory. A call meanwhile from another thread allocates some
-    /// more once.
+    /// Steps use the map's own workspace; a concurrent call from another thread allocates one.
     ///
     /// # Panics
     /// As [`step`](Self::step).
@@ -304,7 +295,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// So many steps, in place; after each, `visit` gets its number, from 1 on, and the state.
+    /// Takes `steps` steps; after each, calls `visit` with its number, from 1 on, and the state.
     ///
     /// # Panics
     /// As [`step`](Self::step).
@@ -316,15 +307,16 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// How well `next` is the step from `x`: the largest component of
-    /// |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|), each relative to its own terms.
+    /// Returns the componentwise backward error of `next` as the step from `x`, the maximum of
     ///
-    /// The numerator is 2ε times the defining equation of Kahan's map; with b = x + εBx + 2εc it is
-    /// A x̃ − b, so that this is the backward error of x̃, component by component. Over an exact
-    /// scalar it is 0 for the step and for nothing else; what is not a number is returned.
+    ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
+    ///
+    /// With b = x + εBx + 2εc the numerator is |A x̃ − b|, or 2ε times the defect of Kahan's
+    /// defining equation. Over an exact scalar the result is 0 only for the step. A NaN is returned
+    /// as it occurs.
     ///
     /// # Panics
-    /// If a state is not of this chain's length.
+    /// If a state does not have this chain's length.
     #[track_caller]
     pub fn residual(&self, x: &[T], next: &[T]) -> T {
         self.check(x);
@@ -355,10 +347,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         worst
     }
 
-    /// f(x), laid out as the state.
+    /// Returns f(x) in the layout of the state.
     ///
     /// # Panics
-    /// If the state is not of this chain's length.
+    /// If the state does not have this chain's length.
     #[track_caller]
     pub fn field(&self, x: &[T]) -> Vec<T> {
         self.check(x);
@@ -384,12 +376,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
-/// The memory of a map that nobody shares now.
 fn own<T>(memory: &mut Mutex<T>) -> &mut T {
     memory.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// In memory of the workspace's, so that any number of threads can share a map.
 impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;

@@ -1,22 +1,22 @@
-//! Why there is no chain of so many sites.
+//! Errors in the construction of a chain.
 
 use core::fmt;
 
-/// Sites and parameters that do not fit each other.
+/// A mismatch of sites and parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LatticeError {
-    /// A chain has at least one site.
+    /// The number of sites is 0.
     NoSites,
     /// The equations divide by zero at these parameters, or a parameter or ε is not finite.
     Undefined,
-    /// A parameter that each site has is given for another number of sites.
+    /// A site parameter has values for another number of sites.
     SiteParameter {
-        /// Its name in the family.
+        /// The name of the parameter in the family.
         name: &'static str,
-        /// For how many sites it is given.
+        /// The number of values.
         given: usize,
-        /// How many there are.
+        /// The number of sites.
         sites: usize,
     },
 }

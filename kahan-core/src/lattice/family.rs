@@ -1,49 +1,49 @@
-//! The ends of a chain, and the sizes of its equations, as values or as a type.
+//! The boundary of a chain, and the sizes of its equations, as values or as a type.
 
-/// What lies beyond the two ends of a chain.
+/// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
-    /// The other end: site n is site 0.
+    /// Site n is site 0.
     Periodic,
-    /// Nothing: states and parameters there are 0.
+    /// States and parameters beyond the ends are 0.
     Open,
 }
 
-/// The sizes of a family's lines.
+/// The sizes of a family's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// Arrays a site.
+    /// The number of arrays.
     pub block: usize,
     /// The largest offset, at least 1.
     pub reach: usize,
-    /// Parameters a site.
+    /// The number of parameters per site.
     pub parameters: usize,
-    /// The largest distance, in unknowns, of an entry of A to the left of the diagonal.
+    /// The lower bandwidth of A, in unknowns.
     pub lower: usize,
-    /// The largest such distance to the right of the diagonal.
+    /// The upper bandwidth of A, in unknowns.
     pub upper: usize,
-    /// The scalars that a line of one site computes in.
+    /// The number of scalar registers for the equations of one site.
     pub registers: usize,
-    /// The registers that lines of gathered sites compute in.
+    /// The number of registers for the equations of gathered sites.
     pub registers_abreast: usize,
 }
 
-/// The sizes of a family's line, as one type, and its kernels.
+/// The sizes of a family's equations, as a type, with its kernels.
 ///
-/// | parameter | what it is |
+/// | parameter | meaning |
 /// |---|---|
-/// | `B` | arrays a site |
+/// | `B` | arrays |
 /// | `R` | the largest offset, at least 1 |
-/// | `P` | parameters a site |
+/// | `P` | parameters per site |
 /// | `C` | prepared constants |
-/// | `LOWER` | the largest distance, in unknowns, of an entry of A to the left of the diagonal |
-/// | `UPPER` | the same to the right |
-/// | `SITES` | 2R + 1, the sites that a line sees |
+/// | `LOWER` | the lower bandwidth of A, in unknowns |
+/// | `UPPER` | the upper bandwidth |
+/// | `SITES` | 2R + 1, the sites in the equations of one site |
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the entries of a row of the band |
 ///
 /// The entry of row (i, b) at column (i + o, b′) lies o·B + b′ − b to the right of the diagonal.
-/// The last two sizes follow from the others and are written out because array lengths are not
-/// computed from parameters of a type; wrong ones do not compile.
+/// The last two sizes follow from the others; they are explicit because array lengths cannot be
+/// computed from type parameters. Wrong values do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,

@@ -1,7 +1,6 @@
-//! The step of a chain whose entries or pivots leave the range of its scalar.
+//! The step of a chain with entries or pivots beyond the range of its scalar.
 //!
-//! In: a state and ε. Out: x̃, by one elimination over numbers of many digits; it is judged as any
-//! other.
+//! In: a state and ε. Out: x̃, by one elimination over long numbers, not yet judged.
 
 use std::vec::Vec;
 
@@ -11,10 +10,10 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// Each unknown takes some kilobytes: longer chains are not tried.
+/// The largest number of unknowns; each takes some kilobytes.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
-/// x̃, each number made `long`.
+/// Computes x̃ over numbers converted by `long`.
 pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,

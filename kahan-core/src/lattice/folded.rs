@@ -1,20 +1,17 @@
 //! A band, cyclic or not, solved by one elimination with partial pivoting.
 //!
-//! In: the rows of a square system, one at a time, in the order asked for. Out: its solution. A
-//! cyclic band of half-bandwidth h is an open one of 2h in the *folded* order 0, n−1, 1, n−2, …: a
-//! ring pressed flat. Only what back-substitution reads is stored, U and the right-hand side; the
-//! rows that may still become pivots stand in a window that moves along. Entries are added, so that
-//! a ring shorter than its band, where two couplings meet in one entry, is right as well.
-//!
-//! Where the elimination is rarely needed its memory is small: U is kept for one stretch of the
-//! chain, and the window at the beginning of each; going back, a stretch is eliminated once more.
+//! In: the rows of a square system, one at a time, in the requested order. Out: the solution. A
+//! cyclic band of half-bandwidth h is an open one of 2h in the *folded* order 0, n−1, 1, n−2, ….
+//! Entries are added, so a ring shorter than its band is right, too. For rare use the memory is
+//! small: U is stored for one stretch of the chain, and each stretch is eliminated again in back
+//! substitution.
 
 use std::vec;
 use std::vec::Vec;
 
 use crate::Scalar;
 
-/// In which order the unknowns are eliminated.
+/// The elimination order of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Order {
     /// 0, 1, 2, …
@@ -24,7 +21,6 @@ pub(super) enum Order {
 }
 
 impl Order {
-    /// The unknown at a place in the order.
     fn unknown(self, place: usize, len: usize) -> usize {
         match self {
             Self::Folded if place % 2 == 1 => len - 1 - place / 2,
@@ -33,7 +29,6 @@ impl Order {
         }
     }
 
-    /// The place of an unknown in the order.
     fn place(self, unknown: usize, len: usize) -> usize {
         match self {
             Self::Folded if unknown >= len.div_ceil(2) => 2 * (len - 1 - unknown) + 1,
@@ -43,43 +38,38 @@ impl Order {
     }
 }
 
-/// The memory of an elimination of so many unknowns.
 pub(super) struct Folded<T> {
     order: Order,
     len: usize,
-    /// How far the entries of a row reach to the left and, before exchanges, to the right.
+    /// The lower bandwidth in elimination order.
     lower: usize,
     /// The entries of a row from its pivot on: `lower` + 1 + `upper`.
     width: usize,
-    /// How many places are done before U begins anew.
+    /// The number of places whose rows of U are stored at once.
     stretch: usize,
-    /// The rows from the current one on, `lower` + 1 of them, each from the current place on, and
-    /// its right-hand side last.
+    /// The `lower` + 1 rows from the current one on, from the current place on, with right-hand
+    /// side.
     window: Vec<T>,
-    /// The rows of a stretch that are done, place by place, as in the window.
+    /// The finished rows of a stretch, in the layout of the window.
     done: Vec<T>,
-    /// The window at the beginning of each stretch.
+    /// The window at the start of each stretch.
     begun: Vec<T>,
-    /// What is solved for, unknown by unknown.
+    /// The solution in the order of the unknowns.
     solution: Vec<T>,
 }
 
-/// A row while it is written.
 pub(super) struct BandRow<'a, T> {
     order: Order,
     len: usize,
-    /// The place of the first entry.
     first: usize,
     entries: &'a mut [T],
 }
 
 impl<T: Scalar> BandRow<'_, T> {
-    /// Adds to the entry of an unknown.
     pub(super) fn add(&mut self, unknown: usize, value: T) {
         self.entries[self.order.place(unknown, self.len) - self.first] += value;
     }
 
-    /// Adds to the right-hand side.
     pub(super) fn add_right(&mut self, value: T) {
         if let Some(right) = self.entries.last_mut() {
             *right += value;
@@ -88,15 +78,14 @@ impl<T: Scalar> BandRow<'_, T> {
 }
 
 impl<T: Scalar> Folded<T> {
-    /// For a band that reaches so far to the left and right, closed to a ring or not.
+    /// Allocates for a band of these bandwidths, cyclic if `is_ring`.
     pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
-    /// The same with little memory, and about twice the work of a long chain: for eliminations that
-    /// are the exception.
+    /// Like `new`, for rare use: with little memory, and about twice the work for a long chain.
     pub(super) fn rarely(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
-        /// Windows that a stretch has the length of.
+        /// The length of a stretch, in windows.
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
         Self::in_stretches(len, is_ring, lower, upper, WINDOWS * window)
@@ -106,7 +95,6 @@ impl<T: Scalar> Folded<T> {
         let farthest = 2 * lower.max(upper);
         let (order, lower, upper) =
             if is_ring { (Order::Folded, farthest, farthest) } else { (Order::Natural, lower, upper) };
-        // No row reaches beyond the system.
         let (lower, upper) = (lower.min(len - 1), upper.min(len - 1));
         let (width, stretch) = ((lower + 1 + upper).min(len), stretch.min(len));
         let window = (lower + 1) * (width + 1);
@@ -123,10 +111,8 @@ impl<T: Scalar> Folded<T> {
         }
     }
 
-    /// The solution of the system whose row of an unknown `write` adds to one of zeros; `None`
-    /// where an exact scalar has no pivot.
-    ///
-    /// A row may be asked for twice.
+    /// Solves the system whose rows `write` adds to zeros; `None` if an exact scalar has no pivot.
+    /// `write` may be called twice for a row.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
@@ -144,17 +130,17 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
-    /// The places from this one on, as many as a stretch has.
+    /// Eliminates the stretch from place `begin` on.
     fn eliminate_stretch(
         &mut self,
         begin: usize,
         write: &mut impl FnMut(usize, &mut BandRow<'_, T>),
     ) -> Option<()> {
         let stride = self.width + 1;
-        // What the places before have written already.
+        // Rows written in the previous stretches.
         let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
         for place in begin..self.len.min(begin + self.stretch) {
-            // All rows that have an entry at this place; the window is full but near the end.
+            // All rows with an entry at this place; the window is full except near the end.
             while rows < self.len && rows <= place + self.lower {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
                 entries.fill(T::zero());
@@ -167,13 +153,11 @@ impl<T: Scalar> Folded<T> {
         Some(())
     }
 
-    /// What the last call solved for.
     pub(super) fn solution(&self) -> &[T] {
         &self.solution
     }
 
-    /// Eliminates a place of a stretch from the rows of the window, of which the best becomes the
-    /// pivot's and is done; the others move up.
+    /// Eliminates a place: moves the pivot row from the window to `done`, the others up.
     fn eliminate(&mut self, place: usize, rows: usize) -> Option<()> {
         let (width, stride) = (self.width, self.width + 1);
         let mut best = 0;
@@ -184,7 +168,6 @@ impl<T: Scalar> Folded<T> {
         }
         let pivot_row = &mut self.done[place * stride..][..stride];
         pivot_row.clone_from_slice(&self.window[best * stride..][..stride]);
-        // The first row's place is free now.
         if best > 0 {
             let (first, others) = self.window.split_at_mut(best * stride);
             others[..stride].clone_from_slice(&first[..stride]);
@@ -211,7 +194,7 @@ impl<T: Scalar> Folded<T> {
         Some(())
     }
 
-    /// From the last place of a stretch to its first, with what is known of those after it.
+    /// Back-substitutes a stretch, given the solution after it.
     fn substitute(&mut self, begin: usize) {
         let (width, stride) = (self.width, self.width + 1);
         for place in (begin..self.len.min(begin + self.stretch)).rev() {
@@ -232,7 +215,7 @@ mod tests {
 
     use super::Folded;
 
-    /// A row of a band that asks for exchanges: no diagonal in every third row.
+    /// Returns an entry of a band that needs exchanges: every third diagonal entry is 0.
     fn entry(row: usize, offset: isize) -> f64 {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }
@@ -256,7 +239,7 @@ mod tests {
             let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
             for stretch in [1, 7, 13, 64, 999] {
                 let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
-                // The second call finds what the first left behind.
+                // The second call finds the first one's data.
                 for _ in 0..2 {
                     let parts = solved(&mut folded, len, is_ring, reach as isize);
                     assert!(parts == whole, "{len} {is_ring} {reach} {stretch}");

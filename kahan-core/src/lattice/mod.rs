@@ -1,14 +1,13 @@
-//! Chains of any number of sites: one equation a site, couplings to a few neighbours.
+//! Chains of any number of sites: one equation per site, couplings to a few neighbours.
 //!
-//! In: what the macro makes of a family `for i in periodic { … }`, the straight line of one site.
-//! Out: steps of the whole chain that cost what its couplings cost. A(x,ε) is a band, with corners
-//! where the chain is periodic; the linear system is solved, never inverted, and nothing is
-//! allocated a step. What a state means, and what is conserved, is not known here.
+//! In: the equations of one site, from a family `for i in periodic { … }`. Out: steps of the whole
+//! chain. A(x,ε) is a band, with corners if periodic; its linear system is solved without
+//! allocations.
 //!
-//! A step goes from [`LatticeAt::advance`] to `Memory::advance`, which asks the parts of a long
-//! chain (`InParts::step`). Each of their two passes is divided among threads (`divide`); `Kernels`
-//! names the kernel of the family's sizes, `InLanes` its registers, and `parts/first.rs` and
-//! `parts/second.rs` are the kernels. A short chain is one elimination (`folded.rs`).
+//! A step goes from [`LatticeAt::advance`] to `Memory::advance`, and for a long chain to
+//! `InParts::step`, whose two passes (`parts/first.rs`, `parts/second.rs`) are divided among
+//! threads (`divide`). `Kernels` names the kernel for the family's sizes, `InLanes` its registers.
+//! A short chain is one elimination (`folded.rs`).
 
 mod at;
 

@@ -1,10 +1,9 @@
-//! The step that promises a small backward error.
+//! The step with a small backward error.
 //!
-//! In: a state and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for
-//! every unknown i, A(x,ε) and b(x,ε) exact at the floats as given and k the entries in its row of
-//! A; or why there is none. Residuals are computed in wider numbers that carry bounds on their own
-//! errors, in still wider ones where numbers are very small, and refine a step at most twice. With
-//! d = x̃ − x the residual b − A·x̃ is 2εf − A·d, and b is A·x + 2εf.
+//! In: a state and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
+//! unknown i, or the reason for failure; k is the number of entries in the row of A. Residuals in
+//! wider numbers with error bounds refine a step at most twice. With d = x̃ − x the residual b −
+//! A·x̃ is 2εf − A·d, and b is A·x + 2εf.
 
 use core::cell::Cell;
 use std::vec;
@@ -20,36 +19,31 @@ use super::scalar::Judge;
 use super::sites::Site;
 use super::{LatticeMap, LatticeScalar};
 
-/// How often a step is refined.
 pub(super) const REFINEMENTS: usize = 2;
 
-/// The memory of steps that promise.
 pub(super) struct Promise<T: LatticeScalar> {
-    /// `None` where a divisor of the constants is too small for these numbers; the wider ones judge
-    /// alone then.
+    /// `None` if a divisor of the constants is too small for these numbers; then only `far` judges.
     near: Option<Rows<T::Near>>,
-    /// `None` where a divisor of the constants cannot be told from zero.
+    /// `None` if a divisor of the constants may be zero.
     far: Option<Rows<T::Far>>,
-    /// The largest of ε and the parameters.
+    /// The largest magnitude of ε and the parameters.
     largest: f64,
-    /// The state that the step began at.
+    /// The state before the step.
     pub(super) before: Vec<T>,
     /// b − A·x̃, rounded.
     pub(super) residual: Vec<T>,
 }
 
-/// The rows of a chain over numbers that judge.
 struct Rows<J> {
     eps: J,
     constants: Vec<J>,
     site: Site<J>,
 }
 
-/// What x̃ leaves in a row.
 struct Rest<T> {
     /// b − A·x̃, rounded.
     residual: T,
-    /// The backward error in units of (k + 8)·u, at most; infinite where it is not known.
+    /// An upper bound of the backward error in units of (k + 8)·u; infinite if unknown.
     bound: f64,
 }
 
@@ -74,14 +68,13 @@ impl<T: LatticeScalar> Promise<T> {
         }
     }
 
-    /// Whether the equations have values, in numbers that nothing is beyond the range of.
+    /// Returns whether the equations have values in numbers of unlimited range.
     pub(super) fn has_equations(&self) -> bool {
         let has_value = |constant: &T::Far| !constant.known().1.size.is_unknown();
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
-    /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
-    /// Leaves the residual.
+    /// Bounds the backward error of `next` in units of (k + 8)·u and stores the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
@@ -113,8 +106,8 @@ impl<J: Scalar> Rows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// What `next` leaves in the row of array b of the site whose line was run last; no
-    /// input is larger than `largest`.
+    /// Computes residual and backward error in row b of the current site; no input exceeds
+    /// `largest`.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
         M: LatticeMap<T>,
@@ -140,7 +133,6 @@ impl<J: Scalar> Rows<J> {
     }
 }
 
-/// The larger of a size and that of a number.
 fn larger<T: LatticeScalar>(size: f64, number: &T) -> f64 {
     let own = number.approximate().abs();
     if own <= size { size } else { own }

@@ -1,4 +1,4 @@
-//! Which scalars chains are made of, and how each is solved for.
+//! The scalars of chains, and the numbers that solve and judge their steps.
 
 #[cfg(feature = "exact")]
 use num_traits::Zero;
@@ -22,26 +22,25 @@ use super::parts::{InParts, NoParts, Parted};
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
 pub trait LatticeScalar: Pivot + Solved + Send + Sync {
-    /// |self|
+    /// Returns |self|.
     fn absolute(&self) -> Self;
 }
 
-/// How chains of a scalar are solved, and their steps judged.
+/// The types that solve the chains of a scalar and judge their steps.
 pub(super) trait Solved: Sized {
-    /// Wider numbers that tell how good a step is.
+    /// Wider numbers for judging a step.
     type Near: Judge<Self>;
 
-    /// What steps a long chain in parts, side by side in lanes.
+    /// The workspace for steps of a long chain in parts.
     type Parts: Parted<Self>;
 
-    /// Still wider ones, for what the others leave open: in these nothing underflows.
+    /// The widest numbers, without underflow, for cases that `Near` leaves open.
     type Far: Judge<Self>;
 
-    /// u, the relative error of an operation; 0 of an exact scalar.
+    /// The relative error u of an operation; 0 for an exact scalar.
     const UNIT: f64;
 
-    /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
-    /// exact, and of very long chains.
+    /// Computes x̃ by elimination over long numbers; `None` for exact scalars and very long chains.
     fn eliminated<M: LatticeMap<Self>>(
         _map: &M,
         _eps: &Self,
@@ -55,16 +54,15 @@ pub(super) trait Solved: Sized {
     }
 }
 
-/// Numbers with bounds on their errors, in which a formula over T is judged.
+/// Numbers with error bounds, in which a formula over T is judged.
 pub(super) trait Judge<T>: Scalar {
-    /// The same number.
+    /// Converts exactly.
     fn given(number: &T) -> Self;
 
-    /// The nearest number of T, and what is known of the value.
+    /// Returns the nearest number of T, with the known bounds on the value.
     fn known(&self) -> (T, Known<Size>);
 }
 
-/// How numbers of a float become wider ones, and back.
 macro_rules! judged_in {
     ($float:ty, $wider:ty: |$number:ident| $widen:expr, |$value:ident| $round:expr) => {
         impl Judge<$float> for Bounded<$wider> {
@@ -87,7 +85,6 @@ judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
 judged_in!(f64, Wide: |number| number.widen(), |value| f64::narrow(value));
 judged_in!(Dd, Wide: |number| number.widen(), |value| Dd::narrow(value));
 
-/// A float, judged in a wider one, and what steps its chains in parts.
 macro_rules! implement_for_float {
     ($float:ty, $near:ty, $parts:ty) => {
         impl LatticeScalar for $float {
@@ -136,7 +133,6 @@ impl Solved for num_rational::BigRational {
     const UNIT: f64 = 0.0;
 }
 
-/// Nothing is left open.
 #[cfg(feature = "exact")]
 impl Judge<Self> for num_rational::BigRational {
     fn given(number: &Self) -> Self {

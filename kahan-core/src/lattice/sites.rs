@@ -1,7 +1,6 @@
-//! One site after another: its neighbourhood is gathered, its line run, its entries placed.
+//! The equations at one site: gathers the neighbourhood, runs the equations, places the entries.
 //!
-//! In: a state and a site. Out: f and the rows of A(x,ε) there, each entry with the unknown that it
-//! belongs to. The line may run over another scalar than the state's.
+//! In: a state and a site. Out: f and the rows of A(x,ε) there, each entry with its unknown.
 
 use std::vec;
 use std::vec::Vec;
@@ -10,7 +9,7 @@ use crate::Scalar;
 
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// The neighbour of site i at this offset, if the chain has one there.
+/// Returns the neighbour of site i at this offset, if the chain has one.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
     let place = i as isize + offset;
     match boundary {
@@ -19,20 +18,16 @@ pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isiz
     }
 }
 
-/// The neighbourhood of a site, and what its line says.
 pub(super) struct Site<L> {
-    /// The site.
     i: usize,
     x: Vec<L>,
     c: Vec<L>,
-    /// Workspace of lines that are read at run time.
     registers: Vec<L>,
     f: Vec<L>,
     a: Vec<L>,
 }
 
 impl<L: Scalar> Site<L> {
-    /// Workspace for the sites of a family.
     pub(super) fn of(sizes: Sizes) -> Self {
         let Sizes { block, parameters, registers, .. } = sizes;
         let seen = 2 * sizes.reach + 1;
@@ -47,8 +42,7 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// The neighbourhood of site i: entries of the state, taken to L by `convert`, and parameters,
-    /// taken there by `given`.
+    /// Gathers the neighbourhood of site i, states by `convert` and parameters by `given`.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
@@ -76,7 +70,6 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// The densities of the site that was gathered last.
     pub(super) fn densities<M: LatticeMap<T>, T: LatticeScalar>(
         &mut self,
         map: &M,
@@ -86,7 +79,7 @@ impl<L: Scalar> Site<L> {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
 
-    /// f and the rows of A of site i, kept until the next call.
+    /// Computes f and the rows of A of site i and keeps them until the next call.
     pub(super) fn rows<M, T>(
         &mut self,
         map: &M,
@@ -103,14 +96,11 @@ impl<L: Scalar> Site<L> {
         map.rows(constants, &self.x, &self.c, &mut self.registers, &mut self.f, &mut self.a);
     }
 
-    /// f of array b.
     pub(super) fn f(&self, b: usize) -> &L {
         &self.f[b]
     }
 
-    /// The entries of the row of array b: the unknown, and what is added there.
-    ///
-    /// What leads beyond the ends of an open chain is left out.
+    /// Iterates over the entries of row b with their unknowns, without those beyond open ends.
     pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,
@@ -129,8 +119,7 @@ impl<L: Scalar> Site<L> {
         })
     }
 
-    /// The entries of the row of array b of A itself, each unknown once: on a ring shorter than the
-    /// stencil several entries of a line are added.
+    /// Iterates over the entries of row b of A, each unknown once (short rings add several).
     pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

@@ -1,8 +1,7 @@
-//! What a family claims to keep, as sums over all sites.
+//! Conserved quantities of a family, as sums over all sites.
 //!
-//! In: a state. Out: linear integrals, the energy, and the modified energy that the map keeps. Each
-//! sum carries its rounding error along (A. Neumaier, ZAMM 54 (1974) 39–51), so that a drift that
-//! is seen is the map's.
+//! In: a state. Out: linear integrals, the energy, and the modified energy that the map conserves,
+//! by compensated sums (A. Neumaier, ZAMM 54 (1974) 39–51).
 
 use std::vec;
 use std::vec::Vec;
@@ -14,15 +13,15 @@ use super::sites::Site;
 use super::{LatticeAt, LatticeMap, LatticeScalar};
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// The names of the linear integrals, in their order.
+    /// Returns the names of the linear integrals, in order.
     pub fn integral_names(&self) -> &'static [&'static str] {
         M::INTEGRALS
     }
 
-    /// The linear integrals of the map, which the macro has proved for every number of sites.
+    /// Returns the linear integrals, which the macro has proved for every number of sites.
     ///
     /// # Panics
-    /// If the state is not of this chain's length.
+    /// If the state does not have this chain's length.
     pub fn integrals(&self, x: &[T]) -> Vec<T> {
         let mut totals = vec![Total::zero(); self.map().integral_count()];
         self.for_each_site(x, T::clone, |densities: &[T]| {
@@ -31,7 +30,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         totals.into_iter().map(Total::sum).collect()
     }
 
-    /// Runs the densities of every site, over the scalar that `convert` takes a state's entry to.
+    /// Evaluates the densities of every site over L.
     fn for_each_site<S, L: Scalar + FromScalar<T>>(
         &self,
         x: &[S],
@@ -41,7 +40,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (map, sites) = (self.map(), self.sites());
         let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
-        // What a chain was made with has constants.
+        // Constants exist, because the chain was constructed with them.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
         let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integral_count() + 1]);
         for i in 0..sites {
@@ -51,9 +50,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// H(x), which the flow keeps and the map does not.
+    /// Returns H(x), which the flow conserves but the map does not.
     ///
-    /// A family that claims no Hamiltonian is refused by `cargo build`; `cargo check` passes it.
+    /// A call for a family without a Hamiltonian fails in `cargo build`, not in `cargo check`.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -76,9 +75,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         total.sum()
     }
 
-    /// H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map keeps where H is of degree three at most,
-    /// as the macro has proved (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys.
-    /// A 46 (2013) 025201).
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map conserves if H has degree at most
+    /// three, as the macro has proved (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel,
+    /// J. Phys. A 46 (2013) 025201).
     ///
     /// Cost: one step, as x̃ − x = 2ε A⁻¹ f, and a copy of the state.
     ///
@@ -101,7 +100,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
-/// A scalar that a line is run over for values of T.
 trait FromScalar<T> {
     fn from_scalar(value: &T) -> Self;
 }
@@ -118,7 +116,7 @@ impl<T: LatticeScalar> FromScalar<T> for Along<T> {
     }
 }
 
-/// A sum and what it has lost by rounding.
+/// A compensated sum.
 #[derive(Clone, Debug)]
 pub(super) struct Total<T> {
     sum: T,
@@ -126,12 +124,10 @@ pub(super) struct Total<T> {
 }
 
 impl<T: LatticeScalar> Total<T> {
-    /// The empty sum.
     pub(super) fn zero() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }
 
-    /// Adds a term.
     pub(super) fn add(&mut self, term: &T) {
         let sum = self.sum.clone() + term.clone();
         let (large, small) = if term.magnitude_exceeds(&self.sum) {
@@ -143,9 +139,8 @@ impl<T: LatticeScalar> Total<T> {
         self.sum = sum;
     }
 
-    /// What has been added.
     pub(super) fn sum(self) -> T {
-        // An infinite sum has lost what is no number.
+        // The compensation of an infinite sum is NaN.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }
 }

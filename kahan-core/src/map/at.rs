@@ -1,7 +1,6 @@
-//! A map at a fixed ε.
+//! A map prepared at a fixed ε: owns the map, ε and the constants that depend only on them.
 //!
-//! In: a map and ε, once. Out: steps that take a state only. It owns map, ε and what depends on
-//! nothing else, borrows nothing, allocates nothing and holds no `dyn`.
+//! In: a map and ε, once. Out: steps that take only a state, without allocation or `dyn`.
 
 use core::fmt;
 
@@ -15,9 +14,8 @@ use super::{KahanMap, Orbit, Pivot};
 
 /// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
 ///
-/// What depends on ε and the parameters alone is computed once, when this is made; quotients are
-/// left to the step, where a zero below shows as a pole. Its type can be written out, so a struct
-/// of yours can hold it:
+/// Everything that depends only on ε and the parameters is computed once. Quotients remain in the
+/// step, so that a zero denominator shows as a pole. The type can be named, for example in a field:
 ///
 /// ```
 /// use kahan_core::KahanAt;
@@ -55,31 +53,31 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Self { map, eps, prepared }
     }
 
-    /// The map.
+    /// Returns the map.
     pub fn map(&self) -> &M {
         &self.map
     }
 
-    /// ε, half the time step.
+    /// Returns ε, half the time step.
     pub fn eps(&self) -> &T {
         &self.eps
     }
 
-    /// The orbit that begins with `x`; it owns a copy of the prepared step.
+    /// Returns the orbit that begins with `x`; the orbit owns a copy of the prepared step.
     #[inline]
     pub fn orbit(&self, x: SVector<T, N>) -> Orbit<Self> {
         Orbit::new(self.clone(), x)
     }
 
-    /// The prepared step, for code that finishes steps in its own way (in lanes, compensated).
+    /// Returns the prepared step, for code that finishes steps differently (in lanes, compensated).
     pub fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }
 
-    /// x̃, as [`KahanMap::step`] and bit for bit the same.
+    /// Returns x̃, bit for bit equal to [`KahanMap::step`].
     ///
     /// # Panics
-    /// At a pole, for exact scalars.
+    /// For exact scalars, at a pole.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
         match self.prepared.next(x) {
@@ -88,10 +86,10 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         }
     }
 
-    /// x̃ with a promise or why there is none, as [`KahanMap::try_step`].
+    /// Returns x̃ with a bound, or the reason for failure; see [`KahanMap::try_step`].
     ///
     /// # Errors
-    /// [`SingularStep`] at a pole, at a point that is not finite, and beyond the scalar's range.
+    /// As [`KahanMap::try_step`].
     #[inline(always)]
     pub fn try_step(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where
@@ -100,10 +98,10 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         self.map.try_prepared(&self.prepared, x, &self.eps)
     }
 
-    /// ∂x̃/∂x, as [`KahanMap::jacobian`].
+    /// Returns ∂x̃/∂x; see [`KahanMap::jacobian`].
     ///
     /// # Panics
-    /// At a pole, for exact scalars.
+    /// For exact scalars, at a pole.
     pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.map.jacobian(x, self.eps.clone())
     }
@@ -136,7 +134,6 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> Step for KahanAt<M, T, N> {
     }
 }
 
-/// Two are equal where map and ε are; the rest follows from them.
 impl<M: KahanMap<T, N> + PartialEq, T: Scalar, const N: usize> PartialEq for KahanAt<M, T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.map == other.map && self.eps == other.eps

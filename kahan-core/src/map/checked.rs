@@ -1,17 +1,13 @@
-//! The step that looks at its result: what maps written by hand and exact scalars have for a stable
-//! tier.
+//! The checked step: the `try_step` of maps written by hand and of exact scalars.
 //!
-//! In: a point, ε, and the fast step's increment. Out: a finite x̃, or the reason why there is
-//! none. First the fast step; if that left the scalar's range, elimination with partial pivoting,
-//! whose intermediate numbers stay near the size of its input. Neither comes with a bound on the
-//! error.
+//! In: a point, ε, and the fast step. Out: a finite x̃ without an error bound, or the reason for
+//! failure. If the fast step leaves the scalar's range, elimination with partial pivoting follows.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::field::linear::{determinant, increment_by_elimination};
 use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep};
 
-/// x̃ from the fast step, `prepared` from `map` at `eps`, or by elimination.
 pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     prepared: &M::Prepared,
@@ -28,7 +24,7 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     }
     let matrix = matrix();
     if !can_eliminate(&matrix) {
-        // No determinant can be told either.
+        // The determinant may overflow, too.
         return Err(SingularStep::new(f64::NAN, eps.approximate()));
     }
     let increment = increment_by_elimination(matrix, map.field_at(x, eps), eps).ok_or_else(singular)?;
@@ -36,11 +32,11 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     if is_finite(&next) { Ok(next) } else { Err(singular()) }
 }
 
-/// Whether a finite increment conceals an overflow, which it can because 1/∞ is 0.
+/// Returns whether a finite increment conceals an overflow, because 1/∞ = 0.
 ///
-/// A denominator that overflows makes its components' increments 0; with an inner one, all of them
-/// or, where the matrix is too large to eliminate, the one whose pivot overflowed. (Every other
-/// overflow leaves ∞ or no number.) Where f(x) is 0, an increment of 0 conceals nothing.
+/// An overflowing denominator makes the increments of its components 0; an overflowing inner
+/// denominator makes all increments 0. In a map that eliminates, an overflowing pivot makes one
+/// increment 0. Every other overflow leaves ∞ or NaN. If f(x) = 0, increments of 0 conceal nothing.
 fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,
@@ -55,13 +51,11 @@ fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
         && !map.field_at(x, eps).iter().all(T::is_zero)
 }
 
-/// x + increment.
 fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, N>) -> SVector<T, N> {
     SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
-/// Whether no pivot of A(x,ε) can overflow: partial pivoting makes entries grow at most by the
-/// factor 2ᴺ⁻¹.
+/// Returns whether elimination cannot overflow: partial pivoting grows entries by at most 2ᴺ⁻¹.
 fn can_eliminate<T: Pivot, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     matrix.iter().all(|entry| {
         let grown = (1..N).fold(entry.clone(), |size, _| size.clone() + size);

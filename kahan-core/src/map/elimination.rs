@@ -1,8 +1,8 @@
-//! The step of a map that has no closed form.
+//! The step by elimination, for maps without a closed form.
 //!
-//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by elimination with partial pivoting
-//! at every state. It suits every field, written by hand or too large to be reduced while
-//! compiling. Where det A(x,ε) = 0 it has no value, although the reduced map may have one.
+//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state.
+//! The step suits every field. If det A(x,ε) = 0 it has no value, although the reduced map may have
+//! one.
 
 use nalgebra::SVector;
 
@@ -10,11 +10,10 @@ use crate::field::linear::increment_by_elimination;
 use crate::step::NoLanes;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
-/// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at
-/// every state.
+/// The prepared step of any map M: holds the map and ε, and eliminates at every state.
 ///
-/// Cost: A(x,ε), f(x), and about N³/3 multiplications and N divisions a step. A map that is written
-/// by hand is a [`KahanMap`] with two lines:
+/// Cost per step: A(x,ε), f(x), and about N³/3 multiplications and N divisions. A map written by
+/// hand implements [`KahanMap`] with two lines:
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -56,7 +55,7 @@ pub struct Elimination<M, T> {
 }
 
 impl<M, T> Elimination<M, T> {
-    /// The step of `map` at `eps`, half the time step.
+    /// Prepares the step of `map` at `eps`, half the time step.
     #[inline]
     pub fn new(map: M, eps: T) -> Self {
         Self { map, eps }
@@ -66,7 +65,6 @@ impl<M, T> Elimination<M, T> {
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> PreparedStep<T, N> for Elimination<M, T> {
     type Wide<L: Scalar> = NoLanes;
 
-    /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Self { map, eps } = self;

@@ -1,8 +1,7 @@
-//! How far a step, and an orbit, are from the flow.
+//! Error estimates of steps and orbits relative to the flow.
 //!
-//! In: points of an orbit. Out: the leading term of what the time discretisation did to them,
-//! without a reference solution. Rounding is not in it, nor are terms of higher order: this is an
-//! estimate, not a bound.
+//! In: points of an orbit. Out: the leading term of the time discretisation error, an estimate
+//! without rounding and higher-order terms, and without a reference solution.
 
 use core::array::from_fn;
 
@@ -15,14 +14,14 @@ use super::Compensated;
 use super::tangent::carry_to;
 
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
-    /// The leading term of x̃ − (the flow from x, for the time h = 2ε), which is h³[f′f′f/12 −
-    /// f″(f,f)/6] + O(h⁴).
+    /// Estimates the local error x̃ − (flow from x for the time h = 2ε) by its leading term:
     ///
-    /// With f″(f,f) = 2Q(f,f) it is (2ε³/3)·[f′f′f − 4Q(f,f)], all at x: no linear system is solved
-    /// and nothing has a pole. Where coefficients depend on ε, 2ε(f at ε − f at 0) is added.
-    /// Subtracting the error from x̃ raises the order to 3 and gives up the structure of the map.
+    ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// Cost: f, f′ and Q once, and two products with f′.
+    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles. If
+    /// coefficients depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the estimate from x̃
+    /// raises the order to 3 but loses the structure of the map. Cost: f, f′ and Q once, and two
+    /// products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -44,8 +43,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     }
 }
 
-/// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf; where coefficients depend on ε, plus
-/// 2ε(f at ε − f at 0).
+/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf, plus 2ε(f at ε − f at 0).
 fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
@@ -76,37 +74,35 @@ fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     }))
 }
 
-/// A point of an orbit, and how far it may be from the flow.
+/// A point of an orbit with an estimate of its distance from the flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimated<T, const N: usize> {
-    /// xₙ
+    /// The point xₙ.
     pub point: SVector<T, N>,
-    /// An estimate of xₙ − (the flow from x₀ for the time 2εn); it is 0 at the first point.
+    /// An estimate of xₙ − (flow from x₀ for the time 2εn); 0 at the first point.
     pub error: SVector<T, N>,
 }
 
-/// An orbit with an estimate of its error beside each point; made by
-/// [`Orbit::with_error_estimate`].
+/// An orbit with error estimates; made by [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
     orbit: Orbit<S>,
     at: KahanAt<M, T, N>,
-    /// The point given last with its error, and the local error there.
+    /// The last yielded point with its error, and the local error at that point.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// The orbit with an estimate of each point's error against the flow through the next point to
-    /// be yielded, where the error is 0.
+    /// Adds estimates of the error relative to the flow through the next point, whose error is 0.
     ///
-    /// With d the [local error](KahanAt::local_error) and φ′ the map's Jacobian, the recurrence is
-    /// eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁): every local error is carried along by the linearised
-    /// map, as errors are, half of it counted at either end of its step. The estimate is off by
-    /// O(ε⁴) at a fixed time, the error being of order ε², as long as the error stays small beside
-    /// the scale on which φ′ changes. Rounding is not in it.
+    /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the recurrence is
     ///
-    /// Cost: about three steps a step: a tangent vector, and f, f′ and Q.
+    ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
+    ///
+    /// At a fixed time the error is O(ε²) and the estimate is off by O(ε⁴), while the error stays
+    /// small compared with the scale on which φ′ changes. Rounding is excluded. Cost: about three
+    /// steps per step.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -131,7 +127,7 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>> {
-    /// As of an orbit that is not compensated.
+    /// Adds error estimates as for a plain orbit.
     pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
         let Compensated(at) = self.map.clone();
         ErrorEstimates { orbit: self, at, last: None }
@@ -139,7 +135,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<K
 }
 
 impl<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> ErrorEstimates<S, M, T, N> {
-    /// The orbit itself, which says why it [stopped](Orbit::stopped).
+    /// Returns the underlying orbit, which knows why it [stopped](Orbit::stopped).
     pub fn orbit(&self) -> &Orbit<S> {
         &self.orbit
     }

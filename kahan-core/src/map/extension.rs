@@ -1,8 +1,7 @@
-//! The same system over another scalar.
+//! Systems converted to another scalar.
 //!
-//! In: a system whose parameters are numbers of one scalar, and a way to put each of them into
-//! another. Out: the system over that one. This is how a step is repeated in a wider precision, in
-//! dual numbers, or with an error bound beside each value.
+//! In: a system, and a conversion of its parameters to another scalar. Out: the system over that
+//! scalar, for steps in a wider precision, in dual numbers, or with error bounds.
 
 use nalgebra::SVector;
 
@@ -10,7 +9,7 @@ use crate::{KahanMap, Scalar};
 
 use super::tangent::carry_along;
 
-/// A system that exists over every scalar, as all do that [`kahan!`](crate::kahan) writes.
+/// A system that exists over every scalar; [`kahan!`](crate::kahan) generates implementations.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -31,15 +30,17 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Extended<U: Scalar>: ExtendScalars<U, N>;
 
-    /// The system with each parameter put into U by `convert`. Parameters only: what is written in
-    /// the field are exact numbers, which every scalar rounds for itself.
+    /// Returns the system with each parameter converted to U by `convert`. Literals in the field
+    /// are exact numbers, which every scalar rounds by itself.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
-    /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an
-    /// exact scalar.
+    /// Returns J(x)·v, for x̃ = `y`; `None` at a pole of an exact scalar.
     ///
-    /// The macro writes the solution of A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v where det A is zero at
-    /// poles alone. Other maps differentiate their step, and have no need of `y`.
+    /// If det A is zero only at poles, the macro generates the solution of
+    ///
+    ///   A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v
+    ///
+    /// Other maps differentiate their step and ignore `y`.
     #[doc(hidden)]
     #[inline(always)]
     fn carry_tangent(

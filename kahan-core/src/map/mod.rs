@@ -1,11 +1,9 @@
-//! Kahan's map of a quadratic field, and everything that follows from it.
+//! Kahan's map of a quadratic field and the objects derived from it.
 //!
 //! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the
-//! linear system A·x̃ = b, Jacobians, determinants, orbits. Every step goes through a prepared one,
-//! which knows ε and the parameters: that is what the macro writes, or what elimination does for
-//! any field. All else has defaults, correct for every field; the macro overrides those for which
-//! it knows a closed form. What a prepared map or an orbit holds between steps lives in modules of
-//! their own.
+//! linear system A·x̃ = b, Jacobians, determinants, orbits. Every step runs through a prepared
+//! step: code from the macro, or elimination. All else has defaults for any field; the macro
+//! overrides some of them.
 
 mod at;
 mod checked;
@@ -44,7 +42,7 @@ pub(crate) use tangent::{carry, carry_to};
 pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;
 
-/// ε from the time step: ε = dt/2.
+/// Returns ε = dt/2 for the time step dt.
 #[inline]
 pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
     T::constant(&Constant::ratio(1, 2)) * dt
@@ -55,16 +53,16 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// In every method `eps` is ε, **half the time step**. The inverse of the map is the map with −ε.
 ///
 /// # Poles
-/// The map is the *reduced* rational map: numerators and denominators without common factors. A
-/// pole is a point where that has no value; there a float result is not finite, and an exact scalar
-/// panics, except in [`try_step`](Self::try_step), which says so, and in an [`Orbit`], which ends.
-/// Where det A(x,ε) = 0 but the reduced map has a value, the steps and the Jacobian are that
-/// value's. For fields too large to be reduced while compiling, all of more than eight variables
-/// among them, every point with det A = 0 is a pole.
+/// The map is the *reduced* rational map: numerators and denominators have no common factor. At a
+/// pole this map has no value. There a float result is not finite, and an exact scalar panics, but
+/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0
+/// but the reduced map has a value, steps and Jacobian use that value. Fields too large to be
+/// reduced while compiling, including all of more than eight variables, have a pole wherever det A
+/// vanishes.
 ///
 /// # Range
-/// A float step whose denominator overflows may silently be wrong; `try_step` knows, the other
-/// methods do not.
+/// If a denominator overflows, a float step may be wrong without notice; only `try_step` detects
+/// this.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -85,53 +83,48 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// The step of this map at a known ε, with all that depends on ε and the parameters alone
-    /// computed.
+    /// The step at a known ε, with everything computed that depends only on ε and the parameters.
     ///
-    /// The macro writes a type of its own here. A map that is written by hand takes
-    /// [`Elimination<Self, T>`](crate::Elimination), which suits every field, or a [`PreparedStep`]
-    /// of its own.
+    /// The macro generates a type. A map written by hand can use
+    /// [`Elimination`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
     type Prepared: PreparedStep<T, N>;
 
-    /// Prepares the step at ε: what an orbit or [`at`](Self::at) computes once.
+    /// Prepares the step at ε; an orbit and [`at`](Self::at) call this once.
     ///
     /// # Panics
-    /// Where the field divides by zero at these parameters, for exact scalars.
+    /// For exact scalars, if the field divides by zero at these parameters.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
-    /// Whether coefficients of the field depend on ε. A map for which they do implements
+    /// Returns whether coefficients of the field depend on ε. If so, the map implements
     /// [`field_at`](Self::field_at), [`field_jacobian_at`](Self::field_jacobian_at) and
-    /// [`polarized_at`](Self::polarized_at); by default these are free of ε.
+    /// [`polarized_at`](Self::polarized_at), which ignore ε by default.
     #[inline(always)]
     fn has_coefficients_of_eps(&self) -> bool {
         false
     }
 
-    /// f(x) with the coefficients that the map has at ε: the increment of a step is
-    /// 2ε·A(x,ε)⁻¹f(x).
+    /// Returns f(x) with the coefficients at ε; the increment of a step is 2ε·A(x,ε)⁻¹f(x).
     #[inline(always)]
     fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
         self.field(x)
     }
 
-    /// f′(x) with the coefficients that the map has at ε.
+    /// Returns f′(x) with the coefficients at ε.
     #[inline(always)]
     fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let _ = eps;
         self.field_jacobian(x)
     }
 
-    /// Q(x,y) + ½B(x+y) + c with the coefficients that the map has at ε: at (x,x̃) the increment of
-    /// a step over 2ε.
+    /// Returns Q(x,y) + ½B(x+y) + c with the coefficients at ε; for y = x̃ this is (x̃ − x)/(2ε).
     #[inline(always)]
     fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
         self.polarized(x, y)
     }
 
-    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε). Coefficients of f
-    /// that depend on ε are those at this ε.
+    /// Returns the matrix A(x,ε) = I − εf′(x), with the coefficients of f at ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
@@ -140,7 +133,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         })
     }
 
-    /// b(x,ε) = x + εBx + 2εc, the right-hand side of A(x,ε)·x̃ = b(x,ε).
+    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc.
     fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         let origin = SVector::from_fn(|_, _| T::zero());
         // ½Bx + c
@@ -149,25 +142,25 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         SVector::from_fn(|i, _| x[i].clone() + dt.clone() * affine[i].clone())
     }
 
-    /// x̃, the state one time step of 2ε later.
+    /// Returns x̃, the state after one time step 2ε.
     ///
-    /// The fast tier: for the fields of ordinary size the reduced closed form with one division, or
-    /// two, whose error is of the order of the scalar's rounding unit away from poles while ‖ε
-    /// f′(x)‖ is not much above 1; in longer steps it is about that of elimination with pivoting up
-    /// to ‖ε f′(x)‖∞ = 1000, or up to what the documentation of the generated type says.
+    /// Fields of ordinary size use the reduced closed form with one or two divisions. Away from
+    /// poles its error is of the order of the scalar's rounding unit while ‖εf′(x)‖ is not much
+    /// above 1. For longer steps the error is about that of elimination with pivoting up to
+    /// ‖εf′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
     ///
-    /// Over floats every point takes the same operations and the same time: nothing is tested, and
-    /// nothing is allocated. Only ε chooses between two forms, where a field has a faster one that
-    /// divides by ε: that is used for |ε| from 2⁻⁶⁴ to 2⁶⁴ (`f32`: 2⁻¹⁶ to 2¹⁶), the other beyond.
-    /// Where the map is too large to be reduced a step eliminates along the couplings, in an order
-    /// found while compiling. A pivot that is smaller than an entry of its row and one of its
-    /// column by more than a factor of 16 sends that step to partial pivoting on the whole matrix.
+    /// Over floats a closed form takes the same operations at every point, without tests or
+    /// allocations. Some fields have a faster form that divides by ε, used for |ε| from 2⁻⁶⁴ to 2⁶⁴
+    /// (`f32`: 2⁻¹⁶ to 2¹⁶). If the map is too large to be reduced, a step eliminates along the
+    /// couplings, in an order found while compiling. A pivot smaller by more than a factor of 16
+    /// than an entry of its row and an entry of its column makes the step use partial pivoting on
+    /// the whole matrix.
     ///
-    /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit): they compute what
-    /// depends on ε and the parameters once, and give the same numbers bit for bit.
+    /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit), which prepare the step
+    /// once and give bit for bit equal results.
     ///
     /// # Panics
-    /// At a pole, for exact scalars; floats give a result that is not finite.
+    /// For exact scalars, at a pole; floats give a result that is not finite.
     #[inline]
     fn step(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         match self.prepare(&eps).next(x) {
@@ -176,40 +169,32 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         }
     }
 
-    /// x̃ with a promise, or why there is none.
+    /// Returns x̃ with a bound on its error, or the reason for failure.
     ///
-    /// The stable tier. For the maps that [`kahan!`](crate::kahan) writes, `Ok` holds finite
-    /// numbers with
+    /// For maps generated by [`kahan!`](crate::kahan), `Ok` holds finite numbers with
     ///
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
-    /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
-    /// [`Dd`](crate::Dd). It is established for this very call: the step runs with an error bound
-    /// beside each of its values, first in the scalar's own precision, and where that proves too
-    /// little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits
-    /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
-    /// exact. What these leave open (terms a thousand powers of ten apart) elimination settles over
-    /// 256 such digits: that takes milliseconds and allocates, and needs `std`. An ordinary point
-    /// gets the bits of [`step`](Self::step) at little more than its price, and points near poles
-    /// or far out at a multiple of it; `benches/results` has the times. Until the last rung nothing
-    /// is allocated, but without optimisation the wide numbers need some of the stack: the more,
-    /// the more variables a dense field has.
+    /// for x, ε and the parameters as given; u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
+    /// [`Dd`](crate::Dd). Every call proves the bound by computing an error bound beside each
+    /// value: first in the scalar itself, if necessary in the next wider one, then in 17 digits of
+    /// 64 bits at arbitrary positions, without overflow. If terms are a thousand powers of ten
+    /// apart, elimination over up to 256 digits follows; it takes milliseconds, allocates, and
+    /// needs `std`. Ordinary points get the bits of [`step`](Self::step) at little more than its
+    /// cost; `benches/results` has the times. In unoptimised builds wide numbers need stack space
+    /// that grows with the number of variables.
     ///
     /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
-    /// error instead, established as strictly after at most two refinements, or after elimination
-    /// over many digits where numbers leave the range: with A and b exact at x, ε and the
-    /// parameters as given, and k the most entries in a row of A,
+    /// error instead, proved likewise. With at most k entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
-    /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get
-    /// the result of `step`, or where that left the scalar's range, of elimination with partial
-    /// pivoting: finite, without a bound.
+    /// Exact scalars give the exact step. Maps written by hand and scalars of other crates get the
+    /// finite result of `step`, or of elimination with partial pivoting, without a bound.
     ///
     /// # Errors
-    /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's
-    /// range, and where not even the last digits settle the bound; it says which of these is the
-    /// case.
+    /// [`SingularStep`] at a pole, at a point that is not finite, if x̃ is beyond the scalar's
+    /// range, or if the widest numbers do not settle the bound. The error tells these cases apart.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where
@@ -218,9 +203,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// [`try_step`](Self::try_step) with the step prepared. [`KahanAt`] calls it. The macro writes
-    /// another body for it: `stable_step`, whose result has a bound. This one is for maps written
-    /// by hand.
+    /// Takes a prepared step for [`try_step`](Self::try_step). The macro overrides this default,
+    /// which serves maps written by hand, by `stable_step`.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -234,58 +218,57 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         checked_step(self, prepared, x, eps)
     }
 
-    /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.
+    /// Returns the state one time step 2ε earlier, by the inverse map, which is the map with −ε.
     ///
     /// # Panics
-    /// At a pole of the inverse map, for exact scalars, as [`step`](Self::step).
+    /// For exact scalars, at a pole of the inverse map.
     #[inline]
     fn step_back(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         self.step(x, -eps)
     }
 
-    /// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with the entry ∂x̃ᵢ/∂xⱼ in row i, column j.
+    /// Returns ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with ∂x̃ᵢ/∂xⱼ in row i, column j.
     ///
     /// # Panics
-    /// At a pole, for exact scalars; floats give entries that are not finite.
+    /// For exact scalars, at a pole; floats give entries that are not finite.
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let next = self.step(x, eps.clone());
         let back = self.matrix(&next, -eps.clone());
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// D(x,ε) = det A(x,ε): 0 at every pole, and also at the poles that the reduced map has lost.
+    /// Returns D(x,ε) = det A(x,ε), which is 0 at every pole and at the poles removed by reduction.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }
 
-    /// det ∂x̃/∂x; where det A is not 0, it is det A(x̃,−ε)/det A(x,ε).
+    /// Returns det ∂x̃/∂x; this is det A(x̃,−ε)/det A(x,ε) if det A ≠ 0.
     ///
     /// # Panics
-    /// At a pole, for exact scalars; a float is not finite there.
+    /// For exact scalars, at a pole; a float is not finite there.
     fn det_jacobian(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.jacobian(x, eps))
     }
 
-    /// (N, D) = (adj A·b, det A), unreduced, without a division: x̃ = N/D where D is not 0. Defined
-    /// everywhere.
+    /// Returns (N, D) = (adj A·b, det A) without division, defined everywhere: x̃ = N/D if D ≠ 0.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// The reduced numerators and denominator without a division, where they are other than those
-    /// of [`rational_map`](Self::rational_map) up to a constant.
+    /// Returns the reduced numerators and denominator without division; equal to
+    /// [`rational_map`](Self::rational_map) if they differ from it only by a constant factor.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)
     }
 
-    /// The map at one ε, prepared to be stepped many times; it owns a copy of this map.
+    /// Prepares the map at one ε for many steps; the result owns a copy of this map.
     #[inline]
     fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)
     }
 
-    /// The map of the time step Δt = 2ε; see [`at`](Self::at).
+    /// Prepares the map of the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -299,7 +282,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.at(eps_from_dt(dt))
     }
 
-    /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns all that it needs.
+    /// Returns the orbit x₀, x₁, … from x₀ = `x`; the orbit owns all its data.
     #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<KahanAt<Self, T, N>> {
         Orbit::new(self.at(eps), x)

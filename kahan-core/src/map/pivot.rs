@@ -1,19 +1,19 @@
-//! What a step that promises asks of a number: an order by magnitude, and whether it is finite.
+//! Scalars ordered by magnitude, with a test for finiteness, as the stable tier requires.
 
 use crate::{Dd, Scalar};
 
-/// A scalar ordered by magnitude that can tell whether it is a finite number; what
-/// [`try_step`](crate::KahanMap::try_step) needs to judge a result.
+/// A scalar with a comparison by magnitude and a test for finiteness, as
+/// [`try_step`](crate::KahanMap::try_step) requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot judge whether a step is finite",
     label = "not a `Pivot`; for a number, write `1.0`, not `1`",
     note = "`step` and `orbit` need `Scalar` only"
 )]
 pub trait Pivot: Scalar {
-    /// Whether |self| > |other|; false if either is not a number.
+    /// Returns whether |self| > |other|; false if either is NaN.
     fn magnitude_exceeds(&self, other: &Self) -> bool;
 
-    /// Whether this is a number and not infinite; always true for exact scalars.
+    /// Returns whether this is neither NaN nor infinite; always true for exact scalars.
     fn is_finite_number(&self) -> bool;
 }
 

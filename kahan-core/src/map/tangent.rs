@@ -1,9 +1,7 @@
-//! The derivative of a step, or of several, along one direction at a time.
+//! Derivatives of one or several steps along a direction.
 //!
-//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by the linear
-//! equation that it solves, or by the closed form of the step over numbers along a line. Products
-//! are never fused, so a vector has the same bits on every level of instructions and in every
-//! build.
+//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by its linear
+//! system or by a step over dual numbers. Products are never fused, so all builds give equal bits.
 
 use core::array::from_fn;
 
@@ -13,7 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::Along;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
-/// J(x)·v of these maps at their ε, one after the other; `None` at a pole of an exact scalar.
+/// Returns J·v of consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
 #[inline(always)]
 pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -29,7 +27,7 @@ pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     Some(v)
 }
 
-/// The same where the point after the last of them is known.
+/// Like `carry`, if the point after the last stage is already known as `next`.
 #[inline(always)]
 pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -48,7 +46,6 @@ pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usiz
     map.carry_tangent(eps, &x, next, &v)
 }
 
-/// The step over numbers along a line, and the point and the vector that each of them is made of.
 #[inline(always)]
 fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
@@ -57,14 +54,13 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
 ) -> Option<SVector<Along<T>, N>> {
     let extended = map.extend_scalars::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
     let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
-    // In its place: over lanes, compilers call what builds an array.
+    // In place, because over lanes compilers emit a call for building an array.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
     }
     Some(along)
 }
 
-/// x̃ by products that are never fused.
 #[inline(always)]
 fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
@@ -75,7 +71,6 @@ fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     Some(vector(from_fn(|i| next[i].value.clone())))
 }
 
-/// J(x)·v by numbers along v.
 #[inline(always)]
 pub(super) fn carry_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,

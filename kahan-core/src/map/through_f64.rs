@@ -1,8 +1,7 @@
-//! Single precision, each step computed in double precision and rounded once.
+//! Steps on `f32` states that are computed in `f64` and rounded once.
 //!
-//! In: a map over `f32`. Out: the same map, more accurate: the parameters, ε and the state are the
-//! `f32`s given, extended into `f64` without an error; x̃ is computed there. Or in: any step over
-//! `f64`. Out: the same on states in `f32`.
+//! In: a map over `f32`, or any step over `f64`. Out: steps over `f32`. Parameters, ε and state of
+//! a map over `f32` are converted to `f64` exactly.
 
 use core::array::from_fn;
 #[cfg(feature = "std")]
@@ -21,15 +20,12 @@ use crate::{Step, Stopped, Workspace};
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
-/// Away from poles the error of the `f64` step is some 10⁻⁸ of half an `f32` ulp, so x̃ is the
-/// `f32` nearest to the exact x̃ but where that lies this close to the middle between two: about
-/// one component in 10⁷. Closer to a pole both grow by the condition number of the step. In a chain
-/// of steps the conversions there and back are waited for: it takes longer than the step in `f64`,
-/// by what `benches/results` says, and keeps the state in half the memory. An
-/// [`Ensemble`](crate::Ensemble) runs it one trajectory at a time.
-///
-/// It works in every mode of an orbit. Compensated, the increment with the carry is rounded once; a
-/// plain orbit still rounds each point to `f32`, so integrals wander as fast as that.
+/// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷
+/// close to the middle between two floats; near a pole this rate grows with the condition number of
+/// the step. In an orbit each step waits for the conversions, which takes longer than a step in
+/// `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this map one trajectory at
+/// a time. A compensated orbit rounds the increment with the carry once; a plain orbit rounds each
+/// point to `f32`, which makes integrals drift as in `f32`.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -58,18 +54,14 @@ pub struct ThroughF64<M>(
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepThroughF64<S> {
     step: S,
-    /// The step's ε, rounded.
     eps: f32,
 }
 
 #[cfg(feature = "std")]
 impl ThroughF64<()> {
-    /// Any step over `f64` on states in `f32`: a chain, a map that is read at run time, a
-    /// `&dyn Step<Scalar = f64>`. Its own ε and parameters stay doubles, and
-    /// [`eps`](Step::eps) is ε rounded.
-    ///
-    /// Cost: each call of [`advance`](Step::advance) and [`part`](Step::part) allocates a state in
-    /// `f64`; the steps of one `advance` share it.
+    /// Runs any step over `f64` on `f32` states: a chain, a map read at run time, a `&dyn
+    /// Step<Scalar = f64>`. ε and parameters stay `f64`; [`eps`](Step::eps) returns the rounded ε.
+    /// Each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one `f64` state.
     pub fn of_step<S: Step<Scalar = f64>>(step: S) -> StepThroughF64<S> {
         let eps = *step.eps() as f32;
         StepThroughF64 { step, eps }
@@ -109,7 +101,7 @@ impl<S: Step<Scalar = f64>> Step for StepThroughF64<S> {
     }
 }
 
-/// A step over `f64`, taken from a state in `f32` and rounded once.
+/// A step over `f64` from an `f32` state, rounded once.
 #[derive(Clone, Copy, Debug)]
 pub struct ThroughF64Step<P>(P);
 
@@ -123,12 +115,10 @@ fn rounded<const N: usize>(x: &SVector<f64, N>) -> SVector<f32, N> {
 }
 
 impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF64Step<P> {
-    /// The step's in `f64`.
     const COST: StepCost = P::COST;
 
     type Wide<L: Scalar> = NoLanes;
 
-    /// The increment, rounded once.
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
         let increment = self.increment(x)?;
@@ -140,7 +130,7 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
         Some(rounded(&self.0.increment(&widened(x))?))
     }
 
-    /// A point and what it lacks are one number of `f64`.
+    /// Adds the increment at x to x + carry in `f64` and splits the sum into point and carry.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<[SVector<f32, N>; 2]> {
         let (x, carry) = (widened(x), widened(carry));
@@ -176,7 +166,6 @@ impl<M: QuadraticField<f32, N>, const N: usize> QuadraticField<f32, N> for Throu
 }
 
 impl<M> ThroughF64<M> {
-    /// The map over `f64`, its parameters those of the map over `f32`.
     fn wide<const N: usize>(&self) -> M::Extended<f64>
     where
         M: ExtendScalars<f32, N>,
@@ -185,8 +174,7 @@ impl<M> ThroughF64<M> {
     }
 }
 
-/// The step, its Jacobian and determinants are computed in `f64` and rounded once; the field is
-/// evaluated in `f32`.
+/// Computes step, Jacobian and determinants in `f64` with one rounding, all else in `f32`.
 impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M> {
     type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 
@@ -195,8 +183,7 @@ impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M
         ThroughF64Step(self.wide().prepare(&f64::from(*eps)))
     }
 
-    /// What `f64` promises, rounded once; what it reports, or that the result is beyond the range
-    /// of `f32`.
+    /// Rounds the step of `f64`; a result beyond the range of `f32` is an error.
     fn try_prepared(
         &self,
         prepared: &Self::Prepared,

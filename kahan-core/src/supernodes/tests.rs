@@ -1,11 +1,11 @@
-//! Panels against the loops over entries.
+//! Tests of panels against the loops over entries.
 
 use std::vec;
 
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, from the pairs that are coupled.
+/// The tables of an elimination in the order of the variables, from the coupled pairs.
 struct Pattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
@@ -50,7 +50,6 @@ impl Pattern {
     }
 }
 
-/// Numbers below 2³², one after the other (D. E. Knuth's multiplier).
 fn random(seed: &mut u64) -> u64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     *seed >> 32
@@ -62,7 +61,6 @@ fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
         for (divisor, block) in [(2, 1), (n, 1), (n, 6), (n / 3 + 1, 40)] {
             let coupled: Vec<bool> =
                 (0..n * n).map(|_| random(&mut seed).is_multiple_of(divisor as u64)).collect();
-            // Variables of a block have the same couplings, so that rows become panels.
             let group = |i: usize| i / block * block;
             let pattern = Pattern::of(n, |i, j| coupled[group(i) * n + group(j)] || group(i) == group(j));
             let couplings = pattern.couplings();
@@ -76,7 +74,7 @@ fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
                 let is_factored = couplings.factor(&mut expected, &mut vec![T::zero(); n]);
                 let workspace = &mut PanelWorkspace::default();
                 assert_eq!(supernodes.factor(&couplings, false, &mut found, workspace), is_factored);
-                // Equal numbers have equal bits: no factor is 0 by chance.
+                // Equal numbers have equal bits, because no factor is 0 by chance.
                 assert!(!is_factored || found == expected, "{n} variables, blocks of {block}");
                 refused += usize::from(!is_factored);
             }
@@ -91,12 +89,11 @@ fn panels_have_the_bits_of_rows() {
     factors_are_those_of_rows(|number| number as f32);
 }
 
-/// A square lattice of variables, each coupled to those beside it.
 fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// The smallest factor that is not 0, and the solution; `units` are those of the variables.
+/// Returns the smallest nonzero factor, and the solution; `units` are those of the variables.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
@@ -119,14 +116,14 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     let (pattern, eps) = (lattice(24), 1e-12);
     let (smallest, exact) = solved(&pattern, eps, |_| 1.0, false);
     let (smallest_flushed, flushed) = solved(&pattern, eps, |_| 1.0, true);
-    // The largest entries beside the diagonal are 5 to 7 times ε.
+    // The largest off-diagonal entries are 5 to 7 times ε.
     assert!(smallest < eps * f64::NEGLIGIBLE, "{smallest}");
     assert!(smallest_flushed >= eps * f64::NEGLIGIBLE, "{smallest_flushed}");
     assert_eq!(flushed, exact);
 }
 
-/// Units are powers of 2, so that they change no digit. Two units in turns never make both a factor
-/// and an entry behind its pivot large.
+/// Units are powers of 2, which change no digit. Two alternating units never make both a factor and
+/// an entry right of its pivot large.
 #[test]
 fn solutions_are_independent_of_extreme_units() {
     let (pattern, eps) = (lattice(24), 1e-3);

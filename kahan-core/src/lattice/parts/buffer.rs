@@ -1,14 +1,12 @@
-//! Memory that begins with a cache line, so that no register is loaded from two of them.
+//! Memory aligned to cache lines, so that no register load crosses two lines.
 
 use std::vec;
 use std::vec::Vec;
 
 use crate::Scalar;
 
-/// Bytes of a cache line.
 const LINE: usize = 64;
 
-/// Numbers from the beginning of a cache line on.
 pub(super) struct Buffer<T> {
     entries: Vec<T>,
     start: usize,
@@ -17,9 +15,9 @@ pub(super) struct Buffer<T> {
 impl<T: Scalar> Buffer<T> {
     pub(super) fn new(len: usize) -> Self {
         let most = LINE / size_of::<T>().max(1);
-        // Never grown, the allocation stays where it is.
+        // The vector never grows, so its allocation stays in place.
         let entries = vec![T::zero(); len + most];
-        // Should no place in reach be aligned, nothing but speed suffers.
+        // Without an aligned place within reach only speed suffers.
         let start = Some(entries.as_ptr().align_offset(LINE)).filter(|&start| start <= most).unwrap_or(0);
         Self { entries, start }
     }

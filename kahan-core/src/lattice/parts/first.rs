@@ -1,8 +1,8 @@
-//! The first pass: what eliminating the interiors leaves of the separators' rows.
+//! The first pass: eliminates the interiors and leaves the Schur complements of the separators.
 //!
-//! In: the states of some groups, whose parts are gathered side by side, one in each lane. Out: 2S
-//! rows of 2S + 1 numbers a part, S = R·B, first those of the separator to its right, and in each
-//! row first the columns of that separator; and last the largest multiplier of such a row.
+//! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows, S =
+//! R·B, of 2S + 1 numbers, and their largest multiplier. Rows and columns of the right separator
+//! come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -18,7 +18,6 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::window::{Window, WindowRow};
 
-/// The first pass over some groups.
 pub(in crate::lattice) struct First<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
@@ -43,15 +42,14 @@ impl<
 > OverLanes<T> for By<Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>, First<'_, M, T>>
 {
     type Output = ();
-    /// The rows of the window, and those of the separator.
     const IS_SMALL: bool = is_small(LOWER + R * B, WIDTH + R * B);
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
         let First { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The rest of a part is small and dense: the last interior columns, the separator to the
-        // right, the one to the left, right-hand sides.
+        // The final system: last interior columns, right separator, left separator, right-hand
+        // side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(joints::size(s));
@@ -98,8 +96,7 @@ impl<
                 }
             }
             for r in 0..R {
-                // Of the right separator's rows only what leads to the interior: the rest is the
-                // next part's.
+                // Only the couplings to the interior; the rest belongs to the next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -126,19 +123,19 @@ impl<
     }
 }
 
-/// The elimination of the interiors under way.
+/// A running elimination of the interiors.
 struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     /// The rows of the left separator.
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier of such a row.
+    /// The largest multiplier of these rows.
     worst: L,
 }
 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Sweep<L, B, R, LOWER, WIDTH>
 {
-    /// Takes in the next row and eliminates a column.
+    /// Appends the next row and eliminates a column.
     #[inline(always)]
     fn take<T>(&mut self, row: WindowRow<L, B, R, WIDTH>)
     where
@@ -155,13 +152,12 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The small system that the first pass ends with, and behind it the largest multipliers so far:
-/// eliminates its first columns, with pivots from the first rows only.
+/// The final dense system of the first pass, followed by the largest multipliers: eliminates its
+/// first columns, with pivots only from the first rows.
 struct Rest<'a, T> {
     dense: &'a mut [T],
     first: usize,
     rows: usize,
-    /// Parts side by side.
     width: usize,
 }
 

@@ -1,27 +1,25 @@
-//! Some parts of a group, side by side in lanes: gathered from the state, and scattered back.
+//! Parts of a group, side by side in lanes: gathered from the state, and scattered back.
 //!
-//! In: where the parts lie. Out: their sites in turn, each array of a site one register. To either
-//! side of an interior stand its separator and R sites more, which the separators' own rows see.
-//! Kernels of all sizes share the code of a level.
+//! In: the positions of the parts. Out: their sites in turn, one register per array, with the
+//! separator and R more sites on either side.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
 use crate::lattice::{LatticeMap, LatticeScalar};
 
-/// Parts of one length, one after another in the chain, as many as lanes.
+/// Consecutive parts of one length, one per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Parts {
-    /// The first site of the first of them, with which its separator begins.
+    /// The first site of the first part, the start of its separator.
     pub(super) start: usize,
-    /// The sites of each, its separator included.
+    /// The number of sites of each part, including its separator.
     pub(super) length: usize,
-    /// How many they are.
     pub(super) width: usize,
 }
 
 impl Parts {
-    /// Gathers the states and parameters of all sites that the rows of both separators see, from R
+    /// Gathers the states and parameters of all sites used by the rows of both separators, from R
     /// before the left one to R after the right one.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
@@ -57,8 +55,8 @@ impl Parts {
         }
     }
 
-    /// Gathers numbers of the R sites before each part, and of the 2R behind it: `block` numbers a
-    /// site, sites `stride` registers apart, found by their site in the chain.
+    /// Gathers the numbers of the R sites before each part and of the 2R after it: `block` numbers
+    /// per site, sites `stride` registers apart.
     fn gather_edges<M, T>(
         self,
         map: &M,
@@ -72,7 +70,7 @@ impl Parts {
         M: LatticeMap<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
-        // Between the separators' outer neighbours nothing wraps around.
+        // Only these sites may wrap around.
         for site in (-reach..0).chain(length..length + 2 * reach) {
             for b in 0..block {
                 let place = ((site + reach) as usize * stride + b) * self.width;
@@ -85,8 +83,8 @@ impl Parts {
         }
     }
 
-    /// Gathers the first `sites` of each part, none of which wraps around, in a run of numbers in
-    /// which the first part begins at `start`; one number goes to every `stride`-th register.
+    /// Gathers the first `sites` sites of each part, without wrap-around, from numbers in which the
+    /// first part begins at `start`; each number goes to every `stride`-th register.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],
@@ -101,7 +99,7 @@ impl Parts {
         T::run(Transposed { rows: self.width, columns: sites * block, from, to }, level);
     }
 
-    /// Scatters the sites of each part from `from` on.
+    /// Scatters the sites of each part from site `from` on.
     pub(super) fn scatter_inner<T: InLanes>(
         self,
         chain: &mut [T],
@@ -118,13 +116,11 @@ impl Parts {
     }
 }
 
-/// The rows of a matrix, the first at the beginning of the numbers.
 struct Rows<N> {
     numbers: N,
     stride: usize,
 }
 
-/// Writes a matrix with rows for columns.
 struct Transposed<'a, T> {
     rows: usize,
     columns: usize,
@@ -132,7 +128,6 @@ struct Transposed<'a, T> {
     to: Rows<&'a mut [T]>,
 }
 
-/// The numbers of a side of a square.
 const SIDE: usize = 4;
 
 #[expect(

@@ -1,7 +1,6 @@
-//! The kernels of a pass over all groups, which the sizes of a family choose, and threads share.
+//! The kernels of the passes, selected by the sizes of a family, and their division among threads.
 //!
-//! In: a pass. Out: what its kernel makes of it, on the lanes of a level. A group's numbers depend
-//! on no other group, so threads change no bit.
+//! In: a pass. Out: its result on a level's lanes. Groups are independent: threads change no bit.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -16,8 +15,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second::Second;
 
-/// Divides groups, and the numbers that belong to them, among threads, each with a scratch of its
-/// own; `place` is where a group's numbers begin.
+/// Divides groups and their numbers among threads; `place` returns a group's offset.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -44,35 +42,29 @@ pub(super) fn divide<T: Send>(
 #[cfg(feature = "parallel")]
 use rayon::join;
 
-/// Without threads there is one scratch, and nothing to divide.
 #[cfg(not(feature = "parallel"))]
 fn join(first: impl FnOnce(), second: impl FnOnce()) {
     first();
     second();
 }
 
-/// One of the two passes over some groups.
 pub(in crate::lattice) enum Pass<'a, M, T> {
     First(First<'a, M, T>),
     Second(Second<'a, M, T>),
 }
 
-/// Takes chains of some sizes through both passes: one kernel, or the one of a menu that fits.
+/// The kernels of chains of some sizes: one kernel, or a menu.
 pub(in crate::lattice) trait Kernels {
-    /// Whether there is a kernel of these sizes.
     fn have(sizes: Sizes) -> bool;
 
-    /// Makes a pass on the lanes of a level.
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
         M: LatticeMap<T>,
         T: LatticeScalar + InLanes;
 }
 
-/// A pass by the kernel of a stencil.
 pub(super) struct By<S, W>(pub(super) W, PhantomData<S>);
 
-/// A stencil has a kernel of its own.
 impl<
     const B: usize,
     const R: usize,
@@ -96,8 +88,7 @@ impl<
     }
 }
 
-/// The parts of some groups that fit the lanes, batch after batch: each with the number of its
-/// first part.
+/// Splits the parts of some groups into batches of `width`, with the index of the first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,
@@ -111,7 +102,7 @@ pub(super) fn batches(
     })
 }
 
-/// Whether two sets of `rows` rows with `numbers` numbers each fit the sixteen registers of AVX2.
+/// Returns whether two sets of `rows` rows of `numbers` numbers fit the sixteen registers of AVX2.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

@@ -1,4 +1,4 @@
-//! The lines of sites that stand side by side in lanes, and the rows that kernels make of them.
+//! The equations of sites side by side in lanes, and the rows that kernels make of them.
 
 use core::array::from_fn;
 use core::ops::Range;
@@ -10,35 +10,33 @@ use crate::lattice::Stencil;
 
 use super::window::WindowRow;
 
-/// A line's results at one site: f, and for each array its entries, site by site.
+/// The results of the equations at one site.
 #[derive(Clone, Copy, Debug)]
 pub struct SiteLine<L, const B: usize, const SITES: usize> {
     /// The field.
     pub f: [L; B],
-    /// The rows of A.
+    /// The rows of A: for each array its entries, site by site.
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites that were gathered side by side, one register an entry of `x` and of `c`; their lines are
-/// asked for one after another.
+/// Sites gathered side by side, one register per entry; their equations are requested in order.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
     /// The constants of the lines.
     pub constants: &'a [T],
-    /// The first of the constants, each in all lanes.
     pub(in crate::lattice) spread: [L; C],
     /// States, site by site.
     pub x: &'a [T],
     /// Parameters, site by site.
     pub c: &'a [T],
-    /// Room for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) of the
-    /// widest registers.
+    /// Scratch for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast)
+    /// registers.
     pub registers: &'a mut [T],
-    /// The level whose lanes the registers are.
+    /// The instruction set level of the registers.
     pub level: Level,
-    /// The site whose line is asked for next, counted in the registers.
+    /// The next site, counted in the registers.
     pub site: usize,
-    /// The sites whose lines a family that is read at run time has computed in the registers.
+    /// The sites already computed in the registers, for a family read at run time.
     pub computed: Range<usize>,
 }
 
@@ -68,14 +66,14 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// A row whose site sees no separator to the left.
+    /// Returns a row of a site without couplings to the left separator.
     #[inline(always)]
     pub(super) fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
         let mut row = WindowRow::zero();
         row.right = line.f[b];
         let entries = line.a[b].as_flattened();
         for k in 0..WIDTH {
-            // The first and last rows of a block see fewer entries to one side.
+            // The first and last rows of a block have fewer entries to one side.
             if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
                 row.band[k] = entries[R * B + b + k - LOWER];
             }
@@ -83,7 +81,7 @@ impl<
         row
     }
 
-    /// A row of the first R sites, i of them before its own.
+    /// Returns a row of site i among the first R interior sites.
     #[inline(always)]
     pub(super) fn row_at_edge<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,
@@ -94,7 +92,7 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Where it stands in the band it would be eliminated with the identity's rows.
+                // Entries of the separator, which must not be eliminated with the identity's rows.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();
@@ -104,8 +102,7 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without its entries to the left, which belong
-    /// to the part before.
+    /// Returns a row of site r of the left separator, without the entries of the previous part.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

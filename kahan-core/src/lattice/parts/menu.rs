@@ -1,7 +1,7 @@
-//! The kernels of families that are read at run time.
+//! The kernels of families read at run time.
 //!
-//! In: sizes. Out: the passes of the first stencil that has room for them. Entries that a family
-//! lacks are zeros there, which change no bit of a finite number.
+//! In: sizes. Out: the passes of the first stencil that is large enough. Missing entries are zeros,
+//! which change no bit of a finite number.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
@@ -11,16 +11,15 @@ use super::first::First;
 use super::kernels::{Kernels, Pass};
 use super::second::Second;
 
-/// The kernels whose sizes are those of a stencil of a short list.
+/// Kernels for a short list of stencil sizes.
 #[derive(Clone, Copy, Debug)]
 pub enum Menu {}
 
-/// A list of stencils: arrays, reach, distances to the left and right, sites seen, entries a row.
+/// Stencils by arrays, reach, lower and upper bandwidth, sites, entries per row.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl Menu {
-            /// These sizes, the distances those of the kernel that has room for them, if there is
-            /// one.
+            /// Returns the sizes with the bandwidths of the first sufficient kernel, or unchanged.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

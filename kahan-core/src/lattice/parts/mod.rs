@@ -1,10 +1,9 @@
-//! A long chain in parts that are eliminated side by side in vector lanes.
+//! Steps of a long chain in parts, which are eliminated side by side in vector lanes.
 //!
-//! In: a state. Out: the next one in its place, or nothing where the parts cannot vouch for it. In
-//! a first pass every interior is eliminated by itself, and what is left of the separators' rows
-//! is one small banded system; with that solved, a second pass finds the interiors. A separator's
-//! row is no pivot of an interior: where it meets a pivot much smaller than itself, digits would be
-//! lost, and the state is left as it was.
+//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates every
+//! interior and reduces the separators' rows to a small banded system. From its solution the second
+//! pass computes the interiors. If a separator's entry exceeds a pivot by far, digits would be
+//! lost, and the step is refused.
 
 mod buffer;
 mod first;
@@ -37,35 +36,33 @@ pub(super) use partition::Partition;
 use scratch::Scratch;
 use second::Second;
 
-/// The memory of steps in parts.
 pub(super) struct InParts<T> {
     partition: Partition,
     level: Level,
-    /// One for each thread.
     scratch: Vec<Scratch<T>>,
-    /// What the first pass says, part by part.
+    /// The results of the first pass, part by part.
     joints: Vec<T>,
-    /// The states of the separators and the sites left over, as they were.
+    /// A copy of the states of the separators and the sites left over.
     kept: Vec<T>,
     reduced: Folded<T>,
 }
 
-/// What steps a long chain of T in parts.
+/// A workspace that steps long chains of T in parts.
 pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
-    /// How many parts are eliminated side by side; none for scalars without lanes.
+    /// The number of parts side by side; `None` for scalars without lanes.
     const LANES: Option<usize>;
 
-    /// The memory of steps, for scalars with lanes.
+    /// Allocates a workspace; `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// One step, if the parts can vouch for it; otherwise the state stays as it is.
+    /// Takes one step; refuses, with an unchanged state, on a small pivot or a non-finite number.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,
         T: LatticeScalar;
 }
 
-/// The parts of a scalar without lanes: there are none.
+/// The parts of a scalar without lanes; uninhabited.
 pub(in crate::lattice) enum NoParts {}
 
 impl<T> Parted<T> for NoParts {
@@ -122,7 +119,6 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             kept[place * block..][..count * block].copy_from_slice(&state[first * block..][..count * block]);
         }
 
-        // The first pass fills the joints.
         let size = partition.lanes() * joints::size(reach * block);
         divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
             let first = First { partition, map, constants, state, groups, scratch, joints };
@@ -132,7 +128,6 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             return false;
         }
 
-        // The second moves the interiors.
         let (kept, gained, sites) = (&**kept, reduced.solution(), state.len() / block);
         let interiors = &mut state[..partition.start(partition.groups()) * block];
         divide(

@@ -1,34 +1,31 @@
-//! How a chain is cut into parts.
+//! The division of a chain into parts, which determines the bits of a step.
 //!
 //! In: the number of sites, the reach, the lanes. Out: separators of R sites, each followed by an
-//! interior, in groups of as many parts as the widest register has lanes; in a group all parts have
-//! one length. Nothing else decides it, so that the bits of a step depend on nothing else. The
-//! sites that are left over, at least R of them, close the chain.
+//! interior, in groups of as many parts as the widest register has lanes. All parts of a group have
+//! one length. At least R sites are left over and close the chain.
 
-/// How long a part is meant to be, in sites: long beside its separator, short enough that a group
-/// of parts stays in a cache near the processor.
+/// The intended length of a part: long beside its separator, small enough for a fast cache.
 const LENGTH: usize = 256;
 
-/// A chain's parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::lattice) struct Partition {
     sites: usize,
     reach: usize,
     lanes: usize,
     groups: usize,
-    /// The sites of the shorter parts.
+    /// The length of the shorter parts.
     length: usize,
-    /// The number of groups, from the first on, whose parts have a site more.
+    /// The number of groups, from the first on, whose parts have one more site.
     longer: usize,
 }
 
 impl Partition {
-    /// The parts of a chain, unless it is too short to be cut.
+    /// Divides a chain; `None` if too short.
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// The same, with parts of about this length, and never fewer sites than `least`.
+    /// Divides a chain into parts of about `about` sites; `None` if fewer than `least` each.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,
@@ -36,7 +33,7 @@ impl Partition {
         about: usize,
         least: usize,
     ) -> Option<Self> {
-        // Fewer than three reaches would let the neighbourhood of a separator see past a part.
+        // In shorter parts the neighbourhood of a separator would reach past a part.
         let least = least.max(3 * reach);
         let covered = sites.checked_sub(reach)?;
         let groups = (covered / (lanes * about)).max(1);
@@ -45,7 +42,7 @@ impl Partition {
         (length >= least).then_some(Self { sites, reach, lanes, groups, length, longer })
     }
 
-    /// Parts a group.
+    /// Returns the number of parts per group.
     pub(super) fn lanes(&self) -> usize {
         self.lanes
     }
@@ -58,32 +55,30 @@ impl Partition {
         self.groups * self.lanes
     }
 
-    /// The first site of a group, or past the last group the first that is left over.
+    /// Returns the first site of a group, or after the last group the first site left over.
     pub(super) fn start(&self, group: usize) -> usize {
         self.lanes * (group * self.length + group.min(self.longer))
     }
 
-    /// The sites of each part of a group, its separator included.
+    /// Returns the number of sites of each part of a group, including its separator.
     pub(super) fn length(&self, group: usize) -> usize {
         self.length + usize::from(group < self.longer)
     }
 
-    /// The most sites of a part.
     pub(super) fn longest(&self) -> usize {
         self.length(0)
     }
 
-    /// The sites that are left over at the end, at least R of them.
     pub(super) fn left_over(&self) -> usize {
         self.sites - self.start(self.groups)
     }
 
-    /// The sites of the reduced system: all separators, and those that are left over.
+    /// Returns the number of sites of the reduced system: all separators, and the sites left over.
     pub(super) fn kept(&self) -> usize {
         self.parts() * self.reach + self.left_over()
     }
 
-    /// The site at each place of the reduced system, as runs: first place, first site, how many.
+    /// Iterates over the runs of the reduced system: first place, first site, number of sites.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

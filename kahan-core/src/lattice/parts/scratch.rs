@@ -1,4 +1,4 @@
-//! The memory of a group while it is worked on, one for each thread.
+//! The workspace of a group, one per thread.
 
 use crate::Scalar;
 use crate::ensemble::Level;
@@ -9,19 +9,16 @@ use super::partition::Partition;
 
 /// Registers of the sites of a group of parts.
 pub(in crate::lattice) struct Scratch<T> {
-    /// Whose lanes the registers are.
     pub(super) level: Level,
     /// States, from R sites before the left separator to R after the right one.
     pub(super) x: Buffer<T>,
-    /// Parameters of the same sites.
     pub(super) c: Buffer<T>,
-    /// Workspace of lines that are read at run time.
     pub(super) registers: Buffer<T>,
-    /// The small system that the first pass ends with, and its largest multiplier.
+    /// The final dense system of the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The rows that are done with, rows of the identity first, each with its right-hand side.
+    /// The finished rows, first those of the identity, each with its right-hand side.
     pub(super) done: Buffer<T>,
-    /// What the separators to either side gain.
+    /// The solution at the separators on either side.
     pub(super) known: Buffer<T>,
 }
 

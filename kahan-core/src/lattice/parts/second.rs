@@ -1,8 +1,7 @@
-//! The second pass: the interiors one step later, with what the separators gain known.
+//! The second pass: steps the interiors, given the solution at the separators.
 //!
-//! In: the states of some groups, and what their separators gain. Out: x + 2ε w in place of x. The
-//! pass eliminates again what the first has not stored, which moves less memory than storing it
-//! would.
+//! In: the states of some groups, and the solution w at their separators. Out: x + 2ε w in place of
+//! x. The pass repeats the elimination, which moves less memory than storing it would.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::array::from_fn;
@@ -18,19 +17,17 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::window::{Window, WindowRow};
 
-/// The second pass over some groups.
 pub(in crate::lattice) struct Second<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
     pub(super) twice: &'a T,
-    /// States of the sites of the reduced system, and what they gain.
     pub(super) kept: &'a [T],
     pub(super) gained: &'a [T],
     pub(super) sites: usize,
     pub(super) groups: Range<usize>,
     pub(super) scratch: &'a mut Scratch<T>,
-    /// From the first site of the first group on.
+    /// The states from the first site of the first group on.
     pub(super) state: &'a mut [T],
 }
 
@@ -48,7 +45,6 @@ impl<
 > OverLanes<T> for By<Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>, Second<'_, M, T>>
 {
     type Output = ();
-    /// The rows of the window, which know nothing of the separator.
     const IS_SMALL: bool = is_small(LOWER, WIDTH);
 
     #[inline(always)]
@@ -65,7 +61,7 @@ impl<
             for lane in 0..L::WIDTH {
                 let separators = (part + lane) * s;
                 for k in 0..s {
-                    // The separator to the right may lie in another thread's numbers.
+                    // The separator to the right may belong to another thread.
                     x[(parts.length * B + s + k) * L::WIDTH + lane] = kept[separators + s + k];
                 }
                 for k in 0..2 * s {
@@ -77,7 +73,6 @@ impl<
             let mut sites = Gathered::<T, L, C>::new(constants, x, c, registers, level, 2 * R);
             let left: [[L; B]; R] = from_fn(|r| from_fn(|b| L::load(known, (r * B + b) * L::WIDTH)));
             let done = scratch.done.entries();
-            // The first ones that are done with are rows of the identity.
             let mut sweep = Sweep { window: Window::<L, B, 0, LOWER, WIDTH>::new(), done, count: 0 };
             for i in 0..R {
                 let line = map.line::<L, B, P, C, SITES>(&mut sites);
@@ -103,7 +98,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // The increments of the unknowns after the current one, beginning with the right separator's.
+            // The solution at the unknowns after the current one, initially at the right separator.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {
@@ -128,10 +123,9 @@ impl<
     }
 }
 
-/// The elimination of the interiors under way, to where it is complete.
+/// A running elimination of the interiors, without columns of the separator.
 struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, 0, LOWER, WIDTH>,
-    /// The rows that are done with, each with its right-hand side.
     done: &'a mut [T],
     count: usize,
 }
@@ -139,7 +133,7 @@ struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
 impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
     Sweep<'_, L, T, B, LOWER, WIDTH>
 {
-    /// Takes in the next row, eliminates a column, and keeps its row.
+    /// Appends the next row, eliminates a column, and stores the pivot row.
     #[inline(always)]
     fn take(&mut self, row: WindowRow<L, B, 0, WIDTH>) {
         let pivot = self.window.push(row);

@@ -1,20 +1,18 @@
 //! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
 //!
-//! In: the rows of a band, one at a time. Out: for each, the row that is done with, its pivot's
-//! reciprocal first. What a row says of the separator to the left, and its right-hand side, go
-//! along. All loops have lengths known while compiling, so that they are unrolled and every number
-//! has a register.
+//! In: the rows of a band, one at a time. Out: for each the finished row, which begins with its
+//! pivot's reciprocal. All loops have constant lengths, so they are unrolled and every number has a
+//! register.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
 
-/// A row, from the current column on.
+/// A row from the current column on.
 #[derive(Clone, Copy)]
 pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) band: [L; WIDTH],
-    /// The entries at the separator to the left.
+    /// The entries in the columns of the separator to the left.
     pub(super) left: [[L; B]; R],
-    /// The right-hand side.
     pub(super) right: L,
 }
 
@@ -24,9 +22,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges with another row where its first entry is larger.
-    ///
-    /// In most steps no lane exchanges, so a test of all lanes costs less than a choice in each.
+    /// Exchanges with another row in the lanes where its first entry is larger. In most steps no
+    /// lane exchanges, so a test of all lanes costs less than a selection.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
@@ -47,7 +44,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         exchange(&mut self.right, &mut other.right, mask);
     }
 
-    /// The row with another right-hand side, and nothing of the separator.
+    /// Returns the row with another right-hand side, without the columns of the separator.
     #[inline(always)]
     pub(super) fn without_left(self, right: L) -> WindowRow<L, B, 0, WIDTH> {
         WindowRow { band: self.band, left: [], right }
@@ -72,7 +69,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         self.right.store(numbers, place + (columns + R * B) * L::WIDTH);
     }
 
-    /// The row less a multiple of the pivot's, from the next column on.
+    /// Returns the row minus a multiple of the pivot row, from the next column on.
     #[inline(always)]
     pub(super) fn reduced(&self, multiplier: L, pivot: &Self) -> Self {
         let mut next = Self::zero();
@@ -89,13 +86,12 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
     }
 }
 
-/// Exchanges two numbers where a mask is set.
 #[inline(always)]
 fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
     (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 
-/// The rows that may still become pivots.
+/// The candidate pivot rows.
 pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     pub(super) rows: [WindowRow<L, B, R, WIDTH>; LOWER],
 }
@@ -103,7 +99,7 @@ pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Window<L, B, R, LOWER, WIDTH>
 {
-    /// Before the first row: rows of the identity, for columns before the first.
+    /// Returns the initial window: rows of the identity, for columns before the first.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let mut rows = [WindowRow::zero(); LOWER];
@@ -113,8 +109,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
         Self { rows }
     }
 
-    /// Takes in the row whose first entry is at the current column, eliminates that column, and
-    /// returns the pivot's row, with its pivot's reciprocal in place of the pivot.
+    /// Appends the row that begins at the current column, eliminates that column, and returns the
+    /// pivot row with the reciprocal of its pivot.
     #[inline(always)]
     pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where
@@ -125,7 +121,6 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
             pivot.band[0] = L::one() / pivot.band[0];
             return pivot;
         };
-        // The rows after the first, which stands for the pivot.
         let mut row = row;
         for k in 1..LOWER {
             pivot.exchange_if_larger(&mut self.rows[k]);

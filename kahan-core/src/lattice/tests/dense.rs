@@ -1,5 +1,5 @@
-//! Against one elimination of the dense matrix, with partial pivoting: random couplings, numbers of
-//! sites, ε and states, among them those where pivots in the order of the chain vanish.
+//! Tests against one elimination of the dense matrix with partial pivoting: random couplings,
+//! numbers of sites, ε and states, including vanishing pivots in the order of the chain.
 
 use std::ops::Range;
 use std::vec::Vec;
@@ -14,7 +14,7 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// A(x,ε) = I − ε f′(x), column by column: of a quadratic f, ½(f(x + e) − f(x − e)) is f′(x) e.
+/// Returns A(x,ε) column by column, with f′(x) e = ½(f(x + e) − f(x − e)) for a quadratic f.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
     for j in 0..x.len() {
@@ -23,7 +23,7 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
             moved[j] += by;
             DVector::from_vec(at.field(&moved))
         };
-        // A power of two about as large as the state keeps what cancels small.
+        // A power of two near the size of the state keeps cancellation small.
         let by = x.iter().fold(1.0, |largest: f64, x| largest.max(x.abs())).log2().floor().exp2();
         let mut column = a.column_mut(j);
         column -= (field(by) - field(-by)) * (eps / (by + by));
@@ -31,7 +31,6 @@ fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DM
     a
 }
 
-/// What became of a step.
 #[derive(Debug, Default)]
 struct Tally {
     compared: u32,
@@ -39,10 +38,10 @@ struct Tally {
     whole: u64,
 }
 
-/// The step of a random state, in short parts and in one elimination, against the dense one.
+/// Compares the step of a random state, in short parts and in one elimination, with the dense one.
 fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally: &mut Tally) {
     let len = sites * M::BLOCK;
-    // Every eighth entry is 0 or ±1/ε, which is where entries of A vanish.
+    // Some entries are 0 or ±1/ε, at which entries of A vanish.
     let x: Vec<f64> = random(seed)
         .take(len)
         .map(|bits| {
@@ -74,7 +73,7 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
         let mut next = x.clone();
         at.step(&mut next);
         for ((next, x), gained) in next.iter().zip(&x).zip(&gained) {
-            // Backward errors of the eliminations: multipliers of parts are at most 2¹⁰.
+            // The backward errors of the eliminations: multipliers of parts are at most 2¹⁰.
             let bound = 4096.0 * f64::EPSILON * condition * largest;
             let error = (next - (x + gained)).abs();
             assert!(error <= bound, "{sites} sites, eps = {eps}, seed {seed}: {error:e} beyond {bound:e}");
@@ -84,7 +83,6 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
     tally.whole += in_parts.whole_eliminations();
 }
 
-/// Random numbers of sites, and ε from 10⁻⁶ to 10³.
 fn at_random<M: LatticeMap<f64>>(rounds: u32, sites: Range<usize>, map: impl Fn(usize, u64) -> M) {
     let mut tally = Tally::default();
     let rounds = if cfg!(miri) { 2 } else { rounds };
@@ -93,7 +91,6 @@ fn at_random<M: LatticeMap<f64>>(rounds: u32, sites: Range<usize>, map: impl Fn(
         let eps = 10f64.powf(9.0 * (bits >> 40) as f64 / (1_u64 << 24) as f64 - 6.0);
         agrees(&map(sites, bits), sites, eps, seed as u64, &mut tally);
     }
-    // Short chains are not cut into parts.
     let cut = sites.end > 25 * M::REACH && tally.whole < u64::from(tally.compared);
     let short = sites.end <= 25 * M::REACH && tally.whole == u64::from(tally.compared);
     assert!(cfg!(miri) || (tally.compared >= rounds / 2 && (cut || short)), "{tally:?}");
@@ -113,7 +110,7 @@ fn chains_step_as_dense_matrices_do() {
     at_random(10, 1..200, kdv::<true>);
 }
 
-/// Three arrays, offsets up to five; half of the couplings are missing, others each time.
+/// Three arrays, offsets up to five; a random half of the couplings is missing.
 #[test]
 fn random_couplings_step_as_dense_matrices_do() {
     fn tangled<const OPEN: bool>(_sites: usize, bits: u64) -> Tangled<f64, OPEN> {

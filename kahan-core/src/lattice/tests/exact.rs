@@ -1,4 +1,4 @@
-//! Over rationals: Kahan's defining equation, with ==.
+//! Tests of Kahan's defining equation over rationals, with ==.
 
 use std::vec::Vec;
 
@@ -15,12 +15,11 @@ fn q(p: i64, d: i64) -> Q {
     Q::constant(&Constant::ratio(p, d))
 }
 
-/// A state of small rationals, no two neighbours alike.
 fn state(len: usize) -> Vec<Q> {
     (0..len as i64).map(|i| q(3 + (7 * i * i + 5 * i) % 11, 2 + (3 * i) % 5)).collect()
 }
 
-/// The step of a chain: (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃), and back again.
+/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step of a chain, and the step back.
 fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, most: usize, map: impl Fn(usize) -> M) {
     for sites in fewest..=most {
         let eps = q(2, 17);
@@ -56,7 +55,7 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<Q, OPEN> {
 fn steps_satisfy_kahans_equation_at_every_length() {
     satisfies_kahans_equation(1, 12, |_| Toda::<true>);
     satisfies_kahans_equation(2, 12, |_| Toda::<false>);
-    // One or two sites of these rings stand still, as does a single open site.
+    // One or two sites of these rings stand still, and so does a single open site.
     satisfies_kahans_equation(2, 12, |_| Volterra::<true>);
     satisfies_kahans_equation(3, 12, |_| Volterra::<false>);
     satisfies_kahans_equation(2, 12, kdv::<true>);
@@ -69,8 +68,7 @@ fn rational(x: f64) -> Q {
     Q::from_float(x).expect("finite")
 }
 
-/// What `try_step` promises of random states, judged over rationals; `rational_map` is the same
-/// family with the same parameters. Some steps must succeed.
+/// Tests the bound of `try_step` at random states over rationals; `exact` is `map` over rationals.
 fn keeps_its_promise<M, E>(map: &M, exact: &E, sites: usize, most_entries: usize)
 where
     M: LatticeMap<f64>,
@@ -79,7 +77,6 @@ where
     let mut succeeded = 0;
     for (round, eps) in [1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3].into_iter().enumerate() {
         let mut at = map.at(eps, sites).expect("sites");
-        // From 1/4 to 4, of either sign.
         let x: Vec<f64> = random(round as u64)
             .take(sites * <M as LatticeMap<f64>>::BLOCK)
             .map(|bits| {
@@ -116,7 +113,7 @@ fn promised_steps_keep_their_promise() {
     }
 }
 
-/// Numbers far below those whose products a float holds: the tail of a soliton.
+/// Numbers too small for their products to be floats: the tail of a soliton.
 #[test]
 fn promises_hold_for_the_smallest_numbers() {
     let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();
@@ -127,7 +124,7 @@ fn promises_hold_for_the_smallest_numbers() {
     assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
 }
 
-/// Numbers whose squares leave the range, so that no elimination over floats has a value.
+/// Numbers whose squares overflow, so that no elimination over floats has a value.
 #[test]
 fn promises_hold_for_the_largest_numbers() {
     let size = 1010_f64.exp2();
@@ -142,7 +139,7 @@ fn promises_hold_for_the_largest_numbers() {
     }
 }
 
-/// A row of which nothing is known is not forgotten when the next one is fine.
+/// A NaN bound of one row persists if the next row is good.
 #[test]
 fn one_site_that_is_no_number_refuses_the_step() {
     for site in 0..5 {
@@ -165,7 +162,7 @@ fn a_ring_of_one_or_two_volterra_sites_stands_still() {
 
 #[test]
 fn a_pole_is_an_error_and_leaves_the_state() {
-    // One open Toda site: ȧ = −ab, ḃ = 2a², so that det A = 1 + εb + 4ε²a² is 0 here.
+    // One open Toda site: ȧ = −ab, ḃ = 2a², so det A = 1 + εb + 4ε²a² is 0 here.
     let mut x = [q(0, 1), q(-3, 1)];
     let mut at = Toda::<true>.at(q(1, 3), 1).expect("a site");
     assert!(at.try_step(&mut x).is_err());

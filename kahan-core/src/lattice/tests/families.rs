@@ -1,4 +1,4 @@
-//! Families by hand, as the macro writes them.
+//! Families written by hand, in the form that the macro generates.
 
 use std::vec;
 use std::vec::Vec;
@@ -82,13 +82,12 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
     }
 }
 
-/// u_t = −6 u u_x − u_xxx by central differences of step h, with a coefficient of
-/// the dispersion at each site.
+/// u_t = −6 u u_x − u_xxx by central differences of step h, with a dispersion coefficient per site.
 #[derive(Clone, Debug)]
 pub(super) struct Kdv<T, const OPEN: bool> {
-    /// 1/h
+    /// 1/h.
     pub(super) inverse: T,
-    /// What the third derivative is multiplied by.
+    /// The coefficients of the third derivative.
     pub(super) dispersion: Vec<T>,
 }
 
@@ -107,7 +106,6 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
         boundary(OPEN)
     }
 
-    /// 3/h, 1/(2h³), and both times ε
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
         let inverse = convert(&self.inverse);
         let advection = L::constant(&Constant::integer(3)) * inverse.clone();
@@ -137,12 +135,10 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     }
 }
 
-/// A field without any structure: three arrays, offsets up to five, each derivative a sum of eight
-/// products of states anywhere near.
+/// An unstructured field: three arrays, offsets up to five, eight products per derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
 
-/// The two factors of a term of array b.
 const fn factors(b: usize, term: usize) -> (usize, usize) {
     let seed = 7 * b + 11 * term + 3;
     ((seed * seed + 5 * seed) % 33, (3 * seed * seed + 17) % 33)

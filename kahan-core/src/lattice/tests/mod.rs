@@ -1,4 +1,4 @@
-//! Families as the macro writes them, and the laws of their steps.
+//! Tests of chains, on families written by hand.
 
 mod dense;
 #[cfg(feature = "exact")]
@@ -6,7 +6,6 @@ mod exact;
 mod families;
 mod parts;
 
-/// Terms come back that a larger one had rounded away.
 #[test]
 fn a_total_keeps_what_its_sum_lost() {
     let mut total = super::sums::Total::zero();
@@ -16,7 +15,6 @@ fn a_total_keeps_what_its_sum_lost() {
     assert_eq!(total.sum(), 2.0);
 }
 
-/// Numbers of 64 bits without a pattern.
 fn random(seed: u64) -> impl Iterator<Item = u64> {
     (1_u64..).map(move |k| {
         let z = (seed ^ k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,11 +1,9 @@
-//! The step that promises a small backward error: what more than eight variables have.
+//! The step with a small backward error, for more than eight variables.
 //!
-//! In: a point and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in
-//! every row i, A(x,ε) and b(x,ε) exact at the floats as given and k the most entries in a row of
-//! A; or why there is none. Elimination gives x̃, and residuals in wider numbers, which carry
-//! bounds on their own errors, refine it at most twice. Nothing is believed but such a bound.
-//!
-//! With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
+//! In: a point and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every row
+//! i, or the reason for failure; k is the largest number of entries in a row of A. Residuals with
+//! bounds on their own errors refine x̃ at most twice and prove the result. With d = x̃ − x the
+//! residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
 
 use core::array::from_fn;
 
@@ -25,18 +23,16 @@ use crate::step::error::Reason;
 use super::formulas::Values;
 use super::{CoupledField, CoupledStep, Factors, zeros};
 
-/// How often a solution is refined, with either elimination.
 const REFINEMENTS: usize = 2;
 
-/// What a solution leaves.
+/// The residual of a solution and its backward error.
 struct Rest<T, const N: usize> {
     /// b − A·x̃, rounded.
     residual: [T; N],
-    /// The backward error, at most; infinite where nothing is known.
+    /// An upper bound of the backward error; infinite if unknown.
     bound: f64,
 }
 
-/// The promised step.
 #[inline(never)]
 pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, N, P, M, S>,
@@ -54,7 +50,6 @@ where
     }
 }
 
-/// A step that is to be promised.
 struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
     step: &'a CoupledStep<K, T, N, P, M, S>,
     x: &'a [T; N],
@@ -65,13 +60,12 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
-    /// What the backward error may be.
     fn promise() -> f64 {
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Elimination along the couplings, and if that does not do, by partial pivoting; either with
-    /// residuals by `rest`, and if that does not tell, in wide numbers, in which nothing overflows.
+    /// Tries elimination along the couplings, then partial pivoting, each with residuals by `rest`
+    /// and, if necessary, in wide numbers without overflow.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -130,8 +124,7 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// x̃ by elimination over numbers of many digits, where entries or pivots leave the range of
-    /// the scalar.
+    /// Computes x̃ by elimination over long numbers.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
@@ -156,8 +149,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// A(x,ε) with rows of one size, and what they are multiplied by: an entry that is alone in its
-    /// row stays what it is divided by, so that a component that is 0 comes out as 0.
+    /// Writes A(x,ε) with each row divided by its largest entry and returns the factors. If a row
+    /// has only one entry, a component 0 of x̃ stays 0.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -171,7 +164,6 @@ where
         scales
     }
 
-    /// Replaces b by A⁻¹b.
     #[inline(never)]
     fn solve_scaled(&self, b: &mut SVector<T, N>) -> Option<()> {
         let mut matrix = zeros();
@@ -180,7 +172,7 @@ where
         solve_in_place(&mut matrix, b)
     }
 
-    /// det A, and that of the scaled matrix.
+    /// Returns det A and the determinant of the scaled matrix.
     #[inline(never)]
     fn determinants(&self) -> [T; 2] {
         let mut matrix = zeros();
@@ -191,8 +183,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide
-    /// numbers gets there; the least bound on the error that was reached goes to `least`.
+    /// Returns x̃ after refinement, if its backward error is small enough; lowers `least` to the
+    /// smallest error bound reached.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -234,7 +226,7 @@ where
         self.rest(next, T::widen, T::narrow)
     }
 
-    /// What x̃ = `next` leaves, computed in V.
+    /// Computes residual and backward error of x̃ = `next` in V.
     fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {
@@ -246,7 +238,7 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        // 2f, which becomes 2f + f′d and 2f − f′x.
+        // left: 2f, then 2f + f′d. right: 2f, then 2f − f′x.
         let mut left = [Bounded::<V>::zero(); N];
         for (left, component) in left.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
             *left = component + component;

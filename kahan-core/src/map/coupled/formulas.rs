@@ -1,25 +1,23 @@
-//! Formulas as tables in postfix order, which one loop runs.
+//! Formulas as tables in postfix notation, run by one loop.
 //!
-//! In: a table, parameters, a state. Out: the formulas' values, one after the other. Over numbers
-//! that carry bounds a straight line of a large field is more code than all the rest of a crate,
-//! and it is run seldom: there the table takes its place. A formula needs as many places on the
-//! stack as the macro allows it, which visits deep operands first.
+//! In: a table, parameters, a state. Out: the values of the formulas in order. Over bounded
+//! numbers, straight-line code of a large field would exceed the rest of a crate and run rarely.
+//! The macro evaluates deep operands first, which limits the stack depth.
 
 use core::array::from_fn;
 
 use crate::{Constant, Scalar};
 
-/// The most values that a formula has on the stack at once.
 const DEEPEST: usize = 16;
 
-/// What is done next.
+/// An instruction of a postfix table.
 #[derive(Clone, Copy, Debug)]
 pub enum Postfix<'a> {
-    /// Puts a state's entry on the stack.
+    /// Pushes an entry of the state.
     State(u16),
-    /// Puts a parameter there.
+    /// Pushes a parameter.
     Parameter(u16),
-    /// Puts an exact number there.
+    /// Pushes an exact number.
     Number(Constant<'a>),
     /// Replaces a by −a.
     Negate,
@@ -35,11 +33,10 @@ pub enum Postfix<'a> {
     Divide,
     /// Replaces a, b by b/a.
     DivideInto,
-    /// Takes the value from the stack, which is empty then: a formula's.
+    /// Ends a formula; the only entry on the stack is its value.
     Done,
 }
 
-/// The formulas' values, each computed when it is asked for.
 pub(super) struct Values<'a, T> {
     rest: core::slice::Iter<'a, Postfix<'a>>,
     parameters: &'a [T],

@@ -1,5 +1,4 @@
-//! The mode of orbits that floats have and exact numbers have no use for: what rounding takes from
-//! a point is carried beside it.
+//! Compensated orbits of floats: the rounding error of each point is carried into the next step.
 
 use nalgebra::{ArrayStorage, SMatrix};
 
@@ -9,19 +8,17 @@ use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, StateVector, Step, Sto
 
 use super::Orbit;
 
-/// Maps that tell the increments of their steps, so that what rounding takes from a point can be
-/// carried into the next step.
+/// Maps that expose the increments of their steps, so that rounding errors can be carried along.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot carry rounding errors beside its points",
     label = "it does not tell the increments of its steps",
     note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
 )]
 pub trait Increments: Step {
-    /// A point, and behind it what it lacks: twice as many numbers.
+    /// A state with its carry: a point followed by its rounding error, twice the map's dimension.
     type Carried: StateVector<Self::Scalar>;
 
-    /// This map with rounding errors beside its points: see
-    /// [`Orbit::compensated`](crate::Orbit::compensated) for what that cures.
+    /// Returns the compensated map; see [`Orbit::compensated`](crate::Orbit::compensated).
     fn compensated(self) -> Compensated<Self>
     where
         Self: Sized,
@@ -29,10 +26,10 @@ pub trait Increments: Step {
         Compensated(self)
     }
 
-    /// x̃ and what it lacks, from x and what x lacks; `None` at a pole of an exact scalar.
+    /// Steps a point with its carry; `None` at a pole of an exact scalar.
     fn next_with_carry(&self, x: &Self::Carried, workspace: &mut Workspace) -> Option<Self::Carried>;
 
-    /// Replaces a point and what it lacks by those so many steps later.
+    /// Advances a point with its carry by `steps` steps.
     ///
     /// # Errors
     /// # Panics
@@ -48,12 +45,11 @@ pub trait Increments: Step {
     }
 }
 
-/// A map whose points carry what rounding took from them; see [`Orbit::compensated`].
+/// A map that carries the rounding errors of its points; see [`Orbit::compensated`].
 ///
-/// A state has twice the map's numbers: a point, and what it lacks. The orbit is at point + carry,
-/// and the carry is at most about an ulp of the point or of the last increment, whichever is
-/// larger. It begins with zeros, as [`state`](Step::state) makes them. A [part](Step::part) of a
-/// step moves the point alone.
+/// A state has twice the map's dimension: a point, then its carry, initially zero. The orbit is at
+/// point + carry; the carry is at most about an ulp of the point or of the last increment. A
+/// [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -136,23 +132,21 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M
 }
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
-    /// The same orbit with the rounding error of each addition x + (x̃ − x) carried into the next
-    /// one (Kahan's compensated summation, of the state). It goes on from where this orbit is.
+    /// Continues this orbit with compensated summation of the state (Kahan): the rounding error of
+    /// each addition x + (x̃ − x) is carried into the next one. Points are yielded rounded to about
+    /// an ulp.
     ///
-    /// What it cures: a plain step rounds each component to half an ulp; here the error of a step
-    /// falls to that of its increment, O(ε)·u, so that the integrals of the map wander less.
+    /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
+    /// error of its increment, O(ε)·u, so the integrals of the map drift less.
     ///
-    /// What it does not: the increments are still rounded, always in the same way. Errors that have
-    /// a mean add up linearly: in `f32` they are seen beyond about 10⁶ steps, and for an ε whose
-    /// powers are rounded badly in `f64` too; there [`nearest_short_eps`](crate::nearest_short_eps)
-    /// helps. A linear field, whose increments are one constant matrix times the state, has such a
-    /// mean at any ε: there it gains little. Nor does it help near a pole, where the increment is
-    /// inaccurate.
+    /// Limits: increments are still rounded, always in the same way. Errors with a nonzero mean
+    /// grow linearly: in `f32` this shows beyond about 10⁶ steps, in `f64` for an ε whose powers
+    /// round badly; [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field gains
+    /// little: its increments are a constant matrix times the state. Near a pole the increment
+    /// itself is inaccurate.
     ///
-    /// Each point that it yields is rounded, to about an ulp of where the orbit is.
-    ///
-    /// Cost: seven operations a component, none of which the next step waits for; `benches/results`
-    /// has the times.
+    /// Cost: seven operations per component, off the critical path; `benches/results` has the
+    /// times.
     ///
     /// ```
     /// use kahan_core::prelude::*;

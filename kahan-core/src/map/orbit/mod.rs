@@ -1,10 +1,9 @@
 //! Orbits as iterators.
 //!
-//! In: a map at its ε, and its first state. Out: x₀, x₁, …, each computed when asked for and not
-//! before (exact points grow, so one more than wanted can cost more than all before it). What a
-//! step is made of, and what is carried beside a point, is the map's affair: a mode costs what it
-//! computes and nothing else. Nothing panics at a pole: an orbit over exact scalars ends there and
-//! says why, one over floats goes on with numbers that are not finite.
+//! In: a map at its ε, and a first state. Out: x₀, x₁, …, each computed on demand (exact points
+//! grow, so one point too many can cost more than all before it). A mode costs only its own
+//! computations. At a pole an orbit over exact scalars ends and keeps the reason; over floats it
+//! continues with non-finite numbers.
 
 mod compensated;
 #[cfg(feature = "std")]
@@ -23,12 +22,10 @@ pub use compensated::{Compensated, Increments};
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
-/// The orbit x₀, x₁, … of a map S at its ε, x₀ first; made by [`KahanMap::orbit`], and of any map
-/// by [`Orbit::new`].
+/// The orbit x₀, x₁, … of a map S at its ε; made by [`KahanMap::orbit`] or [`Orbit::new`].
 ///
-/// It holds the prepared map, so what depends on ε and the parameters alone is computed once; each
-/// point is bit for bit the [step](Step::next) of the one before. Its modes are other types of the
-/// same iterator:
+/// Everything that depends only on ε and the parameters is computed once. Each point is bit for bit
+/// the [step](Step::next) of the previous one. The modes are other types of this iterator:
 ///
 /// | mode | made by | map |
 /// |---|---|---|
@@ -36,35 +33,30 @@ pub use scaled::Scaled;
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
 /// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
-/// | of a chain, of a map read at run time, of a map chosen at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
+/// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
-/// What a mode carries beside the point is not yielded. [`projective`](Self::projective) turns a
-/// plain one into an iterator that goes on at poles.
+/// Carries are not yielded. [`projective`](Self::projective) continues a plain orbit through poles.
+/// [`nth`](Iterator::nth) is as fast as a hand-written loop over
+/// [`KahanAt::step`](crate::KahanAt::step).
 ///
 /// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
 /// # There and back
-/// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact
-/// scalars. Over floats each of the 2n steps rounds, and the rest of the way carries its rounding
-/// along. With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ says by how much k steps back from xₖ enlarge an error there;
-/// with δₖ the most that a step to xₖ rounds by (16 u ‖xₖ‖ at ordinary points), the rounding at
-/// each xₖ counts once on the way there and once on the way back. The distance from x₀ at the end
-/// is at most
+/// The map with −ε is the inverse map. Hence n steps forth and back return to x₀, exactly over
+/// exact scalars. Over floats each of the 2n steps rounds, and later steps propagate the errors.
+/// With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ is the amplification of an error at xₖ by k steps back. Let δₖ bound
+/// the rounding of a step to xₖ (16 u ‖xₖ‖ at ordinary points); it counts once forth and once back.
+/// The final distance from x₀ in the maximum norm is at most
 ///
-/// δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
+///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
-/// in the maximum norm, up to terms of order u². On an orbit that stays on a curve or torus errors
-/// grow at most in proportion to k, so the distance at most to n²; near chaos both grow
-/// exponentially.
-///
-/// # Cost
-/// [`nth`](Iterator::nth) runs as fast as a loop over [`KahanAt::step`](crate::KahanAt::step)
-/// written by hand.
+/// up to terms of order u². On an orbit on a curve or torus errors grow at most in proportion to k,
+/// so the distance grows at most like n²; in chaotic regions both grow exponentially.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
     pub(crate) map: S,
-    /// The state given last, or the first one before any was.
+    /// The last yielded state, or the first state before any was yielded.
     pub(crate) state: S::State,
     begun: bool,
     stopped: Option<SingularStep>,
@@ -72,10 +64,10 @@ pub struct Orbit<S: Step> {
 }
 
 impl<S: Step> Orbit<S> {
-    /// The orbit of a map from this state.
+    /// Returns the orbit of a map from this state.
     ///
     /// # Panics
-    /// If the state has not as many numbers as the map's.
+    /// If the length of the state is not the map's dimension.
     #[inline]
     pub fn new(map: S, start: S::State) -> Self {
         check_length(start.as_slice().len(), map.dimension());
@@ -93,13 +85,11 @@ impl<S: Step> Orbit<S> {
         Orbit { map: map_of(map), state: state_of(state), begun, stopped, workspace }
     }
 
-    /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact
-    /// scalar.
+    /// Returns why the orbit has ended: `Some` after a step met a pole of an exact scalar.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
 
-    /// Ends it at a pole.
     pub(crate) fn stop(&mut self) {
         self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
     }
@@ -126,7 +116,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        // No run of more steps than a counter holds ends.
+        // A run of 2⁶⁴ steps never ends, so saturation is harmless.
         let steps = (n as u64).saturating_add(self.begun.into());
         self.begun = true;
         if let Err(stopped) = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace) {

@@ -1,6 +1,6 @@
 //! Orbits of homogeneous fields with ε scaled out.
 //!
-//! In: an orbit of a field f with f(λx) = λ²f(x). Out: the same points, computed at ε = 1.
+//! In: an orbit of a field f with f(λx) = λ²f(x). Out: its points, computed at ε = 1.
 
 use core::array::from_fn;
 
@@ -9,12 +9,10 @@ use crate::{FloatScalar, KahanAt, KahanMap, PointOf, StateVector, Step};
 
 use super::{Compensated, Increments, Orbit};
 
-/// The orbit of a homogeneous field through its scaled form; made by [`Orbit::scaled`].
+/// The orbit of a homogeneous field in scaled variables; made by [`Orbit::scaled`].
 ///
-/// (x, ε) ↦ (λx, ε/λ) is a symmetry of the map where f is homogeneous, so X = εx is stepped at ε =
-/// 1, and x = X/ε is yielded. Neither ε nor a power of it is then rounded in a step: what remains
-/// are the parameters. There is no composed form, whose stages would take rounded coefficients
-/// again.
+/// For homogeneous f the map has the symmetry (x, ε) ↦ (λx, ε/λ). So X = εx is stepped at ε = 1,
+/// and x = X/ε is yielded. A step then rounds neither ε nor its powers, only the parameters.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<S: Step> {
@@ -23,15 +21,12 @@ pub struct Scaled<S: Step> {
 }
 
 impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// The same orbit with ε scaled out, from where it is; `None` where the field has a linear or a
-    /// constant part.
+    /// Continues this orbit with ε scaled out; `None` if the field has a linear or constant part.
     ///
-    /// For long runs at an ε whose powers round badly, when ε is not free to be a [short
-    /// one](crate::nearest_short_eps). Every point is rounded twice more than the orbit it is taken
-    /// from, at the beginning (X = εx) and where it is yielded (x = X/ε), unless ε is a power of
-    /// two; these do not add up.
-    ///
-    /// Cost: a division a component and point yielded.
+    /// For long runs at an ε whose powers round badly and cannot be replaced by a [short
+    /// one](crate::nearest_short_eps). Unless ε is a power of two, each point has two more
+    /// roundings, which do not accumulate: X = εx and x = X/ε. Cost: one division per component of
+    /// each yielded point.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -65,17 +60,17 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
-    /// ε, half the time step of the points that are yielded.
+    /// Returns ε, half the time step of the yielded points.
     pub fn eps(&self) -> S::Scalar {
         self.eps
     }
 
-    /// The orbit of X = εx at ε = 1: an integral is best evaluated there.
+    /// Returns the orbit of X = εx at ε = 1, which is best for evaluating an integral.
     pub fn into_inner(self) -> Orbit<S> {
         self.orbit
     }
 
-    /// As [`Orbit::compensated`].
+    /// Adds compensation as [`Orbit::compensated`] does.
     pub fn compensated(self) -> Scaled<Compensated<S>>
     where
         S: Increments,

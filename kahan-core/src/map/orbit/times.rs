@@ -1,8 +1,7 @@
-//! Orbits by time.
+//! Orbits at given times.
 //!
-//! In: an orbit, and times between its points. Out: the state there, by the last whole step before
-//! it and the map at a part of ε: on the map's own curve from a point to the next, which is as far
-//! from the flow as a step is.
+//! In: an orbit, and times between its points. Out: the states at these times, each by the map with
+//! a fraction of ε from the last whole step. This state lies as far from the flow as a step does.
 
 use core::iter::from_fn;
 
@@ -13,14 +12,13 @@ use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 use super::Orbit;
 
 impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
-    /// The states at these times, counted from the next point of this orbit; a step takes 2ε.
+    /// Yields the states at these times from the next point on; a step takes 2ε.
     ///
-    /// Between two points the state is that of the map with a part of ε from the first of them: no
-    /// point of this orbit, and as far from the flow as a step is, O(ε³). The orbit itself goes on
-    /// from point to point. Times grow, or fall where ε is negative; one that goes back yields the
-    /// state on the curve that leads on from the last point, before it.
-    ///
-    /// Cost: a step each, besides those of the orbit, and what ε fixes computed anew.
+    /// The state between two points results from the first by the map with a fraction of ε: it is
+    /// not on the orbit, and its distance from the flow is that of a step, O(ε³). Times should
+    /// increase, or decrease if ε is negative; an earlier time yields a state by a step backwards
+    /// from the last point. Cost: for each time one step and its preparation, besides the steps of
+    /// the orbit.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -42,7 +40,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         let mut place = self.next();
         let mut made = 0;
         times.iter().map_while(move |&time| {
-            // What is no number counts as no step.
+            // A NaN counts as zero steps.
             let steps = ((time / dt).approximate() as u64).max(made);
             if steps > made {
                 place = usize::try_from(steps - made - 1).ok().and_then(|skipped| self.nth(skipped));
@@ -53,8 +51,8 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         })
     }
 
-    /// The points of this orbit from the next one on with their times, 0, 2ε, 4ε, … before `end`,
-    /// and last the state at `end`, by [a part](Self::at_times) of a step.
+    /// Yields the points of this orbit with their times 0, 2ε, 4ε, … before `end`, counted from the
+    /// next point, then the state at `end` by [a part](Self::at_times) of a step.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -81,7 +79,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // The end of no step is where the orbit begins.
+            // An end at or before the first point still needs the first point.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }
@@ -90,11 +88,11 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         })
     }
 
-    /// The state a part of a step from the point given last.
+    /// Returns the state after a fraction of a step from the last yielded point.
     fn part(&mut self, part: S::Scalar) -> PointOf<S> {
         let mut state = self.state.clone();
         if !part.is_zero() {
-            // Floats go on at poles.
+            // Floats continue at poles.
             let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.workspace);
         }
         state.to_point()

@@ -11,21 +11,19 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Limit, Magnitude, Number, Pair, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state, and what the error of any of its components is at most, their own last roundings
-/// apart.
+/// A next state with an upper bound of the error of all components, excluding the last roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<V: Number, const N: usize> {
     pub(super) next: [V; N],
-    /// In units u of V.
+    /// The error bound in units u of V.
     error: V::Magnitude,
-    /// How large inputs may be, see [`Bounded::largest_input`].
+    /// The limit on inputs, see [`Bounded::largest_input`].
     largest_input: Limit,
 }
 
 impl<V: Number, const N: usize> Attempt<V, N> {
-    /// By the increment form, with the operations and the bits of the fast step, all numbers
-    /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
-    /// underflow is not allowed for.
+    /// Runs the increment form over numbers embedded in V, with the bits of the fast step; `None`
+    /// if a denominator may be zero or an input exceeds the limit for underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: Pair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -33,7 +31,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         eps: &T,
         embed: impl Fn(&T) -> V,
     ) -> Option<Self> {
-        // No input exceeds the sum of all sizes, which is not a number where an input is none.
+        // The sum of all sizes bounds each input, and is NaN if an input is NaN.
         let sum = Cell::new(embed(eps).size());
         let given = |number: &T| {
             let value = embed(number);
@@ -41,13 +39,12 @@ impl<V: Number, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        // Not by `finish`: its closure would be too large for compilers to inline.
+        // Without `finish`, whose closure would be too large for compilers to inline.
         let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::given(embed(eps)));
         let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
         attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 
-    /// By these increments.
     #[inline(always)]
     pub(super) fn by_increments<P: Pair<V>>(
         x: &SVector<Bounded<V, P>, N>,
@@ -63,8 +60,8 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is a quotient itself is a product with 1. Not by `map` and `chain`:
-        // their closures would be too large for compilers to inline.
+        // An increment without a reciprocal is a product with 1. Without `map` and `chain`, whose
+        // closures would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -85,15 +82,14 @@ impl<V: Number, const N: usize> Attempt<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // One reciprocal: one product is the largest.
+                // One reciprocal: the largest magnitude times the largest weight.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
         }
     }
 
-    /// As N/D, both expanded and without common factors: no increment that could cancel against the
-    /// state.
+    /// Runs the form N/D, expanded and reduced, in which no increment can cancel against the state.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
@@ -109,19 +105,17 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         })
     }
 
-    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest
-    /// component.
+    /// Returns whether the error with one more rounding is below `limit` times the maximum norm.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // A state of zeros without an error is one, too. What is not a number is never less, and
-        // where a component overflows, so does the error.
+        // A zero state without error qualifies, too. A comparison with NaN is false, and if a
+        // component overflows, so does the error.
         V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
 
-    /// The next state in another scalar, if it is finite and still within `limit` times its largest
-    /// component there.
+    /// Rounds to another scalar; `None` unless finite and within `limit` times the maximum norm.
     pub(super) fn rounded<T: Pivot + Copy>(
         mut self,
         limit: f64,
@@ -134,8 +128,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
-    /// What the error is at most, as a multiple of the largest component; infinite where nothing is
-    /// known.
+    /// Returns the error bound as a multiple of the largest component; infinite if unknown.
     pub(super) fn bound(&self) -> f64 {
         let units: f64 = (self.error / self.largest()).into();
         if units.is_nan() { f64::INFINITY } else { units * V::UNIT }
@@ -147,7 +140,6 @@ impl<V: Number, const N: usize> Attempt<V, N> {
     }
 }
 
-/// The largest of some magnitudes.
 #[inline(always)]
 fn largest<V: Number, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
     let larger = |one, other| if other > one { other } else { one };

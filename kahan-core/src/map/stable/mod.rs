@@ -1,20 +1,18 @@
-//! The step that promises: an error of at most 64 u of the largest component, or an error value.
+//! The stable step, with an error of at most 64 u of the largest component, or an error value.
 //!
-//! In: a map, a point and ε as given. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, established for
-//! this very call, or why not. There is one way to establish it and one formula for the step: the
-//! kernel of the fast step runs over bounded values, first in the scalar's own precision, and where
-//! that is too little in wider ones. Nothing is estimated from thresholds.
+//! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
+//! the reason for failure. The step is computed with error bounds on each value, in these rungs:
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
-//! | 1 | the scalar itself; not for `f32` in more than four variables | ordinary points, at less than twice the operations of a step |
-//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64`; `Dd` has none | cancellation: near poles, large ε |
-//! | 3 | 17 digits of 64 bits, wherever these lie | overflow, underflow, extreme cancellation, by the increment form |
-//! | 4 | the same | the form N/D, where increments cancel against the state |
-//! | 5 | 256 digits, with `std` | elimination on A(x,ε), where terms of the other forms are too far apart |
+//! | 1 | the scalar; not for `f32` in more than four variables | ordinary points |
+//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
+//! | 3 | 17 digits of 64 bits at arbitrary positions | over- and underflow, extreme cancellation |
+//! | 4 | as 3, in the form N/D | increments that cancel against the state |
+//! | 5 | up to 256 digits, with `std`, by elimination | terms too far apart for the other forms |
 //!
-//! The way down: [`stable_step`] tells which scalar it is, [`climb`] takes its rungs in their order
-//! (`rungs.rs`), a rung makes an [`Attempt`](attempt::Attempt), and that runs the prepared step.
+//! Calls: [`stable_step`] selects the scalar, [`climb`] takes the rungs in order (`rungs.rs`), and
+//! each rung makes an [`Attempt`](attempt::Attempt), which runs the prepared step.
 
 mod attempt;
 mod rungs;
@@ -38,11 +36,11 @@ pub(crate) use scalars::Promised;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
-/// The step with the promise that T can give: of a float of this crate the one above; of another
-/// scalar, that a finite result is what the fast step or elimination computes.
+/// Steps with the bound that T permits: 64 u for floats of this crate; for other scalars, a finite
+/// result of the fast step or of elimination.
 ///
-/// Floats ignore `prepared`, whose numbers are rounded and carry no bound: each rung prepares the
-/// step anew over values with bounds. In a loop compilers do that once, before its first round.
+/// Floats ignore `prepared`, whose numbers are rounded without a bound: each rung prepares the step
+/// over bounded values. In a loop compilers hoist the preparation.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -50,7 +48,6 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     x: &SVector<T, N>,
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep> {
-    // Which scalar it is, is known while compiling.
     if is::<T, f64>() {
         climb::<f64, M, T, N>(map, x, eps)
     } else if is::<T, f32>() {
@@ -62,12 +59,10 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Takes the rungs of F, the type that T is, in their order: the first is compiled into the caller,
-/// the others are called.
+/// Takes the rungs of F, a type identical to T: the first is inlined, the others are called.
 ///
-/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
-/// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
-/// registers: ordinary steps do not wait for memory on account of a call that they do not make.
+/// A called function works in memory. The state is copied for it and x̃ copied out, so a loop's
+/// state and the x̃ of the first rung can stay in registers.
 #[inline(always)]
 fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -79,8 +74,8 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::given(*eps)) {
-        // The limits are those of bounded values, which are narrower than those of floats: with two
-        // different limits compilers would keep the code of both forms in every step.
+        // The limits are those of bounded values, which are narrower than those of floats. With two
+        // limits compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)
@@ -95,7 +90,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }
 
-/// Takes the rungs behind the first one; x̃ goes to `next`.
+/// Takes the rungs after the first; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 fn higher<M: ExtendScalars<T, N>, T: Promised, const N: usize>(

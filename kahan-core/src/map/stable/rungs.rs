@@ -1,7 +1,7 @@
-//! The rungs: which values each computes the step in, and the report where none suffices.
+//! The rungs: the values that each computes with, and the report if all fail.
 //!
-//! A rung has left the stack when the next one is called: over wide numbers, and without
-//! optimisation over any, a step of many operations needs hundreds of kilobytes.
+//! Each rung leaves the stack before the next is called: over wide numbers a step of many
+//! operations needs hundreds of kilobytes.
 
 #[cfg(feature = "std")]
 use core::array::from_fn;
@@ -24,16 +24,13 @@ use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 use super::attempt::Attempt;
 use super::scalars::Promised;
 
-/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and
-/// ‖exact‖∞.
+/// The bound in units u: 64 are promised, one is left for the difference of ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The operations up to which values and their magnitudes are computed one after the other: where a
-/// step leaves most of a processor's units idle, magnitudes cost no time there, and no value waits
-/// for being packed with its own.
+/// The number of operations up to which values and magnitudes are computed separately: a short step
+/// leaves processor units idle, so magnitudes cost no time, and packing would delay the values.
 const SHORT: u32 = 36;
 
-/// The first rung of a scalar that works for itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -46,17 +43,15 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usi
     } else {
         Attempt::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
-    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait
-    // for that.
+    // Without `filter`, which would move the attempt through memory and delay each step.
     match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
 }
 
-/// The first rung of a step that is divided by ε, at an ε that does not allow it: its other form.
-///
-/// How often each form rounds is known while compiling, as long as no code serves both.
+/// Runs the first rung in the general form, for an ε not permitted for division. Separate code
+/// keeps the number of roundings known at compile time.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -67,7 +62,6 @@ pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: Promised, const N: usiz
     in_own_precision(map, &x, &eps)
 }
 
-/// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
@@ -79,7 +73,7 @@ pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// The second rung, off the stack when it returns.
+/// Runs the second rung in a stack frame of its own.
 #[inline(never)]
 pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
@@ -89,7 +83,7 @@ pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     in_next_wider(map, x, eps)
 }
 
-/// Rungs 3 to 5, and the report where all fail; x̃ goes to `next`.
+/// Runs rungs 3 to 5 and reports a failure of all; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
@@ -138,11 +132,8 @@ pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     report(reason, rounded(&determinant), bound)
 }
 
-/// Rung 5: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many digits; x̃
-/// goes to `next`.
-///
-/// No formula that was expanded or reduced is in its way, whose terms may be larger than all
-/// digits; and it needs of the map no more than A and f.
+/// Runs rung 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to `next`.
+/// Expanded formulas, whose terms may exceed all digits, are avoided.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
@@ -155,7 +146,7 @@ fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(Long::MOST_DIGITS)))
 }
 
-/// The same with this capacity; `None` where it leaves the step open.
+/// Eliminates with one capacity; `None` if the step remains undecided.
 #[cfg(feature = "std")]
 fn eliminated<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
@@ -183,12 +174,12 @@ fn eliminated<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
         *next = vector(rounded);
         return Some(Ok(()));
     }
-    // What is known and does not round to a step is what the scalar has no range for.
+    // A known result that does not round to a step is beyond the scalar's range.
     let is_settled = Long::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
     is_settled.then_some(Err(Reason::BeyondRange))
 }
 
-/// Without a heap the digits of the last numbers are all that there are.
+/// Fails: without a heap the wide numbers are the longest.
 #[cfg(not(feature = "std"))]
 fn by_elimination<T, M, const N: usize>(
     _map: &M,
@@ -199,8 +190,7 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// What rungs 3 and 4 compute with. Each of its functions is called: it is the same for every
-/// scalar that comes here, and it has left the stack when the next one begins.
+/// The inputs of rungs 3 and 4, whose functions are not inlined, to free the stack between them.
 struct InWide<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,
@@ -208,20 +198,18 @@ struct InWide<M, const N: usize> {
 }
 
 impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
-    /// The increment form.
     #[inline(never)]
     fn increments(&self) -> Option<Attempt<Wide, N>> {
         let quotients = self.map.prepare(&self.eps).quotients(&self.state)?;
         Some(Attempt::by_increments(&self.state, quotients))
     }
 
-    /// The form N/D.
     #[inline(never)]
     fn reduced_map(&self) -> Option<Attempt<Wide, N>> {
         Attempt::by_reduced_map(&self.map, &self.state, self.eps)
     }
 
-    /// D of the reduced map, and det A(x,ε).
+    /// Returns D of the reduced map, and det A(x,ε).
     #[inline(never)]
     fn denominators(&self) -> [Wide; 2] {
         let Self { map, state, eps } = self;
@@ -233,7 +221,7 @@ fn is_exactly_zero(number: &Wide) -> bool {
     number.is_zero() && number.radius().is_zero()
 }
 
-/// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
+/// Rounds a determinant to a float that is 0 only for an exact zero, and never infinite.
 fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
         near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,

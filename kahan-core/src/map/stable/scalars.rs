@@ -1,6 +1,6 @@
-//! The scalars that steps are promised in: each with the wider one of its second rung.
+//! The scalars with a stable step, each with the wider scalar of its second rung.
 //!
-//! In: a number of a scalar. Out: that number in wider ones, and the nearest number back.
+//! In: a number of a scalar. Out: that number in wider scalars, and the nearest number back.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -11,27 +11,22 @@ use crate::scalar::bounded::{Both, Number, PackedDouble, PackedSingle, Pair};
 use crate::scalar::{Capacity, Long};
 use crate::{Dd, Pivot};
 
-/// A scalar that steps can be promised in, and begin in.
 pub(crate) trait Promised: Number + Pivot {
-    /// A value and its magnitude, side by side in a register if there is such a one.
+    /// A value with its magnitude, packed in one register if possible.
     type Packed: Pair<Self>;
 
-    /// The scalar of the second rung; the widest scalar has none, and stands for itself.
+    /// The scalar of the second rung; the widest scalar refers to itself.
     type Wider: Promised;
-    /// Whether there is no wider scalar.
     const IS_WIDEST: bool;
 
-    /// The most variables in which the first rung is this scalar itself.
+    /// The largest number of variables for which the first rung uses this scalar itself.
     const MOST_VARIABLES: usize = usize::MAX;
 
-    /// This number in the wider scalar.
     fn embed(&self) -> Self::Wider;
-    /// The number nearest to one of the wider scalar.
     fn round(value: Self::Wider) -> Self;
 
-    /// This number in digits that lie anywhere.
+    /// Converts to a wide number.
     fn widen(&self) -> Wide;
-    /// The number nearest to one of such digits.
     fn narrow(value: Wide) -> Self;
 }
 
@@ -40,8 +35,8 @@ impl Promised for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// In more variables a step multiplies many factors. Products of ordinary numbers then leave the
-    /// range of `f32`, and nearly every step would be computed in `f64` after all.
+    /// In more variables products of ordinary numbers leave the range of `f32`, and nearly every
+    /// step would need `f64`.
     const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
@@ -110,21 +105,18 @@ impl Promised for Dd {
     }
 }
 
-/// x̃ by elimination over numbers of many digits.
+/// x̃ computed by elimination over long numbers.
 #[cfg(feature = "std")]
 pub(crate) struct Eliminated<T> {
-    /// Rounded.
     next: Vec<T>,
-    /// Whether each component is within 8u of the true one, which keeps the promise of a small
-    /// backward error.
+    /// Whether each component has an error of at most 8u, which implies the promised bound.
     is_promised: bool,
-    /// Whether a larger capacity would tell nothing new.
+    /// Whether a larger capacity would give no more information.
     is_settled: bool,
 }
 
 #[cfg(feature = "std")]
 impl<T: Promised> Eliminated<T> {
-    /// Rounds x̃ and judges the result.
     pub(crate) fn of(exact: &[Long]) -> Self {
         let next: Vec<T> = exact.iter().map(|number| T::narrow(number.leading())).collect();
         let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
@@ -134,8 +126,7 @@ impl<T: Promised> Eliminated<T> {
     }
 }
 
-/// Eliminates over more and more digits until x̃ is promised, by its digits or, as `is_kept` sees,
-/// by its backward error; `None` where that is never so.
+/// Eliminates with growing capacity until x̃ is proved by its digits or `is_kept`; else `None`.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,

@@ -1,35 +1,31 @@
-//! Whether an ordinary step loses nothing: where it does not, an orbit goes on along a line.
+//! Tests whether an ordinary step preserves information; otherwise an orbit continues along lines.
 //!
-//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. Where A(x,ε) is nearly singular, x̃ is large
-//! or inaccurate; where A(x̃,−ε) is, the step brings many points to nearly one, and what told them
-//! apart lies below the last digit of x̃.
+//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. If A(x,ε) is nearly singular, x̃ is large or
+//! inaccurate. If A(x̃,−ε) is nearly singular, the step maps many points to nearly one, and their
+//! differences lie below the last digit of x̃.
 
 use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// The least part of its row, or column, that a pivot is to have: a step then loses ten bits at
-/// most.
+/// The smallest ratio of a pivot to its row or column; a step then loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
-/// |εf′ᵢⱼ|, of A = I − εf′.
 #[inline(always)]
 fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usize) -> f64 {
     let slope = matrix[(i, j)].clone();
     (if i == j { slope - T::one() } else { slope }).approximate().abs()
 }
 
-/// Whether the rows of |εf′| sum to so little that A = I − εf′ is far from singular, as I + εf′ is:
-/// below 1, no pivot could be 0.
-///
-/// The common case of a small ε.
+/// Returns whether every row of |εf′| sums to at most ½, so that A = I − εf′ and I + εf′ are far
+/// from singular. This is the common case of small ε.
 #[inline(always)]
 pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Whether A = I − εf′ is far from singular: its pivots are no small parts of 1 + Σ|εf′ᵢⱼ| over
-/// their columns, or over their rows.
+/// Returns whether A = I − εf′ is far from singular: each pivot is at least `LEAST_PIVOT` times 1 +
+/// Σ|εf′ᵢⱼ| over its column, or each over its row.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;
@@ -50,7 +46,7 @@ pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T
                 let factor = row[k] / pivot[k];
                 row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
             }
-            // False for what is not a number.
+            // False for NaN.
             pivot[k].abs() >= LEAST_PIVOT * scales[k]
         })
     };

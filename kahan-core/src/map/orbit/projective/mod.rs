@@ -1,9 +1,8 @@
-//! Orbits that go on where a coordinate is infinite.
+//! Orbits that continue through poles, in projective space.
 //!
-//! In: an orbit. Out: its points and those after a pole, as points of projective space. While an
-//! ordinary step loses nothing ([`memory`]) it is taken; else the orbit goes along lines
-//! ([`passage`]), over numbers that depend on a small δ ([`germ`]), until what a pole has brought
-//! together is apart again.
+//! In: an orbit. Out: its points, including those at infinity and after poles. An ordinary step is
+//! taken if it loses nothing ([`memory`]). Otherwise the orbit follows lines ([`passage`]) over
+//! numbers that depend on a small δ ([`germ`]), until points merged by the pole are separate again.
 
 mod germ;
 mod memory;
@@ -25,14 +24,13 @@ use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
 pub use through::ThroughPoles;
 
-/// After so many steps without it, what a pole has brought together is taken to stay so.
+/// The number of steps after which points merged by a pole are assumed to stay merged.
 const MOST_STEPS: usize = 12;
 
-/// The variables up to which there are lines through a point: their matrices lie on the stack.
+/// The largest number of variables with lines through points, whose matrices lie on the stack.
 const MOST_VARIABLES: usize = 32;
 
-/// The orbit x₀, x₁, … of a Kahan map through its poles, x₀ first; made by
-/// [`Orbit::projective`].
+/// The orbit of a Kahan map through its poles; made by [`Orbit::projective`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
@@ -43,20 +41,17 @@ pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     stopped: Option<SingularStep>,
 }
 
-/// Where an orbit is.
 #[derive(Clone)]
 enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     /// Before the first point.
     First(SVector<T, N>),
-    /// At a point that has lost nothing.
     Point {
         x: SVector<T, N>,
-        /// Whether |εf′| is known to be small there.
+        /// Whether |εf′| is known to be small at x.
         is_flat: bool,
     },
     /// On its way through a pole.
     Passage(Box<Passage<M, T, N>>),
-    /// At its end.
     Nowhere,
 }
 
@@ -67,33 +62,28 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> At<M, T, N> {
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// The same orbit through its poles, from where it is: points of projective space, which are at
-    /// infinity where the map has a pole.
+    /// Continues this orbit through its poles: yields points of projective space.
     ///
-    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, φ the map, for any direction v: the
-    /// value of the n-th iterate as a rational map of projective space. That goes further than to
-    /// step from point to point. A map may bring all points of a curve or surface to one point, at
-    /// infinity or not, and some steps later take them apart again, each to its place; `kahan
-    /// poles` tells for which curves that is so. The orbit goes along lines through the point
-    /// before, which know where they came from, until then. Where what was lost is not back after
-    /// twelve steps, it goes on from the one point that there is.
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0 for the map φ and any direction v: the
+    /// value of the n-th iterate as a rational map of projective space. A map may contract a curve
+    /// or surface to one point, finite or infinite, and separate its points some steps later;
+    /// `kahan poles` finds these curves. Until then the orbit follows lines through the point
+    /// before the contraction. If the points are still merged after twelve steps, the orbit
+    /// continues from the merged point.
     ///
-    /// Exact orbits are exact: lines are series in δ.
+    /// Exact orbits are exact: lines are series in δ. Over floats, points have the bits of
+    /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular:
+    /// no pivot is below a 1024th of its row or column, as far as the digits of x̃ show. Other
+    /// points are computed in 17 digits of 64 bits and rounded once each, until a rounding is
+    /// amplified by at most ten bits at the point before the pole. Hence an orbit loses at most ten
+    /// bits on its way through a pole. If a float is near a pole but not at it, the next point is
+    /// large but finite, unless it is beyond the range of the scalar. In more than 32 variables the
+    /// orbit takes only ordinary steps.
     ///
-    /// Over floats points have the bits of [`KahanMap::orbit`](crate::KahanMap::orbit) as long as
-    /// A(x,ε) and A(x̃,−ε) are far from singular: no pivot is below a 1024th of its row or column,
-    /// as far as x̃ has digits to say so. Near a pole an ordinary orbit loses as many digits as it
-    /// comes near, first in large coordinates, then in those to which it comes back. Here such
-    /// points and those after them are computed in seventeen digits of 64 bits and each is rounded
-    /// once, until a rounding counts for no more than ten bits at the point from where it came; so
-    /// ten bits are what an orbit may lose on its way through a pole. A float that is near a pole
-    /// and not at it has a next point that is large and not infinite, unless that is beyond the
-    /// range of the scalar. In more than 32 variables the orbit takes ordinary steps only.
-    ///
-    /// Cost: over floats, a step and the matrix A, with two of them and eliminations where |εf′| is
-    /// not small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate
-    /// nothing. A step near a pole costs several orders of magnitude more than an ordinary one, or
-    /// over exact scalars a number of exact steps for each term of the series, and it allocates.
+    /// Cost: over floats, a step and the matrix A, or two matrices and their eliminations if |εf′|
+    /// is not small; over exact scalars, a step and a determinant. A step near a pole allocates; it
+    /// costs several orders of magnitude more over floats, and several exact steps per term of the
+    /// series over exact scalars.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -119,9 +109,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
-    /// Why the orbit has ended: `Some` from the moment on when it met a point of indeterminacy,
-    /// where the map has one limit along one line and another along another, or when not even the
-    /// longest series, or the smallest δ, showed a limit.
+    /// Returns why the orbit has ended: after a non-finite state, at a point of indeterminacy (the
+    /// limits along two lines differ), or if no limit shows.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -132,7 +121,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// The next point where it is not one ordinary step from the last.
+    /// Returns the next point, unless it is an ordinary step from the last point.
     #[cold]
     fn elsewhere(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, At::Nowhere) {
@@ -143,7 +132,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         }
     }
 
-    /// The point after an ordinary one.
     fn after(&mut self, x: SVector<T, N>) -> Option<ProjectivePoint<T, N>> {
         let next = self.prepared.next(&x);
         if let Some(next) = &next
@@ -157,7 +145,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         match self.begin(x) {
             Ok(point) => Some(point),
             Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
-            // What an orbit does that looks at nothing.
+            // Continues like an ordinary orbit.
             Err(Lost::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
                 Some(next) => Some(self.at_point(next)),
                 None => self.stop(Reason::Unfollowed),
@@ -170,7 +158,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         x.into()
     }
 
-    /// The point after x, along lines.
     fn begin(&mut self, x: SVector<T, N>) -> Result<ProjectivePoint<T, N>, Lost> {
         if N > MOST_VARIABLES {
             return Err(Lost::Unknown);
@@ -180,7 +167,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         Ok(self.arrive(passage, place))
     }
 
-    /// The next point along the lines of `passage`.
     fn along(&mut self, mut passage: Box<Passage<M, T, N>>) -> Option<ProjectivePoint<T, N>> {
         match passage.advance() {
             Ok(place) => Some(self.arrive(passage, place)),
@@ -189,7 +175,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         }
     }
 
-    /// Keeps the lines as long as they are needed.
     fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: Place<T, N>) -> ProjectivePoint<T, N> {
         let Place { point, is_through } = place;
         let is_over = is_through == Some(true) || (passage.taken() >= MOST_STEPS && !point.is_infinite());
@@ -200,7 +185,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         point
     }
 
-    /// The next point from the last one alone, where the lines end.
+    /// Returns the next point from the last point only, without the lines.
     fn forget(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
         match passage.into_last().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),
@@ -214,7 +199,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        // In its place: a state that is moved is waited for in the chain of an orbit.
+        // In place: a moved state would lengthen the recurrence of the orbit.
         if let At::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
             && T::keeps(&self.map, x, &next, &self.eps, is_flat)

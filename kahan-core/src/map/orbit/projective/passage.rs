@@ -1,10 +1,9 @@
-//! The way through a pole, step by step: lines through the point before it, and what the map makes
-//! of them.
+//! The passage through a pole: lines through the point before the pole, followed step by step.
 //!
-//! x + δv is followed for two directions v by the defining linear system A(x,ε)·x̃ = b(x,ε), over
-//! numbers that depend on δ. Where δ → 0 has the same limit along both, that is the next point of
-//! the orbit. The product of the steps' derivatives says when the points that the map had brought
-//! together are apart again, and the line is needed no more.
+//! For two directions v the points x + δv are stepped by A(x,ε)·x̃ = b(x,ε), over numbers that
+//! depend on δ. If both have the same limit as δ → 0, it is the next point of the orbit. The
+//! product of the steps' derivatives shows when points merged by the map are separate again, which
+//! ends the passage.
 
 use std::vec::Vec;
 
@@ -18,27 +17,24 @@ use super::ThroughPoles;
 use super::germ::Germ;
 use super::point::ProjectivePoint;
 
-/// What δ multiplies, drawn at random: small numbers would often have a sum of 0, and lie in a
-/// plane that the map treats as no other.
+/// Random coefficients of δ; small integers would often sum to 0 or lie in a special plane.
 const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
-/// The i-th coordinate of a direction.
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
     let place = i + 5 * line + 3 * effort;
     S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
 }
 
-/// A line through a point, and what the map has made of it.
+/// A line through a point, and its image under the steps so far.
 #[derive(Clone)]
 struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
-    /// The derivative of the first point by this one; `None` where it is not followed, or not
-    /// known.
+    /// The derivative of the first point by this one; `None` if not computed or not known.
     derivative: Option<SMatrix<S, N, N>>,
 }
 
 impl<S: Scalar, const N: usize> ProjectiveLine<S, N> {
-    /// One step on; `None` where A has no inverse, as far as is known.
+    /// Advances by one step; `None` if A is not known to be invertible.
     fn advance<M: KahanMap<S, N>>(&mut self, map: &M, eps: &S) -> Option<()> {
         let matrix = map.matrix(&self.point, eps.clone());
         let next = solve(matrix.clone(), map.rhs(&self.point, eps.clone()))?;
@@ -55,23 +51,21 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
     SMatrix::from_fn(|i, j| (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone()))
 }
 
-/// A point after another of an orbit that is on its way through a pole.
 pub(super) struct Place<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
-    /// Whether the points near the first one are told apart again; `None` where that is not known.
+    /// Whether points near the first one are separate again; `None` if unknown.
     pub(super) is_through: Option<bool>,
 }
 
-/// Why there is no next point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lost {
-    /// The limits along two lines differ, and again along two others.
+    /// Along two lines the limits differ, with the greatest effort, too.
     Ambiguous,
-    /// Not even the greatest effort shows a limit.
+    /// The greatest effort shows no limit.
     Unknown,
 }
 
-/// The lines of an orbit on its way through a pole.
+/// The state of an orbit on its way through a pole.
 #[derive(Clone)]
 pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     start: SVector<T, N>,
@@ -85,7 +79,6 @@ pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usiz
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
-    /// From a point on.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
         let (map, eps, unit) =
             (map.extend_scalars(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
@@ -94,17 +87,15 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         passage
     }
 
-    /// How many steps it has taken.
     pub(super) fn taken(&self) -> usize {
         self.taken
     }
 
-    /// The last point; `None` before the first step.
     pub(super) fn into_last(self) -> Option<ProjectivePoint<T, N>> {
         self.last
     }
 
-    /// The next point.
+    /// Returns the next point; repeats all steps with a greater effort if necessary.
     pub(super) fn advance(&mut self) -> Result<Place<T, N>, Lost> {
         let mut steps = 1;
         loop {
@@ -127,14 +118,12 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         }
     }
 
-    /// The lines of an effort, at the first point.
     fn begin(&mut self) {
         let delta = T::Germ::delta(self.effort);
         let lines = if delta.is_zero() { 1 } else { 2 };
         self.lines = (0..lines).map(|line| self.line(line, &delta)).collect();
     }
 
-    /// x + δv
     fn line(&self, line: usize, delta: &T::Germ) -> ProjectiveLine<T::Germ, N> {
         let along = self.unit.clone() * delta.clone();
         let moved = |i: usize| T::Germ::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
@@ -143,7 +132,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         ProjectiveLine { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
-    /// So many steps further; `None` where this effort does not show the point.
+    /// Advances all lines by `steps` steps; `None` if this effort does not show the point.
     fn attempt(&mut self, steps: usize) -> Option<Result<Place<T, N>, Lost>> {
         let Self { unit, map, eps, effort, lines, .. } = self;
         let mut common: Option<ProjectivePoint<T, N>> = None;
@@ -171,7 +160,6 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
     }
 }
 
-/// Whether two limits are one point: where they are not, they differ in their first digits.
 fn are_near<T: ThroughPoles, const N: usize>(a: &ProjectivePoint<T, N>, b: &ProjectivePoint<T, N>) -> bool {
     a == b || (a.is_infinite() == b.is_infinite() && T::are_near(a.coordinates(), b.coordinates()))
 }

@@ -4,12 +4,10 @@ use nalgebra::SVector;
 
 use crate::{Pivot, Scalar};
 
-/// A point \[X : W\] of projective space, which is x = X/W where W is not 0, and else at infinity
-/// in the direction X, or −X, which is the same point.
+/// A point \[X : W\] of projective space: x = X/W, or for W = 0 at infinity in directions X and −X.
 ///
-/// It is kept with W = 1 or W = 0. At infinity the first of the largest coordinates is 1: the first
-/// that is within a part in 2²⁰ of the largest. So equal points have equal coordinates, up to
-/// rounding.
+/// Normal form: W is 1 or 0. At infinity the first coordinate within a part in 2²⁰ of the largest
+/// is 1. So equal points have equal coordinates, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -25,22 +23,22 @@ pub struct ProjectivePoint<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> ProjectivePoint<T, N> {
-    /// x, unless the point is at infinity.
+    /// Returns x, unless the point is at infinity.
     pub fn affine(self) -> Option<SVector<T, N>> {
         if self.is_infinite { None } else { Some(self.coordinates) }
     }
 
-    /// Whether the point is at infinity.
+    /// Returns whether the point is at infinity.
     pub fn is_infinite(&self) -> bool {
         self.is_infinite
     }
 
-    /// X: x itself, or the direction.
+    /// Returns X: x itself, or the direction.
     pub fn coordinates(&self) -> &SVector<T, N> {
         &self.coordinates
     }
 
-    /// W: 1, or 0 at infinity.
+    /// Returns W: 1, or 0 at infinity.
     pub fn weight(&self) -> T {
         if self.is_infinite { T::zero() } else { T::one() }
     }
@@ -56,10 +54,9 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
     }
 }
 
-/// How much smaller than the largest a coordinate may be that counts as one of the largest.
+/// The relative difference up to which a coordinate counts as one of the largest.
 const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
 
-/// The place of the first of the largest coordinates.
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {
     let larger = |best: usize, i: usize| {
         if coordinates[i].magnitude_exceeds(&coordinates[best]) { i } else { best }

@@ -1,7 +1,6 @@
-//! The scalars over which orbits go through poles.
+//! The scalars that support orbits through poles.
 //!
-//! In: a step. Out: whether it loses so little that an orbit takes it as it is, and the numbers to
-//! go on with where it does not.
+//! In: a step. Out: whether it loses nothing, and otherwise the type of numbers for the passage.
 
 use core::mem;
 
@@ -13,18 +12,16 @@ use crate::{Dd, KahanMap, Pivot, Scalar};
 use super::germ::Germ;
 use super::memory::{has_small_slopes, is_far_from_singular};
 
-/// A scalar over which orbits go through poles: `f32`, `f64`, [`Dd`], and with the feature `exact`
-/// `BigRational`.
+/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`] or (`exact`) `BigRational`.
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + Followed {}
 
-/// How orbits over a scalar are followed where ordinary steps lose too much.
+/// A scalar with numbers for the passage through poles.
 pub(super) trait Followed: Scalar {
-    /// The numbers of the way through.
     type Germ: Germ<Self>;
 
-    /// Whether x̃ has as many digits of x as the step is to keep. `is_flat` is true only where |εf′|
-    /// is known to be small, at x before and at x̃ afterwards.
+    /// Returns whether x̃ retains enough digits of x. `is_flat` is true only if |εf′| is known to
+    /// be small: at x on entry, at x̃ on return.
     fn keeps<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
@@ -33,14 +30,13 @@ pub(super) trait Followed: Scalar {
         is_flat: &mut bool,
     ) -> bool;
 
-    /// Whether two limits are the same but for what δ leaves in them.
+    /// Returns whether two limits agree up to traces of δ.
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 
-/// How far limits that are the same may be from each other, relative to the larger.
+/// The relative distance of limits that count as equal.
 const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
 
-/// The size of the largest entry.
 fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
     x.iter().map(|entry| entry.approximate().abs()).fold(0.0, f64::max)
 }
@@ -60,11 +56,11 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 is_flat: &mut bool,
             ) -> bool {
-                // Where x is cancelled against x̃ − x, few digits of x̃ are left to look at.
+                // Cancellation of x against x̃ − x leaves too few digits of x̃ for a judgement.
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);
-                // It is given copies, so that a loop keeps its state in registers.
+                // Copies let a loop keep its state in registers.
                 is_known && is_finite && (was_flat && *is_flat || loses_little(map, *x, *next, *eps))
             }
 
@@ -76,7 +72,7 @@ macro_rules! implement_for_float {
     };
 }
 
-/// Whether neither matrix of a step is nearly singular, where |εf′| is not known to be small.
+/// Returns whether both matrices of a step are far from singular.
 #[cold]
 #[inline(never)]
 fn loses_little<M: KahanMap<T, N>, T: Scalar, const N: usize>(

@@ -1,4 +1,4 @@
-//! The running bound beside exact rationals, one topic a file.
+//! Tests of the running error bound against exact rationals.
 
 mod rules;
 mod steps;

@@ -1,5 +1,5 @@
-//! Each rule of the running bound where the true error comes near what the rule allows: weaker by a
-//! rounding, a term or half of the slack, it would not hold.
+//! Tests that each rule of the running bound is nearly attained: with one rounding, one term or
+//! half of the slack less, the rule would fail.
 
 use num_traits::One;
 
@@ -7,22 +7,21 @@ use super::worst::{Beside, Q, Worst, off_by, two_to, with_low_magnitudes};
 use crate::scalar::bounded::Number;
 use crate::scalar::bounded::{Bounded, SLACK};
 
-/// Coarse enough for (1+u)ᵏ − 1 to differ from ku.
+/// A precision coarse enough for (1+u)ᵏ − 1 to differ from ku.
 const COARSE: i32 = 10;
-/// So fine that it does not.
+/// A precision fine enough for (1+u)ᵏ − 1 to be nearly ku.
 const FINE: i32 = 24;
 
 const UP: (i64, i64) = (1, 0);
 const DOWN: (i64, i64) = (-1, 0);
 const EXACTLY: (i64, i64) = (0, 0);
 
-/// A value that took k roundings, each upwards: (1+u)ᵏ for 1.
+/// Returns (1+u)ᵏ for 1: a value with k roundings upwards.
 fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
     let one = Beside::given(1.0);
     off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
 }
 
-/// The same downwards.
 fn rounded_down<const BITS: i32>(k: usize) -> Beside<BITS> {
     let one = Beside::given(1.0);
     off_by(DOWN, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
@@ -35,7 +34,7 @@ fn assert_near<const BITS: i32>(value: &Beside<BITS>, least: f64) {
     assert!(part >= least, "a bound that nothing comes near says little: {part}");
 }
 
-/// What remains of a bound under the slack.
+/// The part of a bound that remains within the slack.
 const ALL: f64 = 1.0 / SLACK - 1e-4;
 
 #[test]
@@ -53,20 +52,18 @@ fn a_sum_rounds_once() {
     for direction in [UP, DOWN] {
         assert_near(&off_by(direction, || one.plus(&two)), ALL);
         assert_near(&off_by(direction, || one.minus(&two.negated())), ALL);
-        // As the last part of a multiply-add, after a product that is 0.
+        // A sum at the end of a multiply-add, after a product of 0.
         let nothing = Beside::given(0.0);
         assert_near(&off_by(direction, || nothing.times_plus(&one, &two)), 0.4);
     }
 }
 
-/// The errors of both terms, of either sign, and whichever was rounded more often.
 #[test]
 fn a_sum_has_the_errors_of_its_terms() {
     for (a, b) in [(5, 5), (0, 5), (5, 0)] {
         let sum = off_by(UP, || rounded_up::<FINE>(a).plus(&rounded_up(b)));
         let all = f64::from(u8::from(a > 0) + u8::from(b > 0)) * 5.0 / 2.0 + 1.0;
         assert_near(&sum, ALL * all / 6.0);
-        // A difference cancels, and its error does not.
         let difference = rounded_up::<FINE>(a).minus(&rounded_down(b));
         assert_near(&difference, ALL * (all - 1.0) / 6.0);
     }
@@ -79,19 +76,17 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
         assert_near(&off_by(DOWN, || rounded_down::<FINE>(a).times(&rounded_down(b))), ALL);
         let nothing = Beside::given(0.0);
         let sum = off_by(UP, || rounded_up::<FINE>(a).times_plus(&rounded_up(b), &nothing));
-        // Two roundings, as in a build that does not fuse.
         assert_near(&sum, ALL);
     }
 }
 
-/// (1+u)⁴⁰ − 1 is more than 40 u, and magnitudes that are rounded 40 times are too small: half of
-/// the slack would not do.
+/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are too small: half of the slack would not suffice.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
 }
 
-/// Operands and magnitudes as far off as they may be, in quotients of either kind.
+/// Operands and magnitudes with the largest possible errors, in both kinds of quotients.
 #[test]
 fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
     const MIDDLE: i32 = 13;
@@ -112,7 +107,7 @@ fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
 #[test]
 fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
-        // Once with 1/a at hand, which it is for whole literals, and once without.
+        // Without a known reciprocal; below, whole literals with one.
         let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
         let k = a.max(b) as f64 + 1.0;
         let part = (a + b + 1) as f64 / (2.0 * k);
@@ -125,8 +120,7 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// A divisor off by nearly a 64th: v̂ is too small by that, and stands for v in m. Without any
-/// slack that would not hold.
+/// A divisor with an error of nearly a 64th, so that v̂, which replaces v in m, is too small.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -134,8 +128,7 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// Where the error of the divisor may be a 64th of it, there is no quotient; a little before, there
-/// is.
+/// A divisor whose error may reach a 64th of it has no quotient.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::given(1.0);
@@ -158,7 +151,7 @@ fn a_divisor_that_may_be_zero_has_no_quotient() {
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// The chain 1/d/d′ that keeps m/|v̂| as a sum.
+/// The chain 1/d/d′, which keeps m/|v̂| as a sum.
 #[test]
 fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
     for k in [0, 1, 4] {
@@ -167,7 +160,7 @@ fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
             first.over(&rounded_down(k))?.over(&rounded_down(k))
         });
         let chain = chain.expect("a quotient");
-        // Three divisors off by k and three roundings, beside a bound of (k + 3)·4.
+        // Three divisors with k errors each and three roundings; the bound counts (k + 3)·4.
         let part = (3 * k + 3) as f64 / (4 * (k + 3)) as f64;
         assert_near(&chain, part / SLACK.powi(2) - 1e-4);
     }
@@ -187,8 +180,7 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
-/// n̂·r̂ beside w·m: the errors of the numerator, of the reciprocal and of the product, for
-/// reciprocals of either kind.
+/// n̂·r̂ against w·m: errors of numerator, reciprocal and product.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -200,20 +192,17 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
                 (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
-            // So that a bound overflows where the increment does.
             assert!(weight >= reciprocal.bounded.value().size());
             let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
-            // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
-            // d + 1.
+            // n + 1 for numerator and product, 2(d + 1) for a reciprocal with error d + 1.
             let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
             assert!(part <= 1.0 && part >= reached / SLACK.powi(2) - 1e-4, "{part} of the bound at {n}, {d}");
         }
     }
 }
 
-/// What is finished by a product with 1, or with another exact number, errs by the numerator's
-/// roundings and that of the product.
+/// A product with an exact number has the numerator's roundings and one more.
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
@@ -226,17 +215,15 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// A value that knows its radius: m and k follow from that, whatever was cancelled before.
+/// A value with a known radius: m and k follow from the radius, not from cancelled terms.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
     let third = crate::Constant::ratio(1, 3);
     let exact = Bounded::<Wide>::given(Wide::from(1.0)) + crate::Scalar::constant(&third);
     assert!(f64::from(exact.error()) == 0.0 && exact.roundings() == 0);
-    // A divisor of many digits leaves a remainder.
     let sum = Bounded::<Wide>::given(Wide::from(1e300)) + Bounded::given(Wide::from(3e-300));
     let quotient = exact.quotient(sum).expect("a quotient");
-    // Where nothing underflows no divisor is too small.
     assert!(exact.quotient(Bounded::given(Wide::from(1e-300))).is_some());
     let radius = quotient.value().radius();
     assert!(radius > Size::from(0.0) && quotient.error() >= radius);
@@ -246,8 +233,7 @@ fn a_known_radius_is_the_error() {
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
 }
 
-/// Values and magnitudes in one register are those that are computed apart, bit for bit, but for
-/// multiply-adds that one of them fuses.
+/// Packed values and magnitudes equal separate ones bit for bit, except for fused multiply-adds.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {
@@ -272,14 +258,12 @@ fn packed_pairs_are_pairs() {
     }
 }
 
-/// The units of the machine's floats are theirs, and that of a pair of floats is no less than the
-/// bounds that its operations state.
+/// The unit of a pair of floats covers the bounds stated for its operations.
 #[test]
 fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by 14u², a multiply-add by 16u² of the product and 5u² of the result, and
-    // counts twice.
+    // A quotient errs by 14u²; a multiply-add, counted twice, by 16u² (product) and 5u² (result).
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

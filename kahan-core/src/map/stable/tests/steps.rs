@@ -1,5 +1,4 @@
-//! Whole steps over the scalar that rounds as badly as it may: what an attempt says of its error,
-//! and what the first rung lets pass.
+//! Whole steps with worst-case rounding: the bounds of attempts, and results of the first rung.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -74,7 +73,6 @@ impl<const BITS: i32> Promised for Worst<BITS> {
     }
 }
 
-/// max |xᵢ − yᵢ| and max |yᵢ|.
 fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) {
     let largest = |values: &mut dyn Iterator<Item = Q>| {
         values.map(|value| value.abs().to_f64().expect("a number")).fold(0.0, f64::max)
@@ -83,8 +81,7 @@ fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) 
     (error, largest(&mut y.iter().cloned()))
 }
 
-/// States and ε of ordinary size and beside poles, from a fixed sequence, each rounded up, down,
-/// and not.
+/// Calls `see` with pseudorandom states and ε, of ordinary size and beside poles.
 fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) {
     let mut state = 20_261_122_u64;
     let mut unit = || {
@@ -94,12 +91,11 @@ fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) 
     for _ in 0..count {
         let x = SVector::from_fn(|_, _| 3.0 * unit() - 1.0);
         see(x, unit());
-        // 1 − 2εx is small for the first variable.
+        // Makes 1 − 2εx small for the first variable.
         see(x, (1.0 + (unit() - 0.5) * power_of_two(-(16.0 * unit()) as i32)) / (2.0 * x[0]));
     }
 }
 
-/// An attempt by the step of a map over bounded values.
 fn by_step<M, const N: usize>(
     map: &M,
     x: &SVector<Bounded<Number24>, N>,
@@ -111,7 +107,7 @@ where
     Some(Attempt::by_increments(x, map.prepare(&eps).quotients(x)?))
 }
 
-/// The largest part of its bound that the error of an attempt comes to.
+/// Returns the largest ratio of an attempt's error to its bound.
 fn largest_part<M, const N: usize>(
     map: &M,
     attempt: impl Fn(&SVector<f64, N>, f64) -> Option<Attempt<Number24, N>>,
@@ -129,8 +125,7 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
-            // The last roundings are the components' own: of the product and of the sum, as nothing
-            // is fused.
+            // The last roundings, of product and sum, are excluded from the bound.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
@@ -164,7 +159,7 @@ fn an_attempt_is_within_what_it_says() {
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
-/// Where the reciprocal took few roundings, those of the numerator make nearly all of the error.
+/// If the reciprocal took few roundings, those of the numerator make up nearly all of the error.
 #[test]
 fn an_attempt_has_the_roundings_of_its_numerators() {
     let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
@@ -174,8 +169,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
         by_step(&Long { a }, &given(&x), eps).expect("no pole is near")
     });
-    // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are
-    // of its own size.
+    // The second component is larger; the first begins at 0, so its last roundings are of its size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
@@ -183,8 +177,6 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
     assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
 }
 
-/// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside
-/// poles.
 #[test]
 fn the_first_rung_keeps_the_promise() {
     let riccati = Riccati { k: Number24::of_float(0.75) };
@@ -210,8 +202,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input beyond what underflow is allowed for: y² of a small y is off by η, and a·η is far more
-/// than the allowance.
+/// An input beyond the limit for underflow: y² is off by η, and a·η exceeds the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -223,21 +214,18 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     assert!(off_by((0, 1), step).is_some());
 }
 
-/// What is rounded into a narrower scalar has that error, too: next to underflow it is more than 64
-/// u.
+/// Rounding to a narrower scalar counts as error: near underflow it exceeds 64 u.
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
-    // 2·7/9 of the least number is no float.
+    // 2·7/9 of the least number is not a float.
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
-    // 9 of it are 7 of it.
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
     let least = f64::from_bits(1);
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
 }
 
-/// Finite results only, from finite inputs only.
 #[test]
 fn what_is_not_finite_is_no_result() {
     assert!(Decay.try_step(&vector![f64::INFINITY], 0.125).is_err());
@@ -247,8 +235,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart, and where a
-/// literal is no float, too.
+/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {
@@ -279,8 +266,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// Terms so far apart that expanded forms need more than 17 digits, while the step is well
-/// determined by its equation: elimination answers.
+/// Terms too far apart for 17 digits in expanded forms; elimination answers.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
@@ -304,8 +290,7 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// The backward error of many variables at every size: where constants and inputs are beyond what
-/// pairs of doubles are allowed, and where elimination in doubles overflows.
+/// Steps of many variables at every size, also if constants or elimination in doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();
@@ -348,8 +333,7 @@ crate::kahan! {
     xdot = x^2/(a - b) - x;
 }
 
-/// Each reason by a step that has it; that digits run out is so rare that its report is made by
-/// hand.
+/// Produces each reason by a step, except for exhausted digits, which are too rare.
 #[test]
 fn reports_say_what_is_the_case() {
     use crate::SingularStep;
@@ -376,7 +360,6 @@ fn reports_say_what_is_the_case() {
     assert!(digits(f64::INFINITY).contains("17 digits of 64 bits do not tell whether this point is a pole"));
 }
 
-/// Beside a pole, and however near: a step of rational numbers has all of its digits.
 #[test]
 fn no_float_is_too_near_to_a_pole() {
     for k in 0..60 {

@@ -1,5 +1,4 @@
-//! Values next to underflow: errors of η that products carry as far as the range lets them, beside
-//! the allowance.
+//! Values near underflow: errors of η, amplified as far as the range permits.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -8,18 +7,18 @@ use crate::scalar::bounded::underflow;
 use crate::scalar::bounded::{Number, power_of_two};
 
 const FINE: i32 = 40;
-/// Nothing is rounded, and every operation is off by η.
+/// Exact operations except for an error of η each.
 const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
 
-/// How often an error of η may double: 30 times are allowed for, 20 of them are products of inputs.
+/// Checks the bound. An error of η may double 30 times, including 20 for products of inputs.
 fn assert_allowed(value: &Value) {
     let error = value.error();
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// The largest input that a formula allows; the formula is made with inputs of 1 to ask it.
+/// Returns the largest input that a formula permits, from a run with inputs of 1.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
     formula(&Value::given(1.0)).bounded.largest_input().size()
 }
@@ -32,7 +31,7 @@ fn an_operation_that_underflows_is_allowed_for() {
     }
 }
 
-/// Σ of products with an underflowed one, as large as the bits of products let them be.
+/// Products with an underflowed factor, as large as the bits of products permit.
 #[test]
 fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
     for count in 2..8 {
@@ -54,7 +53,6 @@ fn sums_and_constants_take_their_bits() {
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
     };
     let largest = largest_input(formula);
-    // A sum of sums is worth one bit each.
     assert!(largest <= 4.0);
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 
@@ -68,8 +66,7 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Divided by the least divisor, an error of η grows by its bits, and by as many again where the
-/// divisor has that error.
+/// Quotients by the least divisor amplify η by its bits, twice if the divisor has an error.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -78,18 +75,17 @@ fn quotients_take_the_bits_of_divisors_twice() {
         let first = Value::given(0.0).times(&Value::given(0.0)).times(x);
         first.over(&divisor(least)).and_then(|v| v.over(&divisor(least))).expect("a quotient")
     };
-    // An input of the numerator and the two of the divisors.
+    // One input of the numerator and two of the divisors.
     let largest = largest_input(formula);
     assert!(largest <= power_of_two((20 - 16) / 2), "{largest}");
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
-    // v̂·(b̂ − b)/b̂ with a v̂ of 1/b̂.
+    // v̂·(b̂ − b)/b̂ with v̂ = 1/b̂.
     let formula = |x: &Value| {
         let divisor = Value::given(least).plus(&Value::given(0.0));
         Value::given(1.0).times(x).over(&divisor).expect("a quotient")
     };
     let largest = largest_input(formula);
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
-    // Below the least divisor there is no quotient.
     assert!(Value::given(1.0).over(&Value::given(least / 1.02)).is_none());
 }
 
@@ -108,8 +104,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Premises that constants and operations alone can break: then no input is small enough. Each is
-/// one that the bound needs: a little beyond it, the true error is more than is said.
+/// Premises that constants and operations can violate without inputs. Each is necessary: slightly
+/// beyond it, the true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -118,11 +114,9 @@ mod premises {
 
     const MOST_UNDERFLOWS: u32 = 1024;
 
-    /// So fine that nothing but underflow makes an error.
     const FINEST: i32 = 120;
     type Value = Beside<FINEST>;
 
-    /// Doubles a value so many times, which takes a bit each.
     fn doubled(value: &Value, times: u32) -> Value {
         off_by((0, 0), || (0..times).fold(value.clone(), |sum, _| sum.plus(&sum)))
     }
@@ -159,18 +153,17 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // ½ is below 2⁰: factors of it add no bits.
+        // ½ is below 2⁰, so factors ½ add no bits.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
         };
         assert_eq!(product(MOST_UNDERFLOWS, 0), Limit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS + 1, 0), Limit::NONE);
-        // A literal that is rounded may underflow as well.
+        // A rounded literal may underflow, too.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), Limit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), Limit::NONE);
-        // A sum has those of the worse term, and one bit for the other; a quotient has those of
-        // both operands, and one of its own.
+        // A sum takes the underflows of the worse term and one bit for the other.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
         assert_eq!(sum.largest_input(), Limit::below(20 - 5));
@@ -182,13 +175,13 @@ mod premises {
         assert_eq!(quotient(MOST_UNDERFLOWS / 2), Limit::NONE);
     }
 
-    /// (1+u)ᵏ − 1 beside 1.0625·k·u·(1−u)ᵏ, where u is coarse, and magnitudes are rounded as well.
+    /// (1+u)ᵏ − 1 against 1.0625·k·u·(1−u)ᵏ, with coarse u and rounded magnitudes.
     #[test]
     fn no_more_roundings_are_counted_than_the_slack_pays_for() {
         const COARSE: i32 = 10;
         let one = Beside::<COARSE>::given(1.0);
         let rounded = |k: u32| off_by((1, 0), || (0..k).fold(one.clone(), |product, _| product.times(&one)));
-        // 40 of 2⁻¹⁰ are a 25th.
+        // 40 times 2⁻¹⁰ is about a 25th.
         with_low_magnitudes(|| {
             let (within, beyond) = (rounded(40), rounded(41));
             assert!(within.part() <= 1.0 && within.bounded.roundings() == 40, "{}", within.part());
@@ -198,16 +191,14 @@ mod premises {
         });
     }
 
-    /// A divisor counts with its own inputs: errors of underflow in it grow with them.
     #[test]
     fn a_quotient_has_the_inputs_of_its_divisor() {
         let input = || Bounded::<Worst<FINEST>>::given(Worst::of_float(1.0));
         let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
-        // Of 20 bits, a quotient takes twice the 4 of the least divisor.
+        // Of 20 bits, a quotient takes twice the 4 bits of the least divisor.
         assert_eq!(quotient(input()).largest_input(), Limit::below((20 - 8) / 2));
         assert_eq!(quotient(input() * input() * input()).largest_input(), Limit::below((20 - 8) / 4));
-        // v̂·(b̂ − b)/b̂ with b = x·(0·0)·x + ¼: where the inputs of b count for nothing, 2¹⁰
-        // passes, and the error of b is 2²⁰·η.
+        // b = x·(0·0)·x + ⅛: if its inputs did not count, 2¹⁰ would pass with an error 2²⁰·η of b.
         let size = power_of_two(10);
         let formula = |x: f64| {
             let lost = off_by(TINY, || Beside::<FINEST>::given(0.0).times(&Beside::given(0.0)));
@@ -219,7 +210,7 @@ mod premises {
         assert!(formula(size).part() > 1.0);
     }
 
-    /// What nothing is known of stays unknown: ∞·0 is not a number, and compares with none.
+    /// Unknown values stay unknown: ∞·0 is NaN, whose comparisons are false.
     #[test]
     fn nothing_is_allowed_of_an_unknown_value() {
         let unknown = || Bounded::<f64>::given(1.0) / Bounded::given(0.0);
@@ -229,15 +220,13 @@ mod premises {
         }
     }
 
-    /// What a format holds no more of: an infinite literal has more bits than there are, and one
-    /// that underflows errs by no more than is said.
+    /// An infinite literal exceeds all bits; one that underflows errs within the bound.
     #[test]
     fn literals_at_the_ends_of_a_range_are_bounded() {
         let of = |single: f32, double: f64, limbs: (&[u64], &[u64])| {
             let constant = Constant::exact(false, limbs.0, limbs.1, single, double, 0.0);
             (Bounded::<f32>::constant(&constant), Bounded::<f64>::constant(&constant))
         };
-        // 2²⁰⁰ and 2⁻²⁰⁰.
         let (single, double) = of(f32::INFINITY, 200_f64.exp2(), (&[0, 0, 0, 256], &[1]));
         assert_eq!((single.largest_input(), double.largest_input()), (Limit::NONE, Limit::below(914 - 201)));
         let (single, double) = of(0.0, (-200_f64).exp2(), (&[1], &[0, 0, 0, 256]));
@@ -245,7 +234,6 @@ mod premises {
         assert_ne!(single.largest_input(), Limit::NONE);
     }
 
-    /// Only an ε within its bits is divided by as a constant.
     #[test]
     fn an_eps_beyond_its_bits_is_a_divisor_as_any() {
         let bits = Worst::<FINEST>::RANGE.bits_of_steps as i32;
@@ -254,27 +242,26 @@ mod premises {
             for power in [bits, -bits] {
                 assert_eq!(over(sign * power_of_two(power)).largest_input(), Limit::below(20 - 1 - 6));
             }
-            // Larger, it counts as any input; smaller, it may be no divisor at all.
+            // A larger ε counts as an ordinary input; a smaller one may be no valid divisor.
             assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), Limit::below(20 - 1 - 8));
             assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), Limit::NONE);
         }
     }
 
-    /// 2¹⁰·2ᴮ·η is the allowance, with an η that is no less than what operations lose.
+    /// The allowance is 2¹⁰·2ᴮ·η; η is at least the loss of one operation.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
             V::RANGE.allowance / (f64::from(MOST_UNDERFLOWS) * power_of_two(V::RANGE.bits_of_products as i32))
         }
-        // A float loses half of its least number. What is stated of pairs is tested with them.
+        // A float loses at most half of its least number. Tests of double-doubles cover their η.
         assert_eq!(eta::<f32>(), f64::from(f32::from_bits(1)));
         assert_eq!(eta::<f64>(), f64::from_bits(1));
         assert_eq!(eta::<crate::Dd>(), f64::from_bits(16));
     }
 }
 
-/// A numerator of 0 that underflowed, times a reciprocal: nothing but the allowance speaks of its
-/// error.
+/// A numerator of 0 after underflow: only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");
@@ -288,7 +275,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let weight = f64::from(reciprocal.bounded.weight(roundings));
     let bound = (magnitude + underflow::<Worst<FINE>>(roundings)) * weight * Worst::<FINE>::UNIT;
     assert!(as_float(product.error()) <= bound);
-    // The reciprocal's own: an increment of 0 times η, where r̂ is 0 beside it.
+    // Underflow in the reciprocal itself: r̂ = 0 with an increment of η.
     let (reciprocal, product) = off_by(TINY, || {
         let reciprocal = Value::given(0.0).over(&Value::given(1.0)).expect("a quotient");
         (reciprocal.clone(), Value::given(1.0).times(&reciprocal))
@@ -296,7 +283,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
 
-/// A reciprocal of a whole constant, which is finer than what its divisor lost below the range.
+/// The reciprocal of a constant, finer than its divisor's loss below the range.
 #[test]
 fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;
@@ -311,7 +298,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// The same with the machine's floats: the least numbers, carried as far as their ranges allow.
+/// The limits on inputs with hardware floats.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]
@@ -323,7 +310,6 @@ macro_rules! floats_at_the_end_of_their_range {
                     (0..count).fold(tiny, |product, _| product * Bounded::given(x))
                 };
                 let x = formula(1.0, 1.0, 1.0).largest_input().size() as $float;
-                // Half of the least number, which is lost.
                 let (a, b) = ($least, 0.5);
                 let value = formula(a, b, x);
                 let exact = (0..count).fold(f64::from(a) * 2.0_f64.powi(100) * 0.5, |product, _| product * f64::from(x));

@@ -1,8 +1,6 @@
-//! A scalar that rounds as badly as it may: each operation is off by u in the direction that a test
-//! asks for, and where the test says so by η besides, as operations that underflow are.
-//!
-//! Values are rationals, so a test knows the true error; its range is small, so that a few
-//! operations come to its borders.
+//! A scalar with worst-case rounding: each operation errs by u in the direction that a test
+//! chooses, and optionally by η, as in underflow. Values are rationals, so tests know the true
+//! error.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -22,13 +20,11 @@ pub(super) type Q = BigRational;
 pub(super) struct Worst<const BITS: i32>(&'static Q);
 
 thread_local! {
-    /// By how many u, and by how many η, the next results are off.
+    /// The errors of the next results, in units u and η.
     static OFF: Cell<(i64, i64)> = const { Cell::new((0, 0)) };
-    /// Whether magnitudes are rounded down by u, or not at all.
     static ARE_MAGNITUDES_LOW: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What `run` gives where every operation on magnitudes is off by −u.
 pub(super) fn with_low_magnitudes<V>(run: impl FnOnce() -> V) -> V {
     let before = ARE_MAGNITUDES_LOW.replace(true);
     let result = run();
@@ -36,7 +32,7 @@ pub(super) fn with_low_magnitudes<V>(run: impl FnOnce() -> V) -> V {
     result
 }
 
-/// What `run` gives where every operation is off by `relative` u and by `absolute` η.
+/// Calls `run` with every operation off by `relative` u and `absolute` η.
 pub(super) fn off_by<V>((relative, absolute): (i64, i64), run: impl FnOnce() -> V) -> V {
     let before = OFF.replace((relative, absolute));
     let result = run();
@@ -48,7 +44,6 @@ pub(super) fn two_to(power: i32) -> Q {
     Q::from_integer(2.into()).pow(power)
 }
 
-/// η of the range below.
 pub(super) const ETA: i32 = -70;
 
 impl<const BITS: i32> Worst<BITS> {
@@ -64,7 +59,6 @@ impl<const BITS: i32> Worst<BITS> {
         self.0.clone()
     }
 
-    /// A result, as far off as it may be.
     fn rounded(exact: Q) -> Self {
         let (relative, absolute) = OFF.get();
         let relative = Q::from_integer(relative.into()) * two_to(-BITS);
@@ -74,7 +68,6 @@ impl<const BITS: i32> Worst<BITS> {
 }
 
 impl<const BITS: i32> Scalar for Worst<BITS> {
-    /// Integers are exact, other numbers are rounded.
     fn constant(c: &Constant<'_>) -> Self {
         let ratio = c.to_ratio();
         if ratio.is_integer() { Self::new(ratio) } else { Self::rounded(ratio) }
@@ -95,7 +88,7 @@ impl<const BITS: i32> Pivot for Worst<BITS> {
     }
 }
 
-/// A magnitude of precision u = 2^−BITS, next to which the roundings of `f64` are nothing.
+/// A magnitude of precision u = 2^−BITS; the roundings of `f64` are negligible beside u.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Rough<const BITS: i32>(f64);
 
@@ -154,7 +147,7 @@ impl<const BITS: i32> Zero for Rough<BITS> {
 impl<const BITS: i32> Number for Worst<BITS> {
     type Magnitude = Rough<BITS>;
     const UNIT: f64 = power_of_two(-BITS);
-    /// 2¹⁰·2²⁰·η.
+    /// The allowance for underflow is 2¹⁰·2²⁰·η.
     const RANGE: Range = Range::of(ETA, 10 + 20 + ETA, 4, 6);
 
     fn size(&self) -> Rough<BITS> {
@@ -219,26 +212,22 @@ pub(super) struct Beside<const BITS: i32> {
 }
 
 impl<const BITS: i32> Beside<BITS> {
-    /// An input.
     pub(super) fn given(value: f64) -> Self {
         let exact = Q::from_f64(value).expect("a finite number");
         Self { bounded: Bounded::given(Worst::new(exact.clone())), exact }
     }
 
-    /// A literal p/q.
     pub(super) fn literal(p: i64, q: i64) -> Self {
         let exact = Q::new(p.into(), q.into());
         let constant = if q == 1 { Constant::integer(p) } else { Constant::ratio(p, q) };
         Self { bounded: Scalar::constant(&constant), exact }
     }
 
-    /// What it is off by.
     pub(super) fn error(&self) -> Q {
         (self.bounded.value().exact() - &self.exact).abs()
     }
 
-    /// The part of its bound that the error comes to; at most 1, or the bound is none. |v| ≤ m
-    /// holds up to the slack, too.
+    /// Returns error/bound, at most 1 if the bound is valid. Checks |v| ≤ m up to the slack.
     pub(super) fn part(&self) -> f64 {
         let magnitude: f64 = self.bounded.magnitude().into();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");
@@ -246,7 +235,6 @@ impl<const BITS: i32> Beside<BITS> {
         part.to_f64().expect("a number")
     }
 
-    /// self/other, if there is a quotient.
     pub(super) fn over(&self, other: &Self) -> Option<Self> {
         let bounded = self.bounded.quotient(other.bounded)?;
         Some(Self { bounded, exact: &self.exact / &other.exact })
@@ -264,7 +252,6 @@ impl<const BITS: i32> Beside<BITS> {
         Self { bounded: self.bounded * other.bounded, exact: &self.exact * &other.exact }
     }
 
-    /// self·other + addend
     pub(super) fn times_plus(&self, other: &Self, addend: &Self) -> Self {
         let bounded = self.bounded.multiply_add(other.bounded, addend.bounded);
         Self { bounded, exact: &self.exact * &other.exact + &addend.exact }
@@ -274,7 +261,6 @@ impl<const BITS: i32> Beside<BITS> {
         Self { bounded: -self.bounded, exact: -&self.exact }
     }
 
-    /// self/ε, as a step that is divided by ε has it.
     pub(super) fn over_input(&self, eps: &Self) -> Self {
         Self { bounded: self.bounded.over_input(eps.bounded), exact: &self.exact / &eps.exact }
     }

@@ -1,4 +1,4 @@
-//! A δ far below the last digit of a float, and numbers that keep both.
+//! Numbers with a δ far below the last digit of a float, for orbits of floats through poles.
 
 use core::array::from_fn;
 
@@ -12,17 +12,17 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{Germ, direction};
 
-/// δ = 2⁻¹⁹² of the unit: a factor δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
+/// The exponent of δ relative to the unit: δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
 const DELTA: i32 = -192;
 
-/// Beyond this power of 2 of the unit, a coordinate of a moved point tends to infinity; below its
-/// inverse, to 0.
+/// The exponent of the threshold relative to the unit: a larger coordinate of a perturbed point
+/// tends to infinity, one below the inverse tends to 0.
 const INFINITE: i64 = 96;
 
-/// The digits that a limit is known to, in bits, more than any float of this crate has.
+/// The number of known bits of a limit; exceeds the precision of any float of this crate.
 const KNOWN: i64 = 110;
 
-/// A coordinate of a point of this size, as δ → 0: what δ has left below the digits is taken off.
+/// Returns the limit of a coordinate as δ → 0: drops traces of δ far below its leading digits.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();
@@ -31,12 +31,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
 }
 
-/// How many bits a rounding may count for on the way back to the first point.
+/// The number of bits by which a rounding may be amplified on the way back to the first point.
 const LOST: i64 = 10;
 
 impl<T: Promised> Germ<T> for Wide {
-    /// Nothing is moved in the first, which is for points near a pole and not at one; the others
-    /// differ in their directions.
+    /// The first effort perturbs nothing, for points near a pole; the others differ in directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
@@ -60,7 +59,7 @@ impl<T: Promised> Germ<T> for Wide {
         let larger = |best: usize, i: usize| if point[i].size() > point[best].size() { i } else { best };
         let largest = (1..N).fold(0, larger);
         let size = point[largest].size() + unit.size();
-        // What is undefined compares with nothing.
+        // Comparisons with an undefined value are false.
         if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
             return None;
         }

@@ -1,10 +1,8 @@
-//! The numbers that an orbit goes through a pole in: those of points that are moved by δ along a
-//! straight line.
+//! Numbers that depend on a perturbation δ, for orbits through poles.
 //!
-//! In: numbers of a scalar, and how hard to try. Out: numbers that depend on δ, and of those that
-//! came of them the limit δ → 0. Exact scalars take δ as an unknown, and series in it ([`series`]).
-//! Floats take a δ far below their last digits, and numbers of seventeen digits of 64 bits
-//! ([`digits`]).
+//! In: numbers of a scalar, and the effort to spend. Out: numbers that depend on δ, and their
+//! limits as δ → 0. Exact scalars use Laurent series in δ ([`series`]). Floats use a δ far below
+//! their last digits and numbers of 17 digits of 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
@@ -21,27 +19,26 @@ use super::point::{ProjectivePoint, first_of_the_largest};
 
 /// A number over the scalar T that may depend on δ.
 pub(super) trait Germ<T: Scalar>: Scalar {
-    /// How many efforts there are; each sees further than the one before.
+    /// The number of efforts; each resolves more than the previous one.
     const EFFORTS: usize;
 
-    /// A number that does not depend on δ.
     fn of(number: &T) -> Self;
 
-    /// δ; 0 in an effort in which nothing is moved.
+    /// Returns δ; 0 in an effort without perturbation.
     fn delta(effort: usize) -> Self;
 
-    /// How large coordinates near a point are: δ is measured by that.
+    /// Returns the size of coordinates near a point, the unit of δ.
     fn unit(point: &[T]) -> Self;
 
-    /// Where a point tends to, in coordinates of this unit; `None` where too little is known.
+    /// Returns the limit of a point as δ → 0, in these units; `None` if too little is known.
     fn limit<const N: usize>(
         point: &SVector<Self, N>,
         unit: &Self,
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Whether the points around `point` still tell those around the first one apart, given the
-    /// derivative of the first one by it; `None` where too little is known.
+    /// Returns whether neighbourhoods of the first point and `point` correspond one-to-one;
+    /// `derivative` is that of the first point by `point`. `None` if too little is known.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
@@ -49,7 +46,6 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     ) -> Option<bool>;
 }
 
-/// A direction, scaled as points at infinity are.
 fn direction<S: Scalar, T: Pivot, const N: usize>(
     entries: &[S; N],
     largest: usize,

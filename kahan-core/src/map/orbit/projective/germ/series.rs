@@ -1,4 +1,4 @@
-//! δ as an unknown: series that are exact as far as they are known.
+//! Laurent series in an unknown δ, exact up to their truncation.
 
 use core::array::from_fn;
 
@@ -12,7 +12,6 @@ use crate::scalar::Laurent;
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{Germ, direction};
 
-/// The terms of the series of each effort.
 const TERMS: [usize; 3] = [6, 12, 24];
 
 impl<T: Pivot> Germ<T> for Laurent<T> {
