@@ -105,7 +105,7 @@ pub trait Indicator<const K: usize> {
     fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
 }
 
-/// An observer that carries K tangent vectors along and computes an [`Indicator`] from them.
+/// An observer that carries K tangent vectors along and computes an `Indicator` from them.
 #[derive(Clone, Debug)]
 pub struct Follower<I, M: TangentMap, const K: usize> {
     carried: Carried<M, K>,
@@ -211,8 +211,8 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 
 /// The number of steps between two scalings of vectors that are not read at each step.
 ///
-/// A vector of moderate size overflows or underflows an `f64` in between only if its length changes
-/// by a factor of 2⁶⁰ in every step. Near a pole one or two steps change it by that much.
+/// A moderate vector leaves the range of `f64` in between only if every step changes its length by
+/// a factor of 2⁶⁰; near a pole only one or two steps do.
 pub const PAUSE: u64 = 16;
 
 /// Returns whether vectors are scaled after each step: if the indicator needs it, and for `f32`,

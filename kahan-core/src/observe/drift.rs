@@ -32,8 +32,7 @@ pub struct Drift<F, T, const M: usize> {
     max: [f64; M],
 }
 
-/// The relative distance of an integral from its first value, |I − I(x₀)|/|I(x₀)|; the absolute
-/// distance |I − I(x₀)| if I(x₀) = 0.
+/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral, absolute if I(x₀) = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {

@@ -22,9 +22,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// `observers(i)` makes the observers of trajectory i, which see [`point`](Self::point) i as
     /// step 0. The bits of a report depend neither on the place of the trajectory nor on threads.
-    /// With the feature `parallel`, large ensembles run on the current thread pool of rayon.
-    ///
-    /// Steps allocate nothing; each group of 16 trajectories allocates once.
+    /// With the feature `parallel`, large ensembles run on the current thread pool of rayon. Each
+    /// group of 16 trajectories allocates once.
     ///
     /// # Panics
     /// At a pole, for scalars without a reciprocal of zero. If maps and points differ in number.

@@ -2,9 +2,7 @@
 
 use super::Observer;
 
-/// An observer of the first step at which a condition holds, as of leaving or reaching a region.
-///
-/// Later points are not tested.
+/// An observer of the first step at which a condition holds; later points are not tested.
 #[derive(Clone, Debug)]
 pub struct Escape<F> {
     condition: F,

@@ -1,8 +1,6 @@
 //! The least and the greatest value of a quantity.
 
-/// An observer of the least and the greatest value of any function of the point.
-///
-/// Values that compare with nothing (NaN) are skipped.
+/// An observer of the least and the greatest value of any function of the point, NaN skipped.
 ///
 /// ```
 /// use kahan_core::observe::Extrema;

@@ -12,8 +12,7 @@ use super::growth::Size;
 /// Over n steps it grows like log n on a torus and like n for chaotic motion. C. Froeschlé, E.
 /// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. The report is NaN after a pole.
 ///
-/// Cost: a tangent vector, about that of a step, and its square; see `benches/results`.
-/// Made by `Fli::new(&map)` for a [`TangentMap`].
+/// Made by `Fli::new(&map)` for a [`TangentMap`]. Cost: a tangent vector and its square.
 pub type Fli<M> = Follower<Greatest, M, 1>;
 
 /// The squares of a vector's first and greatest lengths.

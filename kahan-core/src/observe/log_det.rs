@@ -5,8 +5,7 @@ use crate::{FloatScalar, StateVector};
 use super::growth::Size;
 use super::{Observer, TangentMap};
 
-/// An observer of the mean of log |det ∂x̃/∂x| per unit of time: the growth rate of volumes, which
-/// is the sum of all Lyapunov exponents.
+/// An observer of the mean of log |det ∂x̃/∂x| per unit of time, the sum of all Lyapunov exponents.
 ///
 /// Cost: a determinant in every step, and one logarithm at the end.
 #[derive(Clone, Debug)]

@@ -10,8 +10,8 @@ use super::growth::Size;
 /// length has grown by exp(λ·2εn) times a factor that is bounded or grows slowly. On a torus the
 /// factor is linear, and the estimate of λ tends to 0 like log(n)/n.
 ///
-/// Cost: a tangent vector, about that of a step; see `benches/results`.
-/// Made by `Lyapunov::new(&map)` for a [`TangentMap`].
+/// Made by `Lyapunov::new(&map)` for a [`TangentMap`]. Cost: a tangent vector, about that of a
+/// step.
 pub type Lyapunov<M> = Follower<Growth, M, 1>;
 
 /// The squared lengths of a tangent vector at the first step and at powers of two.

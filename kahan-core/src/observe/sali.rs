@@ -14,9 +14,8 @@ use super::growth::{Size, square};
 /// stays of moderate size. In two variables, and where vectors align with the flow, it falls like a
 /// power of time. C. Skokos, J. Phys. A 34 (2001) 10029.
 ///
-/// The report is a number from 0 to √2, or NaN after a pole.
-///
-/// Cost: two tangent vectors, which share the work on the points.
+/// The report is a number from 0 to √2, or NaN after a pole. Cost: two tangent vectors, which share
+/// the work on the points.
 /// Made by `Sali::new(&map)` for a [`TangentMap`].
 pub type Sali<M> = Follower<Alignment, M, 2>;
 
