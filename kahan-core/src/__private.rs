@@ -1,9 +1,8 @@
-//! The only door that generated code goes through: not public, not stable, versioned with the
-//! macro.
+//! The interface of generated code: not public, not stable, versioned with the macro.
 //!
-//! In: what the macro alone knows, a field's formulas. Out: the objects of the traits, by code that
-//! is written and tested once, here. Generated code names nothing by any other path, so that it
-//! works in scopes without a prelude and beside user types called `Option` or `Clone`.
+//! In: the formulas of a field, from the macro. Out: implementations of the traits, by code that is
+//! tested here. Generated code uses no other path, so that it works in scopes without a prelude and
+//! beside user types called `Option` or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;
@@ -18,12 +17,12 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// The step of a dense field that is read at run time: `kahan-runtime` calls it.
+/// The step of a dense field that is read at run time, for `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
-/// Several numbers as one scalar: `kahan-runtime` interprets columns over it.
+/// Several numbers as one scalar, for interpretation over columns in `kahan-runtime`.
 #[cfg(feature = "std")]
 pub use crate::ensemble::{
     lanes::{InLanes, Lanes, OverLanes},
@@ -31,12 +30,11 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-/// Elimination, where a field that is read at run time has no closed forms: `kahan-runtime` calls
-/// it.
+/// Elimination for fields without closed forms, for `kahan-runtime`.
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains that are read at run time: `kahan-runtime` calls it.
+/// The solver of chains that are read at run time, for `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, Menu, SiteLine};
@@ -58,20 +56,20 @@ use core::cmp::Ordering;
 
 use crate::scalar::Dual;
 
-/// The integer `n` as a scalar.
+/// Returns the integer `n` as a scalar.
 #[inline(always)]
 pub fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
 }
 
-/// The quotient `p`/`q` as a scalar, both at most 2²⁴ in size.
+/// Returns the quotient `p`/`q` as a scalar, both at most 2²⁴ in size.
 #[inline(always)]
 pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Puts a result where it belongs. What is no float is put there by a call: compilers look at every
-/// pair of stores that lie side by side, and take minutes where these are thousands.
+/// Stores a result. Scalars other than floats are stored by a call: compilers examine every pair
+/// of adjacent stores, which takes minutes for thousands of them.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -81,8 +79,7 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions with the names of arguments: generated code imports them, so that no constant of the
-/// user's captures a pattern.
+/// Functions named like arguments, imported so that user constants do not capture patterns.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -97,18 +94,18 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Whether a step at this ε may be divided by it.
+/// Returns whether a step at this ε may be divided by it.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }
 
-/// A matrix from its rows.
+/// Returns a matrix from its rows.
 #[inline]
 pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_fn(|i, j| rows[i][j].clone())
 }
 
-/// ∂x̃/∂x = I + ∂(x̃ − x)/∂x, by one increment of the map over dual numbers.
+/// Returns ∂x̃/∂x = I + ∂(x̃ − x)/∂x, by one increment of the map over dual numbers.
 ///
 /// # Panics
 /// At a pole of an exact scalar.
@@ -128,9 +125,9 @@ where
     })
 }
 
-/// The antisymmetric matrix with these entries above its diagonal, row by row.
+/// Returns the antisymmetric matrix with the given entries above its diagonal, row by row.
 pub fn antisymmetric<T: Scalar, const N: usize, const ABOVE: usize>(above: [T; ABOVE]) -> SMatrix<T, N, N> {
-    // The entries of the rows before row i, and those before j in it.
+    // The number of entries in rows before row i, plus those before j in row i.
     let place = |i: usize, j: usize| i * (2 * N - i - 1) / 2 + (j - i - 1);
     SMatrix::from_fn(|i, j| match i.cmp(&j) {
         Ordering::Less => above[place(i, j)].clone(),

@@ -1,14 +1,13 @@
-//! Kahan's method for quadratic differential equations: `kahan!` turns ẋ = f(x) into its birational
-//! map x ↦ x̃.
+//! Kahan's method for quadratic differential equations: [`kahan!`] turns ẋ = f(x) into its
+//! birational map x ↦ x̃.
 //!
 //! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories
-//! at once. It must not know syntax, polynomials or claims: these are `kahan-algebra`'s, while
-//! compiling. The crate `kahan-dynamics` finds the setting that reaches a tolerance, periodic
-//! points and the solution of the equation itself.
+//! In: the code that the macro makes from a block, a point, ε. Out: steps, orbits, ensembles of
+//! trajectories. Syntax, polynomials and claims belong to `kahan-algebra`, at compile time; step
+//! sizes for a tolerance, periodic points and the equation's own solution to `kahan-dynamics`.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -27,17 +26,17 @@
 //!
 //! # Every day
 //!
-//! `use kahan_core::prelude::*;` brings all of this.
+//! `use kahan_core::prelude::*;` imports this part.
 //!
-//! | what | where |
+//! | task | item |
 //! |---|---|
 //! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`]; [`include_kahan!`] for one in a file |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
 //! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
-//! | states at given times, up to a time, where a function is first zero | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
+//! | states at given times, up to a time, the first zero of a function | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
 //! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
-//! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
+//! | observation of orbits: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
 //! | one state of a point | `x[E6::X]`, a constant of the type for each state |
 //! | integrals, a density, brackets, drifts | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME`, `drift_NAME` |
@@ -47,22 +46,22 @@
 //!
 //! # Advanced
 //!
-//! | what | where |
+//! | task | item |
 //! |---|---|
 //! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
 //! | a function over any map: compiled, composed, a chain, read at run time | `fn f<M: Step<Scalar = f64>>(map: M, start: M::State)` with [`Step`]; [`Orbit::new`] and [`observe::first_crossing`] take any |
-//! | a map that is chosen at run time | `&dyn Step<Scalar = f64>`, which is itself a [`Step`] with `Vec`s as states; maps and chains of a text are those of `kahan-runtime` |
+//! | a map chosen at run time | `&dyn Step<Scalar = f64>`, itself a [`Step`] with `Vec`s as states; `kahan-runtime` makes maps and chains from text |
 //! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`ExtendScalars`] |
 //! | a map written by hand | [`QuadraticField`] and [`KahanMap`] with [`Elimination`] or a [`PreparedStep`] |
-//! | a map in a struct, a loop of your own | [`KahanAt<M, T, N>`](KahanAt), which [`KahanMap::at`] prepares; a chain is a [`LatticeAt<M, T>`](LatticeAt) |
-//! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
-//! | errors as one goes | [`Orbit::with_error_estimate`] |
-//! | tangent vectors, an observer of one's own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
-//! | what is inside: modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
+//! | a map in a struct, a loop of your own | [`KahanAt<M, T, N>`](KahanAt), made by [`KahanMap::at`]; a chain is a [`LatticeAt<M, T>`](LatticeAt) |
+//! | rounding without drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
+//! | error estimates along an orbit | [`Orbit::with_error_estimate`] |
+//! | tangent vectors, an observer of your own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
+//! | modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
-//! With the feature `serde` numbers, points, crossings and reports can be stored; `serde_json`
-//! reads back every bit with its feature `float_roundtrip`. Without default features the crate is
-//! `no_std`; float scalars never allocate in any configuration.
+//! With the feature `serde` numbers, points, crossings and reports are serialisable; `serde_json`
+//! needs its feature `float_roundtrip` to read back every bit. Without default features the crate
+//! is `no_std`. Float scalars never allocate.
 
 #![no_std]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -70,8 +69,7 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-// From the bottom to the top: each of these imports from those above it only, which
-// `tests/tests/layers.rs` sees to.
+// Layers from bottom to top; `tests/tests/layers.rs` checks the imports.
 mod scalar;
 
 mod field;
@@ -95,7 +93,7 @@ pub mod observe;
 #[cfg(feature = "std")]
 mod lattice;
 
-// The doors: what users and generated code come in by.
+// Entry points for users and generated code.
 mod macros;
 #[cfg(feature = "serde")]
 mod stored;

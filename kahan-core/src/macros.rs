@@ -1,11 +1,12 @@
-//! `kahan!`, a wrapper that hands `$crate` to the procedural macro, so that a renamed dependency
-//! keeps working, and `vector!`, our own: nalgebra's expands to paths that begin with `nalgebra::`,
-//! which a user need not depend on.
+//! The macros of the crate.
+//!
+//! `kahan!` hands `$crate` to the procedural macro, so that renamed dependencies work. `vector!`
+//! replaces that of nalgebra, whose expansion would require a dependency on `nalgebra`.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) is a chapter of its own: grammar, claims, `when`, limits,
-/// examples. In short:
+/// [The language](crate::language) is described in full, with grammar, claims, `when`, limits and
+/// examples, in a chapter of its own. In short:
 ///
 /// A block is an optional header, then one equation `NAMEdot = expression;` for each state
 /// variable, then claims. Expressions are polynomials of degree at most 2 in the variables, with
@@ -16,17 +17,16 @@
 ///   (`Name<T>` with one public field for each parameter) and its implementations of
 ///   [`QuadraticField`](crate::QuadraticField), [`KahanMap`](crate::KahanMap) and
 ///   [`Named`](crate::Named).
-/// - Without one, it is an expression: a value of an anonymous type that captures its parameters
-///   from the scope.
+/// - Without a header, the block is an expression: a value of an anonymous type that captures its
+///   parameters from the scope.
 ///
 /// A block that begins with `lift` may have functions, quotients and any powers:
-/// `lift pub struct Pendulum { g }`, or `lift;` without a header. The macro finds new variables
-/// with which its equations are quadratic; `embed` and `project` lead from states to points and
-/// back.
+/// `lift pub struct Pendulum { g }`, or `lift;` without a header. New variables make the equations
+/// quadratic; `embed` maps states to points of the lift, and `project` maps points to states.
 ///
 /// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
 /// invariant measure, `bracket` a Poisson tensor, `drift` a function whose next value follows from
-/// its value. They are proved while compiling, and a false claim does not compile. In claims and
+/// its value. Claims are proved at compile time, and a false claim does not compile. In claims and
 /// coefficients `eps` is ε, **half** the time step.
 ///
 /// ```
@@ -61,12 +61,10 @@ macro_rules! kahan {
     };
 }
 
-/// Turns the block in a file into its Kahan map, as [`kahan!`](crate::kahan) does with its own
-/// tokens: what stands in the file is what `kahan!` would be given.
+/// Turns the block in a file into its Kahan map, like [`kahan!`](crate::kahan) with its text.
 ///
-/// The path is relative to the file that the macro stands in, and the compiler reads the block anew
-/// when the file changes. A mistake is shown with its line and a caret, as the command `kahan`
-/// shows it, which reads the same files.
+/// The path is relative to the file of the macro call; a change of the file triggers recompilation.
+/// Errors are shown with line and caret, like by the command `kahan`, which reads such files too.
 ///
 /// ```ignore
 /// include_kahan!("toda.kahan");
@@ -78,7 +76,7 @@ macro_rules! include_kahan {
     };
 }
 
-/// A state from its entries, of any scalar: `vector![1.0, 2.0]` is an `SVector<f64, 2>`.
+/// Makes a state from its entries: `vector![1.0, 2.0]` is an `SVector<f64, 2>`.
 ///
 /// ```
 /// use kahan_core::prelude::*;

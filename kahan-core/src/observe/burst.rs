@@ -1,27 +1,26 @@
-//! Some points of a group of trajectories, one after another.
+//! Bursts: the points of some consecutive steps of a group of trajectories.
 //!
-//! In: as many trajectories as the widest register holds, side by side. Out: what observers of each
-//! of them, or of all at once, look at.
+//! In: as many trajectories as lanes of the widest register, side by side. Out: the points that the
+//! observers of each trajectory, or of all at once, read.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
 
-/// Steps between two looks of an observer.
+/// The number of steps that a group is advanced before its observers see the points.
 pub(super) const BURST: usize = 16;
 
-/// The observers of a group of trajectories: as many as there are, then none.
+/// The observers of the trajectories of a group, followed by `None` in unused lanes.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
-/// Points of a group of trajectories: a column a variable, in an array where the number of
-/// variables is known while compiling.
+/// The points of a group of trajectories: one column for each variable.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
-    /// A point of one of them.
+    /// The type of one trajectory's point.
     type Point: AsRef<[T]> + AsMut<[T]>;
 
-    /// That of a trajectory.
+    /// Returns the point of a trajectory.
     fn of(&self, lane: usize) -> Self::Point;
 
-    /// The same in a place that there is.
+    /// Like [`of`](Self::of), but writes into `point`.
     #[inline(always)]
     fn read(&self, lane: usize, point: &mut [T])
     where
@@ -42,37 +41,36 @@ impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
     }
 }
 
-/// Tangent vectors of a group of trajectories that are carried along its points side by side.
+/// Tangent vectors of a group of trajectories that are carried along side by side.
 #[derive(Debug)]
 pub struct SideBySide<'a, T, P> {
-    /// The points, one after another.
+    /// The consecutive points.
     pub places: &'a [P],
-    /// The vectors at the first of them, each as many columns as there are variables.
+    /// The vectors at the first point, each with one column for each variable.
     pub vectors: &'a mut [P],
-    /// The squares of their lengths after each step, or room for none.
+    /// The squared lengths of the vectors after each step; empty if they are not needed.
     pub squares: &'a mut [Group<T>],
-    /// The instructions to use.
+    /// The instruction set to use.
     pub level: Level,
 }
 
-/// Some points of each trajectory of a group.
+/// Consecutive points of each trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, P> {
     /// The step of the first of `seen`.
     pub(super) before: u64,
-    /// The points seen last, then those of the steps after them.
+    /// The points shown last, then the points of the following steps.
     pub(super) seen: &'a [P],
-    /// What the ensemble runs on.
     pub(super) level: Level,
 }
 
 impl<P> Burst<'_, P> {
-    /// The points of all of them with their steps.
+    /// Returns the new points of all trajectories, with their steps.
     pub fn steps(&self) -> impl Iterator<Item = (u64, &P)> {
         (self.before + 1..).zip(&self.seen[1..])
     }
 
-    /// Shows the points of one trajectory with their steps, without the first `done` of them.
+    /// Shows the new points of one trajectory with their steps, without the first `done` of them.
     #[inline(always)]
     pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where

@@ -1,7 +1,6 @@
-//! Tangent vectors that follow an orbit, and the observers that look at nothing else.
+//! Tangent vectors carried along an orbit, and the observers that read only these vectors.
 //!
-//! In: the points of the orbit, one after another. Out: K vectors, each at the point given last and
-//! scaled by a power of two.
+//! In: the points of the orbit, one after another. Out: K scaled tangent vectors at the last point.
 
 use core::array::from_fn;
 
@@ -16,27 +15,25 @@ use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};
 use super::growth::{Size, scale};
 use super::{Observer, TangentMap};
 
-/// K tangent vectors that a map carries along.
+/// K tangent vectors along an orbit of a map.
 #[derive(Clone, Debug)]
 pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
-    /// Where the vectors are.
+    /// The base point of the vectors.
     place: M::State,
     vectors: [M::State; K],
-    /// Vector k stands for itself times 2 to this power.
+    /// The binary exponent of each vector: tangent vector k is `vectors[k]`·2^`exponents[k]`.
     exponents: [i64; K],
-    /// The steps taken.
     steps: u64,
 }
 
 impl<M: TangentMap, const K: usize> Carried<M, K> {
-    /// Vectors in directions that nothing prefers.
+    /// Starts with vectors in general directions.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
     }
 
-    /// To the next point.
     #[inline(always)]
     fn follow(&mut self, step: u64, x: &[M::Scalar]) {
         if step > 0 {
@@ -46,37 +43,34 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps = step;
     }
 
-    /// Scales the vectors; the squares of their lengths.
+    /// Scales the vectors to moderate size, and returns their squared lengths before scaling.
     #[inline(always)]
     pub(super) fn scale(&mut self) -> [Size; K] {
         from_fn(|k| scale(&mut self.vectors[k], &mut self.exponents[k]))
     }
 
-    /// The steps taken.
     pub(super) fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// The vectors, each up to a power of two.
+    /// Returns the vectors, each up to a power of two.
     pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
         self.vectors.each_ref().map(M::State::as_slice)
     }
 
-    /// The time of one step.
     pub(super) fn time_step(&self) -> f64 {
         2.0 * self.map.eps().approximate()
     }
 }
 
-/// The vector of a map's space whose entry i is `entry(i)`.
+/// Returns a state of the map's dimension with entry i = `entry(i)`.
 pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
     let mut vector = M::State::zeros(map.dimension());
     vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
     vector
 }
 
-/// Carries vectors along, two at a time: what depends on the points alone is then computed once for
-/// both.
+/// Carries vectors from `x` to `next`, in pairs that share the work on the points.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -93,25 +87,25 @@ pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     }
 }
 
-/// What is looked at in K tangent vectors.
+/// A quantity computed from the lengths of K tangent vectors.
 pub trait Indicator<const K: usize> {
-    /// What it says in the end.
+    /// The type of the report.
     type Report;
 
-    /// Whether it looks at each step, or at 0, 1, …, [`PAUSE`] and multiples of that.
+    /// Whether the quantity needs every step; otherwise steps 0, 1, …, [`PAUSE`], 2·[`PAUSE`], ….
     const LOOKS_AT_EACH: bool;
 
-    /// Before the first point, where the squares of the vectors' lengths are these.
+    /// Starts from the squared lengths of the vectors at the first point.
     fn new(first: [Size; K]) -> Self;
 
-    /// Looks at the squares of their lengths.
+    /// Reads the squared lengths of the vectors after `step` steps.
     fn look(&mut self, step: u64, sizes: [Size; K]);
 
-    /// The report on vectors that have been carried to the last point.
+    /// Returns the report; `carried` holds the vectors at the last point.
     fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
 }
 
-/// An observer of K tangent vectors.
+/// An observer that carries K tangent vectors along and computes an `Indicator` from them.
 #[derive(Clone, Debug)]
 pub struct Follower<I, M: TangentMap, const K: usize> {
     carried: Carried<M, K>,
@@ -119,7 +113,7 @@ pub struct Follower<I, M: TangentMap, const K: usize> {
 }
 
 impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
-    /// That of a prepared map, or of a reference to one.
+    /// Observes orbits of a prepared map, given by value or by reference.
     pub fn new(map: M) -> Self {
         let mut carried = Carried::new(map);
         let indicator = I::new(carried.scale());
@@ -128,7 +122,7 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
 }
 
 impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follower<I, M, K> {
-    /// Looks at the vectors if it is time to.
+    /// Scales the vectors and shows their lengths to the indicator, on steps that need it.
     #[inline(always)]
     fn look(&mut self, step: u64) {
         if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
@@ -138,20 +132,19 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follow
     }
 }
 
-/// An observer that need not see each point: a loop carries its tangent vectors along, and gives
-/// them back with a later point.
+/// An observer that may skip points: a loop carries its tangent vectors to a later point.
 ///
-/// Up to step [`PAUSE`] it sees each point. From then on it sees at least those of steps that are
-/// powers of two, and of multiples of [`PAUSE`] at which the square of a vector's length is [not
+/// The loop shows every point up to step [`PAUSE`]. After that it shows at least the steps that are
+/// powers of two, and the multiples of [`PAUSE`] at which the squared length of a vector is [not
 /// moderate](super::are_moderate).
 pub trait Resumed<T> {
-    /// The number of its tangent vectors.
+    /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;
 
-    /// Tangent vector k at the point seen last.
+    /// Returns tangent vector k at the latest point.
     fn vector(&mut self, k: usize) -> &[T];
 
-    /// Takes the point of a step, and the vectors there: entry i of vector k is `entry(k, i)`.
+    /// Takes the point of a step and the vectors there: entry i of vector k is `entry(k, i)`.
     fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
 }
 
@@ -172,7 +165,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
             vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, own)| *own = entry(k, i));
         }
         carried.place.as_mut_slice().copy_from_slice(x);
-        // A step is looked at once.
+        // Each step is shown to the indicator once.
         if core::mem::replace(&mut carried.steps, step) < step {
             self.look(step);
         }
@@ -186,14 +179,13 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 
     const MAY_END: bool = false;
 
-    /// Takes the vectors to the next point, and looks at them if it is time to.
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
         self.carried.follow(step, x);
         self.look(step);
     }
 
-    /// All are carried side by side where they are known to belong to one map that can.
+    /// Carries all trajectories side by side if the followers share one map with lanes.
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -217,22 +209,21 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     }
 }
 
-/// Steps after which vectors are scaled that nobody looks at meanwhile.
+/// The number of steps between two scalings of vectors that are not read at each step.
 ///
-/// For a vector that was of moderate size to leave the range of an `f64` meanwhile, it has to grow
-/// or shrink by 2⁶⁰ at each of them; near a pole it does at one or two.
+/// A moderate vector leaves the range of `f64` in between only if every step changes its length by
+/// a factor of 2⁶⁰; near a pole only one or two steps do.
 pub const PAUSE: u64 = 16;
 
-/// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose
-/// range they may leave at any.
+/// Returns whether vectors are scaled after each step: if the indicator needs it, and for `f32`,
+/// whose range a vector can leave in one step.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Takes the vectors of a group of trajectories along a burst side by side, and looks at them after
-/// each step: from the step after `done` on, until a vector has to be scaled: the steps
-/// taken, `None` where there is none left or it cannot be done.
+/// Carries the vectors of a group side by side from the step after `done` on, until one must be
+/// scaled. Returns the steps taken; `None` if none is left or the maps don't allow it.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, Follower<I, M, K>>,
@@ -249,7 +240,7 @@ where
     if places.len() < 2 {
         return None;
     }
-    // Places without a trajectory carry vectors of moderate size, too.
+    // Lanes without a trajectory carry moderate vectors, so they never stop the others.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
     let mut vectors: [P; K] = from_fn(|_| ones.clone());
@@ -289,7 +280,7 @@ where
     Some(taken)
 }
 
-/// Entry i of vector k: 64ths from 1/64 to 1, in no order that a field would have.
+/// Returns entry i of vector k: a multiple of 1/64 up to 1, chosen to avoid special directions.
 fn any_direction<T: FloatScalar>(k: usize, i: usize) -> T {
     T::constant(&Constant::ratio(((37 * i + 23 * k * (i + 1) + 11) % 64 + 1) as i64, 64))
 }

@@ -1,4 +1,4 @@
-//! How well integrals are kept.
+//! The error of integrals of motion along an orbit.
 
 use core::array::from_fn;
 
@@ -6,7 +6,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// How far integrals of motion are from their first values.
+/// An observer of the distances of integrals of motion from their first values.
 ///
 /// ```
 /// use kahan_core::observe::Drift;
@@ -28,29 +28,27 @@ pub struct Drift<F, T, const M: usize> {
     integrals: F,
     first: [T; M],
     last: [T; M],
-    /// The greatest |I − I(x₀)|, not a number once one was not.
+    /// The greatest |I − I(x₀)|; NaN after the first NaN.
     max: [f64; M],
 }
 
-/// How far an integral was from its first value I(x₀): |I − I(x₀)|/|I(x₀)|, or |I − I(x₀)| where
-/// I(x₀) = 0.
+/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral, absolute if I(x₀) = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {
-    /// At most; not a number where the integral was not a number once.
+    /// The maximum over all steps; NaN if the integral was ever NaN.
     pub max: f64,
-    /// After the last step.
+    /// The distance after the last step.
     pub last: f64,
 }
 
 impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Drift<F, T, M> {
-    /// The drift of `integrals`, all of them computed at once.
+    /// Observes the drift of `integrals`, a function that computes all of them at once.
     pub fn of(integrals: F) -> Self {
         let zeros = || from_fn(|_| T::zero());
         Self { integrals, first: zeros(), last: zeros(), max: [0.0; M] }
     }
 
-    /// |I − I(x₀)| of integral i.
     #[inline(always)]
     fn distance(&self, i: usize) -> f64 {
         (self.last[i].clone() - self.first[i].clone()).approximate().abs()

@@ -1,13 +1,13 @@
-//! Ends that end a run.
+//! Observers whose answer ends the run.
 //!
-//! In: an observer, or what takes crossings, that has an answer before the run is over. Out: the
-//! same, which ends the run then.
+//! In: an observer, or a sink of crossings, with an answer before the run is over. Out: an observer
+//! or sink that ends the run with that answer.
 
 #[cfg(feature = "std")]
 use super::{AtMost, Kept, Sink};
 use super::{Escape, Observer};
 
-/// An observer with whose answer a run ends: made by [`Escape::ending`] and [`AtMost::ending`].
+/// An observer that ends the run with its answer; see [`Escape::ending`], [`AtMost::ending`].
 ///
 /// ```
 /// use kahan_core::observe::{Drift, Escape};
@@ -32,14 +32,14 @@ use super::{Escape, Observer};
 pub struct Ending<O>(O);
 
 impl<F> Escape<F> {
-    /// The same, and the run ends when the condition holds.
+    /// Returns an observer that ends the run when the condition holds.
     pub fn ending(self) -> Ending<Self> {
         Ending(self)
     }
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
-    /// The step that the run ended at, if it did.
+    /// The step at which the run ended; `None` if the condition never held.
     type Report = Option<u64>;
 
     #[inline]
@@ -59,7 +59,7 @@ impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
 
 #[cfg(feature = "std")]
 impl<C> AtMost<C> {
-    /// The same, and the run ends with the last crossing that is kept.
+    /// Returns a sink that ends the run once `capacity` crossings are kept.
     pub fn ending(self) -> Ending<Self> {
         Ending(self)
     }

@@ -1,8 +1,8 @@
-//! Observing every trajectory of an ensemble.
+//! Observation of every trajectory of an ensemble.
 //!
-//! In: an ensemble, a map, and observers for each trajectory. Out: reports in the order of the
-//! points. A group of trajectories is advanced some steps, by the same instructions as ever, and
-//! then seen by its observers: so each stays in the nearest cache for that long.
+//! In: an ensemble, a map, and observers for each trajectory. Out: the reports in the order of the
+//! points. A group of trajectories is advanced a burst of steps and then shown to its observers, so
+//! that each of the two loops keeps its data in the first-level cache.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -17,18 +17,16 @@ use super::Observer;
 use super::burst::{BURST, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Advances every point by `steps` steps of the map, as [`advance`](Self::advance) and with the
-    /// same bits, and shows each trajectory to the observers that `observers` makes for it: those
-    /// of number i, the number of [`point`](Self::point), see that point as step 0.
+    /// Advances every point by `steps` steps, like [`advance`](Self::advance) with equal bits, and
+    /// shows each trajectory to observers of its own.
     ///
-    /// A report's bits depend neither on the trajectory's place nor on the threads. With the
-    /// feature `parallel`, large ensembles run on rayon's current pool of threads.
-    ///
-    /// No step allocates; each group of 16 trajectories does once.
+    /// `observers(i)` makes the observers of trajectory i, which see [`point`](Self::point) i as
+    /// step 0. The bits of a report depend neither on the place of the trajectory nor on threads.
+    /// With the feature `parallel`, large ensembles run on the current thread pool of rayon. Each
+    /// group of 16 trajectories allocates once.
     ///
     /// # Panics
-    /// At a pole, for scalars that have no reciprocal of zero. If there are not as many maps as
-    /// points.
+    /// At a pole, for scalars without a reciprocal of zero. If maps and points differ in number.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -91,7 +89,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// One group's points, shown at every step and advanced. `tell` hears of steps, and may stop them.
+/// Advances a group of trajectories and shows every step to the observers; after each burst `tell`
+/// receives the number of steps taken, and may stop the run.
 pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     points: &mut P,
     observers: &mut [O],
@@ -100,7 +99,7 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     advance: impl Fn(&mut P),
     mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
-    // The point before the burst, then those of the burst.
+    // The point before the burst, then the points of the burst.
     let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
         observer.observe(0, points.of(lane).as_ref());

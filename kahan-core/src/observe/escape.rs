@@ -1,10 +1,8 @@
-//! The first time that something happens.
+//! The first step at which a condition holds.
 
 use super::Observer;
 
-/// The first step after which a condition holds: leaving a region, or reaching one.
-///
-/// After that step it is not asked again.
+/// An observer of the first step at which a condition holds; later points are not tested.
 #[derive(Clone, Debug)]
 pub struct Escape<F> {
     condition: F,
@@ -12,7 +10,7 @@ pub struct Escape<F> {
 }
 
 impl<F> Escape<F> {
-    /// The first step after which `condition` holds of the point.
+    /// Observes when `condition` first holds for a point.
     pub fn when<T>(condition: F) -> Self
     where
         F: Fn(&[T]) -> bool,
@@ -20,14 +18,13 @@ impl<F> Escape<F> {
         Self { condition, at: None }
     }
 
-    /// Whether it has held.
     pub(super) fn has_happened(&self) -> bool {
         self.at.is_some()
     }
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Escape<F> {
-    /// The step, 0 where it holds from the beginning; `None` where it never held.
+    /// The step, 0 for the first point; `None` if the condition never held.
     type Report = Option<u64>;
 
     const MAY_END: bool = false;

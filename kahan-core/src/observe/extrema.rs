@@ -1,9 +1,6 @@
 //! The least and the greatest value of a quantity.
 
-/// The least and the greatest value of a quantity on an orbit: a variable, or any function of the
-/// point.
-///
-/// What compares with nothing, as what is not a number, is passed over.
+/// An observer of the least and the greatest value of any function of the point, NaN skipped.
 ///
 /// ```
 /// use kahan_core::observe::Extrema;
@@ -26,7 +23,7 @@ pub struct Extrema<F, T> {
     seen: Option<Extremes<T>>,
 }
 
-/// What [`Extrema`] reports.
+/// The report of [`Extrema`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extremes<T> {
@@ -37,14 +34,14 @@ pub struct Extremes<T> {
 }
 
 impl<F: Fn(&[T]) -> T, T> Extrema<F, T> {
-    /// The extremes of `quantity`.
+    /// Observes the extremes of `quantity`.
     pub fn of(quantity: F) -> Self {
         Self { quantity, seen: None }
     }
 }
 
 impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, T> {
-    /// `None` where no value was seen.
+    /// The extremes; `None` if no value was seen.
     type Report = Option<Extremes<T>>;
 
     const MAY_END: bool = false;

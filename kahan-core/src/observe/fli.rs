@@ -6,18 +6,13 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
-/// The fast Lyapunov indicator: the logarithm of the greatest length that a tangent vector has had,
-/// its first length being 1.
+/// An observer of the fast Lyapunov indicator: the logarithm of the greatest length so far of a
+/// tangent vector of initial length 1.
 ///
-/// Over n steps it grows like log n on a torus and like n where motion is chaotic. C. Froeschlé, E.
-/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41.
+/// Over n steps it grows like log n on a torus and like n for chaotic motion. C. Froeschlé, E.
+/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. The report is NaN after a pole.
 ///
-/// Cost: a tangent vector, about that of a step, and its square; see `benches/results`.
-///
-/// It reports not a number from a pole on.
-///
-/// An [`Observer`](super::Observer) of points, made by `Fli::new(&map)`; `map` is a
-/// [`TangentMap`].
+/// Made by `Fli::new(&map)` for a [`TangentMap`]. Cost: a tangent vector and its square.
 pub type Fli<M> = Follower<Greatest, M, 1>;
 
 /// The squares of a vector's first and greatest lengths.
@@ -43,7 +38,7 @@ impl Indicator<1> for Greatest {
         }
         match size.partial_cmp(&self.greatest) {
             Some(Ordering::Greater) => self.greatest = size,
-            // One of them is not a number, and so it stays.
+            // NaN stays: it is not comparable.
             None => self.greatest = Size::of(f64::NAN),
             _ => {}
         }

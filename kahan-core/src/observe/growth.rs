@@ -1,8 +1,8 @@
-//! Lengths beyond the range of floats.
+//! Lengths and products beyond the range of floats.
 //!
-//! In: factors, one after another, or a vector that grows. Out: its size as a number and a power of
-//! two, which no growth takes out of range, and the logarithm of that. Scaling by powers of two is
-//! exact, so when it is done changes no bit.
+//! In: factors, one after another, or a growing vector. Out: the product or length as a mantissa
+//! and a power of two, and its logarithm. Scaling by powers of two is exact, so the bits of a
+//! report do not depend on the steps at which a vector is scaled.
 
 use core::cmp::Ordering;
 use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
@@ -13,7 +13,7 @@ use crate::Scalar;
 use crate::ensemble::columns::Group;
 use crate::{Constant, FloatScalar, StateVector};
 
-/// A positive number: mantissa·2^exponent.
+/// A number of any magnitude: mantissa·2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     mantissa: f64,
@@ -21,7 +21,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// The size of a vector from the square of its length, after it was scaled by 2^−`exponent`.
+    /// Returns the squared length of a vector from that after scaling by 2^−`exponent`.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }
@@ -33,23 +33,23 @@ impl Size {
         Self { mantissa, exponent: 0 }
     }
 
-    /// The number times a factor, its mantissa between ½ and 1 in size.
+    /// Multiplies by `factor`, and brings the mantissa to a magnitude from ½ to 1.
     pub(super) fn multiply(&mut self, factor: Self) {
         let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
     }
 
-    /// The natural logarithm of its magnitude, however mantissa and exponent share it.
+    /// Returns the natural logarithm of the magnitude; it depends only on the value.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // Numbers near 1 have a logarithm near 0, not one that is left of two larger ones.
+        // For a number near 1 the exponent becomes 0, which avoids cancellation of two logarithms.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
     }
 }
 
-/// A greater one grows more.
+/// Compares by mantissas at equal exponents, otherwise by logarithms of the magnitudes.
 impl PartialOrd for Size {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         if self.exponent == other.exponent {
@@ -60,13 +60,12 @@ impl PartialOrd for Size {
     }
 }
 
-/// A vector is scaled by this power of two whenever its square leaves 2⁻⁶⁴ to 2⁶⁴, the square of
-/// that: then `f32` holds what it becomes in a step, too.
+/// Vectors are scaled by 2^±`BITS` while their squared lengths are outside 2^±(2·`BITS`), so that
+/// one step stays in the range of `f32`, too.
 const BITS: i64 = 32;
 
-/// Scales a vector by powers of two until its square is of moderate size, as long as it is finite
-/// and not 0. Adds what it was scaled by to `exponent`, and returns the square of its length, as
-/// that of the vector before it was ever scaled.
+/// Scales a finite nonzero vector by powers of two until its squared length is moderate, and adds
+/// the scaling to `exponent`. Returns the squared length of the vector before any scaling.
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
@@ -82,7 +81,7 @@ where
     Size::of_square(squared, *exponent)
 }
 
-/// The square of a vector above which it is scaled; below the reciprocal it is scaled, too.
+/// Returns the upper end 2⁶⁴ of the moderate squared lengths; the lower end is its reciprocal.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn most<T: Scalar>() -> T {
@@ -90,8 +89,7 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Whether no vector has to be scaled, by the squares of a group's lengths; what is not a number
-/// never is.
+/// Returns whether all squared lengths of a group are moderate or NaN: no vector must be scaled.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();
@@ -105,9 +103,8 @@ fn is_moderate(squared: f64) -> bool {
     squared > 1.0 / MOST && squared < MOST
 }
 
-/// The vector scaled, the power of two that it was scaled by, and the square of its length.
-///
-/// It is given a copy, so that a loop keeps the vector in registers.
+/// Returns the scaled vector, the exponent of the removed factor, and the squared length. Takes a
+/// copy, so that the loop of the caller keeps the vector in registers.
 #[cold]
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
@@ -118,10 +115,10 @@ where
     let up = T::constant(&Constant::integer(1 << BITS));
     let down = T::one() / up;
     let mut exponent = 0;
-    // From one end of the range of `f64` to the other.
+    // Enough scalings to cross the whole range of `f64`.
     for _ in 0..2 * 1100 / BITS {
         let squared = square(vector.as_slice());
-        // The square of a small vector may be 0.
+        // The square of a small vector may underflow to 0.
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {
             break;
         }
@@ -135,13 +132,12 @@ where
     (vector, exponent, squared)
 }
 
-/// The square of a vector's length, by multiplications and additions that nothing fuses.
+/// Returns the squared length of a vector, computed without fused operations.
 #[inline(always)]
 pub(super) fn square<T: FloatScalar>(vector: &[T]) -> f64 {
     dot(vector, vector).approximate()
 }
 
-/// The inner product.
 #[inline(always)]
 pub(super) fn dot<T: FloatScalar>(v: &[T], w: &[T]) -> T {
     v.iter().zip(w).fold(T::zero(), |sum, (v, w)| sum + *v * *w)

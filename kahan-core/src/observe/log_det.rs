@@ -1,32 +1,30 @@
-//! How volumes change.
+//! The growth rate of volumes.
 
 use crate::{FloatScalar, StateVector};
 
 use super::growth::Size;
 use super::{Observer, TangentMap};
 
-/// The mean of log |det ∂x̃/∂x| per unit of time: the rate at which volumes grow, and the sum of
-/// all Lyapunov exponents.
+/// An observer of the mean of log |det ∂x̃/∂x| per unit of time, the sum of all Lyapunov exponents.
 ///
-/// Cost: a determinant a step; the logarithm is taken once, of their product.
+/// Cost: a determinant in every step, and one logarithm at the end.
 #[derive(Clone, Debug)]
 pub struct MeanLogDet<M: TangentMap> {
     map: M,
-    /// The point given last.
     place: M::State,
     product: Size,
     steps: u64,
 }
 
 impl<M: TangentMap> MeanLogDet<M> {
-    /// The rate of a prepared map, or of a reference to one.
+    /// Observes orbits of a prepared map, given by value or by reference.
     pub fn new(map: M) -> Self {
         Self { place: M::State::zeros(map.dimension()), map, product: Size::ONE, steps: 0 }
     }
 }
 
 impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for MeanLogDet<M> {
-    /// Not a number where there was no step.
+    /// The rate; NaN without a step.
     type Report = f64;
 
     const MAY_END: bool = false;

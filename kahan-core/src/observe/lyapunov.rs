@@ -4,19 +4,17 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
-/// The rate at which a tangent vector grows: the largest Lyapunov exponent, per unit of time.
+/// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
 ///
-/// A vector in no special direction is carried along by the exact Jacobian. After n steps its
-/// length has grown by exp(λ·2εn) and a factor that stays bounded, or grows slowly: on a torus
-/// linearly, so that λ tends to 0 as log(n)/n.
+/// The exact Jacobian carries a tangent vector in a general direction along. After n steps its
+/// length has grown by exp(λ·2εn) times a factor that is bounded or grows slowly. On a torus the
+/// factor is linear, and the estimate of λ tends to 0 like log(n)/n.
 ///
-/// Cost: a tangent vector, about that of a step; see `benches/results`.
-///
-/// An [`Observer`](super::Observer) of points, made by `Lyapunov::new(&map)`; `map` is a
-/// [`TangentMap`].
+/// Made by `Lyapunov::new(&map)` for a [`TangentMap`]. Cost: a tangent vector, about that of a
+/// step.
 pub type Lyapunov<M> = Follower<Growth, M, 1>;
 
-/// The square of a vector's first length, and those at powers of two.
+/// The squared lengths of a tangent vector at the first step and at powers of two.
 #[derive(Clone, Debug)]
 pub struct Growth {
     first: Size,
@@ -27,10 +25,10 @@ pub struct Growth {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Exponent {
-    /// The mean rate of growth; not a number where there was no step.
+    /// The mean growth rate; NaN without a step.
     pub value: f64,
-    /// How far it has converged: its distance from the mean rate up to a point between an eighth
-    /// and a quarter of the way. An estimate, not a bound, and not a number before the fourth step.
+    /// An estimate of the error, not a bound: the distance of `value` from the mean rate up to a
+    /// point between an eighth and a quarter of the run. NaN before the fourth step.
     pub error: f64,
 }
 
@@ -56,29 +54,25 @@ impl Indicator<1> for Growth {
     }
 }
 
-/// Squares of a length at the last three powers of two, counted in steps.
-///
-/// Their logarithms are taken in the end, so that a loop over steps calls nothing.
+/// Squared lengths at the last three steps that are powers of two; the report takes logarithms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doublings([(u64, Size); 3]);
 
 impl Default for Doublings {
-    /// None yet: no number has been seen.
     fn default() -> Self {
         Self([(0, Size::of(f64::NAN)); 3])
     }
 }
 
 impl Doublings {
-    /// To be called at every power of two.
+    /// Records the squared length at a step that is a power of two.
     #[inline(always)]
     pub(super) fn pass(&mut self, step: u64, square: Size) {
         let [_, before, last] = self.0;
         self.0 = [before, last, (step, square)];
     }
 
-    /// The exponent of a length that has grown between these squares, in so many steps of `time`
-    /// each.
+    /// Returns the exponent from the first and last squared lengths, with steps of length `time`.
     pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
         let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
         let value = rate(last);

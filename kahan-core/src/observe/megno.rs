@@ -4,33 +4,30 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
-/// MEGNO, the mean exponential growth factor of nearby orbits, of a map:
-/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n, and the mean of Y(1), …, Y(n).
+/// An observer of MEGNO, the mean exponential growth factor of nearby orbits:
 ///
-/// The mean tends to 2 where motion is quasi-periodic, to 0 where tangent vectors stay bounded, and
-/// grows like λ·εn where it is chaotic, λ the largest exponent per unit of time. P. M. Cincotta, C.
-/// M. Giordano, C. Simó, Physica D 182 (2003) 151.
+/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n,
 ///
-/// Cost: a tangent vector, about that of a step, and a logarithm.
+/// and the mean of Y(1), …, Y(n). The mean tends to 2 for quasi-periodic motion, and to 0 if
+/// tangent vectors stay bounded. For chaotic motion it grows like λ·εn, with the largest exponent λ
+/// per unit of time. P. M. Cincotta, C. M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
-/// An [`Observer`](super::Observer) of points, made by `Megno::new(&map)`; `map` is a
-/// [`TangentMap`].
+/// Made by `Megno::new(&map)` for a [`TangentMap`]. Cost: a tangent vector and a logarithm.
 pub type Megno<M> = Follower<MeanGrowth, M, 1>;
 
-/// What the sums of its definition have come to.
+/// The partial sums of MEGNO.
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
     /// log |v₀|
     first: f64,
-    /// The sum of log |vₖ|/|v₀| over the steps before the last.
+    /// The sum of log(|vₖ|/|v₀|) over the steps before the last.
     before: f64,
     last: f64,
-    /// The sum of Y.
     sum: f64,
     steps: u64,
 }
 
-/// What [`Megno`] reports: not numbers where there was no step.
+/// The report of [`Megno`]; NaN without a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Megnos {
@@ -41,8 +38,9 @@ pub struct Megnos {
 }
 
 impl MeanGrowth {
-    /// Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n), where |v₀| = 1: the sum of its
-    /// definition, by parts.
+    /// Returns Y(n) by summation by parts, with vectors scaled to |v₀| = 1:
+    ///
+    /// Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n).
     fn value(&self) -> f64 {
         2.0 * (self.last - self.before / self.steps as f64)
     }

@@ -1,8 +1,7 @@
-//! What a map does, answered in the loop, without storing the orbit.
+//! Observers: questions about an orbit that are answered in the loop, without storing the orbit.
 //!
 //! In: the points of an orbit, or of every trajectory of an ensemble, one after another. Out: one
-//! report an observer. An observer keeps what its report needs and nothing else: no step allocates,
-//! and a question that is not asked costs nothing.
+//! report for each observer. Observers keep only what their reports need; no step allocates.
 //!
 //! ```
 //! use kahan_core::observe::{Drift, Extrema, Lyapunov};
@@ -22,25 +21,23 @@
 //! assert!(exponent.value.abs() < exponent.error);
 //! ```
 //!
-//! | what is asked | observer |
+//! | question | observer |
 //! |---|---|
 //! | between which values a quantity stays | [`Extrema`] |
 //! | how well integrals are kept | [`Drift`] |
 //! | the largest exponent, all in descending order, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
-//! | regular or chaotic, soon | [`Fli`], [`Megno`], [`Sali`] |
-//! | how fast it turns | [`Rotation`] |
+//! | whether an orbit is regular or chaotic, after few steps | [`Fli`], [`Megno`], [`Sali`] |
+//! | the rotation number | [`Rotation`] |
 //! | where it crosses a section, and when first | [`Section`], [`first_crossing`] |
 //! | when it escapes, when it comes back | [`Escape`], [`Period`] |
-//! | the same, and no further than that | [`Ending`] |
-//! | how long it stays where | [`Residence`] |
+//! | when it escapes or crosses, and the run ends there | [`Ending`] |
+//! | how many points lie in each part of a range | [`Residence`] |
 //! | the points themselves | [`Visit`] |
 //!
-//! Times are in steps; exponents are per unit of time, of which a step takes 2ε. Logarithms,
-//! exponentials and arctangents are those of the `libm` crate, and growth is kept as a number and a
-//! power of two, so that a report has the same bits on every machine that computes the same points.
+//! Times are in steps; exponents are per unit of time, and a step takes Δt = 2ε. Elementary
+//! functions come from the `libm` crate, so equal points give equal bits on every machine.
 //!
-//! The observers of derivatives take the prepared map, which carries tangent vectors along
-//! ([`TangentMap`]), by value or by reference.
+//! Observers of derivatives take the prepared map ([`TangentMap`]), by value or by reference.
 
 #[cfg(feature = "std")]
 mod burst;
@@ -77,10 +74,10 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
-/// Observers that a loop gives their vectors back, and the steps between two looks.
+/// Observers whose tangent vectors a loop carries, and the steps between two scalings.
 #[doc(hidden)]
 pub use carried::{PAUSE, Resumed};
-/// What observes groups of trajectories of maps that are read at run time.
+/// Parts of the observation of groups of trajectories, for maps that are read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
@@ -109,10 +106,9 @@ pub use spectrum::Spectrum;
 pub use tangent::{Tangent, TangentMap};
 pub use visit::Visit;
 
-/// A question about an orbit whose numbers are of the type T.
+/// An observer of orbits in the scalar `T`.
 ///
-/// It sees points alone; where states are `Vec`s, as those of a `&dyn Step` are, it sees all of a
-/// state.
+/// Observers see the variables of a state, and all numbers of a state that is a `Vec`.
 ///
 /// ```
 /// use kahan_core::observe::Observer;
@@ -146,45 +142,44 @@ pub use visit::Visit;
 /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, Beyond(2.0, None)), Some(7));
 /// ```
 ///
-/// Tuples of up to eight observers, arrays and, with `std`, vectors of them are observers, whose
-/// reports come together; `()` asks nothing.
+/// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers too,
+/// and report all answers; `()` observes nothing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
     label = "not an observer of such orbits",
     note = "a closure is asked by an observer: `Extrema::of(|x: &[f64]| x[0])`, `Escape::when(…)`, `Visit::by(|step, x: &[f64]| …)`, or one of your own, which implements `Observer`"
 )]
 pub trait Observer<T> {
-    /// The answer.
+    /// The type of the report.
     type Report;
 
-    /// Whether it may be done before a run is.
+    /// Whether `is_done` can return true.
     #[doc(hidden)]
     const MAY_END: bool = true;
 
-    /// Looks at the point after `step` steps: x₀ is that of step 0, and the others follow one by
-    /// one.
+    /// Looks at the point after `step` steps; steps are shown in order, from x₀ at step 0.
     fn observe(&mut self, step: u64, x: &[T]);
 
-    /// Whether it has seen all that it wants to, asked after each point. An orbit that is observed
-    /// ends there; a trajectory of an ensemble goes on unseen. A tuple, an array or a vector is
-    /// done as soon as one of its observers is.
+    /// Returns whether the observer needs no further point; asked after each point.
+    ///
+    /// A done observer ends the run of an orbit, and its trajectory of an ensemble goes on unseen.
+    /// Tuples, arrays and vectors are done with their first observer that is done.
     #[inline(always)]
     fn is_done(&self) -> bool {
         false
     }
 
-    /// The answer for the points seen.
+    /// Returns the report on the points seen.
     fn report(self) -> Self::Report;
 
-    /// Returns this as an observer that need not see each point; `None` where it has to.
+    /// Returns the observer as one that may skip points; `None` if every point must be shown.
     #[doc(hidden)]
     #[inline]
     fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
         None
     }
 
-    /// Looks at some points of a group of trajectories, each with an observer of its own: here, at
-    /// one trajectory after the other.
+    /// Shows some points of a group of trajectories, each to the observer of the trajectory.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]
@@ -197,8 +192,7 @@ pub trait Observer<T> {
     }
 }
 
-/// Shows the points of a group to its observers, one trajectory after the other, each until it is
-/// done.
+/// Shows the points of each trajectory of a group to the observer until the observer is done.
 #[cfg(feature = "std")]
 #[inline]
 fn show_in_turn<T, O, P>(group: &mut Observers<'_, O>, burst: &Burst<'_, P>)

@@ -1,4 +1,4 @@
-//! Observing one orbit.
+//! Observation of one orbit.
 
 use crate::{FloatScalar, Orbit, PointOf, Scaled, StateVector, Step};
 
@@ -6,16 +6,12 @@ use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
 impl<S: Step> Orbit<S> {
-    /// Shows the observers the next point of this orbit, x₀, as that of step 0, and the points of
-    /// `steps` steps more; then reports.
+    /// Shows the next point of the orbit as step 0 and the points of `steps` further steps to the
+    /// observers, and returns the report.
     ///
-    /// The orbit goes on from there: what is asked of it next begins with the point after the last
-    /// one that was shown, as step 0. An exact orbit that meets a pole ends, and
-    /// [`stopped`](Self::stopped) says so: the reports are of the points before it. Observers that
-    /// are [done](Observer::is_done) end the run at that point.
-    ///
-    /// It allocates nothing where a state is an array, and a copy of the state where it is a `Vec`.
-    /// `benches/results` has the times.
+    /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
+    /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts at the point
+    /// after the last one shown. Allocates a copy of the state only if that is a `Vec`.
     ///
     /// ```
     /// use kahan_core::observe::Escape;
@@ -45,10 +41,9 @@ impl<S: Step> Orbit<S> {
         observers.report()
     }
 
-    /// Shows the points of so many steps, or as many as there are.
     #[inline(always)]
     fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
-        // A state of its own, which the compiler can keep in registers.
+        // The compiler can keep a local copy of the state in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
             if state.step_with(&self.map, &mut self.workspace).is_none() {
@@ -65,8 +60,8 @@ impl<S: Step> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
-    /// Where this orbit first crosses `level` = 0 within so many steps of its next point, as
-    /// [`first_crossing`](super::first_crossing) tells it; the orbit stands at the point after it.
+    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point, like
+    /// [`first_crossing`](super::first_crossing). The orbit continues after the crossing.
     pub fn first_crossing(
         &mut self,
         steps: u64,
@@ -78,7 +73,7 @@ impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
-    /// As [`Orbit::observe`], of the points that this orbit yields.
+    /// Like [`Orbit::observe`], for the points that this orbit yields.
     pub fn observe<O: Observer<S::Scalar>>(&mut self, steps: u64, mut observers: O) -> O::Report {
         for (step, point) in (0..=steps).zip(self) {
             observers.observe(step, point.as_slice());

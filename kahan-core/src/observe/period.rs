@@ -1,14 +1,13 @@
-//! When an orbit comes back.
+//! The first return of an orbit.
 
 use crate::Scalar;
 
 use super::Observer;
 
-/// The first return: the first step after which an orbit that has left a ball around its first
-/// point is in it again.
+/// An observer of the first return: the first step at which an orbit that has left a ball around
+/// its first point is in the ball again.
 ///
-/// Steps that are small beside the ball leave it after some steps, not at once; those are no
-/// returns. Over exact scalars a ball of radius 0 finds exact periods.
+/// Points before the orbit leaves the ball do not count. Radius 0 finds periods of exact orbits.
 ///
 /// ```
 /// use kahan_core::observe::Period;
@@ -28,33 +27,32 @@ use super::Observer;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Period<T, V> {
-    /// The square of the ball's radius.
     squared: T,
     start: V,
     was_away: bool,
     back: Option<Return<T>>,
 }
 
-/// What [`Period`] reports.
+/// The report of [`Period`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Return<T> {
-    /// The step after which the point is in the ball again.
+    /// The step of the return.
     pub step: u64,
-    /// The square of its distance from the first point.
+    /// The squared distance from the first point.
     pub squared_distance: T,
 }
 
 impl<T: Scalar, V: AsMut<[T]>> Period<T, V> {
-    /// The first return to a ball of this radius around x₀, for which `place` has room: an array or
-    /// a vector of as many numbers as there are variables.
+    /// Observes the first return to the ball of the given radius around x₀; `place` is the memory
+    /// for x₀, an array or a vector with a number for each variable.
     pub fn within(radius: T, place: V) -> Self {
         Self { squared: radius.clone() * radius, start: place, was_away: false, back: None }
     }
 }
 
 impl<T: Scalar + PartialOrd, V: AsRef<[T]> + AsMut<[T]>> Observer<T> for Period<T, V> {
-    /// `None` where it did not come back.
+    /// The return; `None` if the orbit did not return.
     type Report = Option<Return<T>>;
 
     const MAY_END: bool = false;

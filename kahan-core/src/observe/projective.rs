@@ -9,13 +9,12 @@ where
     M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
-    /// As [`Orbit::observe`](crate::Orbit::observe), of those points that are not at infinity, each
-    /// under its own step.
+    /// Like [`Orbit::observe`](crate::Orbit::observe), without the points at infinity.
     ///
-    /// Observers that look at one point at a time see what they would of any orbit: extrema, drift,
-    /// escape, residence, return. Sections count a sign change from one side of infinity to the
-    /// other as a jump. Others that compare a point with the one before (rotation, exponents) take
-    /// the two on both sides of infinity for neighbours: give them an orbit that ends there.
+    /// Observers of single points (extrema, drift, escape, residence, return) see the finite
+    /// points. Sections count a sign change across infinity as a jump. Observers that compare
+    /// consecutive points (rotation, exponents) would treat the points before and after infinity as
+    /// neighbours: give them an orbit that ends there.
     ///
     /// ```
     /// use kahan_core::observe::Extrema;

@@ -1,4 +1,4 @@
-//! How long an orbit stays where.
+//! Histograms of quantities.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -7,7 +7,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// A histogram of a quantity: after how many steps it lies in each of equal parts of a range.
+/// A histogram of a quantity: the number of points in each of equal parts of a range.
 ///
 /// ```
 /// use kahan_core::observe::Residence;
@@ -28,19 +28,19 @@ use super::Observer;
 pub struct Residence<F, T, V> {
     quantity: F,
     start: f64,
-    /// How many parts of the range there are to the unit.
+    /// The number of parts in a unit of the quantity.
     parts_to_unit: f64,
     stays: Stays<V>,
     scalar: PhantomData<T>,
 }
 
-/// What [`Residence`] reports.
+/// The report of [`Residence`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stays<V> {
-    /// How many points lay in each part of the range, without its end.
+    /// The number of points in each part of the half-open range.
     pub within: V,
-    /// How many lay outside, what is not a number among them.
+    /// The number of points outside the range, NaN included.
     pub outside: u64,
 }
 
@@ -49,8 +49,7 @@ where
     F: Fn(&[T]) -> T,
     V: AsMut<[u64]>,
 {
-    /// The stays of `quantity` in equal parts of `range`, one for each of `counts`, which are
-    /// counted up: an array or a vector of zeros.
+    /// Counts `quantity` in equal parts of `range`, one for each of `counts`, which must be zeros.
     pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
         let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
         let stays = Stays { within: counts, outside: 0 };
@@ -71,7 +70,7 @@ where
     #[inline]
     fn observe(&mut self, _step: u64, x: &[T]) {
         let part = ((self.quantity)(x).approximate() - self.start) * self.parts_to_unit;
-        // Below 0 the conversion would round towards it.
+        // A conversion of a negative number to an integer would give part 0.
         let count = if part >= 0.0 { self.stays.within.as_mut().get_mut(part as usize) } else { None };
         *count.unwrap_or(&mut self.stays.outside) += 1;
     }

@@ -1,8 +1,8 @@
-//! How fast an orbit turns.
+//! The rotation number of an orbit.
 //!
-//! In: a plane that an orbit is seen in. Out: the mean of the angles between its points as seen
-//! from the origin, weighted so that it converges beyond all powers of the number of steps where
-//! motion is quasi-periodic.
+//! In: a projection of the orbit to a plane. Out: the weighted mean of the angles between
+//! consecutive points as seen from the origin; it converges faster than any power of the number of
+//! steps for quasi-periodic motion.
 
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
@@ -11,19 +11,22 @@ use crate::Scalar;
 
 use super::{Extremes, Observer};
 
-/// The rotation number: turns a step, of the orbit as seen in a plane.
+/// An observer of the rotation number: turns per step of the orbit projected to a plane.
 ///
-/// The angle from each point to the next is averaged with the weights exp(−1/(t(1 − t))), t the
-/// part of the way, which begin and end so smoothly that on a torus with a smooth angle the average
-/// converges faster than any power of the number of steps (S. Das, Y. Saiki, E. Sander, J. A.
-/// Yorke, Nonlinearity 30 (2017) 4111). About a hundred turns give all digits of `f64`.
+/// The angles between consecutive points are averaged with the weights
 ///
-/// The curve in the plane should go once around the origin. For the frequency of a variable's own
-/// period, take the variable and its rate of change, each measured from the middle of its extremes
-/// and in units of half their distance: [`between`](Self::between). Angles are known up to whole
-/// turns, so the number is modulo 1; each angle is taken within half a turn of the first.
+/// exp(−1/(t(1 − t))), t the fraction of the run.
 ///
-/// Cost: an arctangent and two exponentials a step.
+/// On a torus with a smooth angle the average converges faster than any power of the number of
+/// steps (S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111). About a hundred
+/// turns give all digits of `f64`.
+///
+/// The projected curve should encircle the origin once. For the frequency of one variable, project
+/// to the variable and its rate of change, and use [`between`](Self::between) with their extremes.
+/// Angles are known modulo whole turns, so the result is modulo 1; each angle is taken within half
+/// a turn of the first.
+///
+/// Cost: an arctangent and at most two exponentials per step.
 ///
 /// ```
 /// use kahan_core::observe::Rotation;
@@ -47,7 +50,7 @@ pub struct Rotation<F, T> {
     plane: F,
     steps: u64,
     middle: [f64; 2],
-    /// One over half the distance between the extremes.
+    /// The reciprocals of half the distances between the extremes.
     units: [f64; 2],
     last: [f64; 2],
     /// The first angle, in turns.
@@ -57,28 +60,26 @@ pub struct Rotation<F, T> {
     scalar: PhantomData<T>,
 }
 
-/// What [`Rotation`] reports: not numbers where there was no step.
+/// The report of [`Rotation`]; NaN without a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Turns {
-    /// Turns a step, modulo 1; counter-clockwise from the first coordinate to the second is
-    /// positive.
+    /// Turns per step, modulo 1; positive from the first coordinate to the second.
     pub value: f64,
-    /// An estimate of its error: the distance from the mean over the first half of the steps, which
-    /// as a rule is much less accurate.
+    /// An estimate of the error: the distance from the mean over the first half of the steps.
     pub error: f64,
 }
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
-    /// The rotation over `steps` steps around the origin of `plane`. What is seen after them is
-    /// passed over; where there are fewer, the mean converges as means without weights do.
+    /// Observes the rotation around the origin of `plane` over `steps` steps. Later points are
+    /// ignored; on a shorter run the mean converges like an unweighted one.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])
     }
 
-    /// The rotation over `steps` steps around the middle of the extremes of the two coordinates,
-    /// each in units of half their distance: with these the angle grows about evenly.
+    /// Observes the rotation over `steps` steps around the centre of the extremes of the two
+    /// coordinates, each in units of half their distance, so that the angle grows evenly.
     pub fn between(steps: u64, plane: F, extremes: [Extremes<T>; 2]) -> Self {
         let ends = extremes.map(|Extremes { least, greatest }| [least.approximate(), greatest.approximate()]);
         Self {
@@ -126,7 +127,7 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
     }
 }
 
-/// The same angle within half a turn of another.
+/// Returns the angle modulo 1 that is within half a turn of `of`.
 fn within_half_a_turn(turns: f64, of: f64) -> f64 {
     if turns - of > 0.5 {
         turns - 1.0
@@ -137,7 +138,7 @@ fn within_half_a_turn(turns: f64, of: f64) -> f64 {
     }
 }
 
-/// A weighted mean.
+/// A mean with weights that vanish smoothly at both ends.
 #[derive(Clone, Copy, Debug, Default)]
 struct Mean {
     sum: f64,
@@ -145,7 +146,6 @@ struct Mean {
 }
 
 impl Mean {
-    /// The value of step 1, 2, …, of so many; nothing after them.
     #[inline]
     fn add(&mut self, value: f64, step: u64, steps: u64) {
         if step <= steps {

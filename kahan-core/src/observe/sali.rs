@@ -6,23 +6,20 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::{Size, square};
 
-/// The smaller alignment index of two tangent vectors of length 1: the smaller of |v + w| and
-/// |v − w|, after the last step.
+/// An observer of the smaller alignment index of two unit tangent vectors: the smaller of |v + w|
+/// and |v − w| after the last step.
 ///
-/// Where motion is chaotic both turn towards the direction that grows most, and the index falls
-/// exponentially, down to what the scalar rounds to or to 0. Where it is regular, in four or more
-/// variables, it stays of moderate size; in two, and where vectors can only align with a flow, it
-/// falls like a power of time. C. Skokos, J. Phys. A 34 (2001) 10029.
+/// For chaotic motion both vectors turn to the direction of fastest growth, and the index falls
+/// exponentially to rounding errors or 0. For regular motion in four or more variables the index
+/// stays of moderate size. In two variables, and where vectors align with the flow, it falls like a
+/// power of time. C. Skokos, J. Phys. A 34 (2001) 10029.
 ///
-/// Cost: two tangent vectors, which share what depends on the points alone.
-///
-/// It reports a number from 0 to √2, and not a number from a pole on.
-///
-/// An [`Observer`](super::Observer) of points, made by `Sali::new(&map)`; `map` is a
-/// [`TangentMap`].
+/// The report is a number from 0 to √2, or NaN after a pole. Cost: two tangent vectors, which share
+/// the work on the points.
+/// Made by `Sali::new(&map)` for a [`TangentMap`].
 pub type Sali<M> = Follower<Alignment, M, 2>;
 
-/// Alignment is looked at in the end.
+/// The indicator of [`Sali`], which reads the vectors only at the end.
 #[derive(Clone, Debug)]
 pub struct Alignment;
 
@@ -47,7 +44,7 @@ impl Indicator<2> for Alignment {
             let (v, w) = (v.approximate() / lengths[0], w.approximate() / lengths[1]);
             (sum + (v + w) * (v + w), difference + (v - w) * (v - w))
         });
-        // What is not a number stays.
+        // NaN compares false, so `difference`, NaN as well, is returned.
         libm::sqrt(if sum < difference { sum } else { difference })
     }
 }

@@ -1,8 +1,7 @@
-//! Where an orbit crosses a section.
+//! Crossings of an orbit with a section.
 //!
-//! In: a function whose zeros are the section, and a map that can be stepped by a part of its step.
-//! Out: the crossings, each refined on the map's own curve from a point to the next, and how often
-//! the function jumps from one sign to the other instead.
+//! In: a function whose zero set is the section, and a map that can make a part of its step. Out:
+//! the crossings, refined on the map's own curve between points, and the number of jumps.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -12,21 +11,23 @@ use crate::{Constant, FloatScalar, Orbit, PointOf, StateVector, Step, Workspace}
 use super::Observer;
 use super::zero::{Place, is_zero, narrow, small};
 
-/// The crossings of a section s(x) = 0: of a plane, or of a level of any function.
+/// An observer of the crossings with a section s(x) = 0: a plane, or a level set of any function.
 ///
 /// A crossing lies between two points of the orbit where s changes its sign, or at the second if s
-/// is 0 there. It is refined on the curve x(θ) = φ_{θε}(xₙ), 0 ≤ θ ≤ 1, the map's step with a part
-/// of ε: there s vanishes to rounding. The orbit itself has no points between its points; x(θ) is
-/// as far from the flow as a step is, O(ε³), and integrals of the map with ε hold on it up to that.
+/// is 0 there. It is refined to rounding on the curve
 ///
-/// A sign change without a zero is a jump, which is counted and not reported as a crossing: at a
-/// pole of s, where s jumps from one value to another or has none, and where the curve goes through
-/// infinity, at a pole of the map. The search ends at two parts θ that differ by the rounding u of
-/// the scalar. At a crossing |s| is there at most u^⅓ of the larger of |s(xₙ)| and |s(xₙ₊₁)|: 2⁻¹⁷
-/// of it in `f64`, 2⁻⁸ in `f32`. A zero leaves about u·|x|/|xₙ₊₁ − xₙ| of it, and a jump leaves
-/// itself. No quantity has to be small by itself, so the unit of length does not matter.
+/// x(θ) = φ_{θε}(xₙ), 0 ≤ θ ≤ 1,
 ///
-/// Cost: s at every step, some fifteen steps of the map a crossing, and up to some hundred a jump.
+/// the map's step with a part of ε. The curve is as far from the flow as a step is, O(ε³), and
+/// integrals of the map at ε hold on the curve up to that distance.
+///
+/// A sign change without a zero is a jump, which is counted and is not a crossing: at a pole or a
+/// discontinuity of s, and where the curve passes through infinity, at a pole of the map. The
+/// search ends at two values of θ that differ by the unit roundoff u. A crossing has |s| ≤ u^⅓ of
+/// the larger of |s(xₙ)| and |s(xₙ₊₁)| there: 2⁻¹⁷ in `f64`, 2⁻⁸ in `f32`. Rounding at a zero
+/// leaves about u·|x|/|xₙ₊₁ − xₙ| of it. All tests are independent of the unit of length.
+///
+/// Cost: s at every step, some fifteen steps for a crossing, up to some hundred for a jump.
 ///
 /// ```
 /// use kahan_core::observe::{AtMost, Direction, Section};
@@ -53,34 +54,34 @@ pub struct Section<M: Step, F, S> {
     direction: Direction,
     sink: S,
     jumps: u64,
-    /// The point given last, its step, and s there.
+    /// The latest point; `step` and `height` are its step and the value of s there.
     place: M::State,
     step: u64,
     height: f64,
     workspace: Workspace,
 }
 
-/// What a [`Section`] reports.
+/// The report of a [`Section`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sectioned<R> {
-    /// What became of the crossings: the report of the [`Sink`] that took them.
+    /// The report of the [`Sink`] that took the crossings.
     pub points: R,
-    /// The sign changes of s, in the directions that count, that are no crossings.
+    /// The number of sign changes in the observed directions that are not crossings.
     pub jumps: u64,
 }
 
-/// Which sign changes count.
+/// The directions of sign changes that are observed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Direction {
-    /// Those where s grows.
+    /// From negative to positive s.
     #[default]
     Rising,
-    /// Those where s falls.
+    /// From positive to negative s.
     Falling,
-    /// All.
+    /// Both directions.
     Both,
 }
 
@@ -103,35 +104,35 @@ impl Direction {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing<P, T> {
-    /// The step n that the crossing comes after, or is at the end of.
+    /// The number n of whole steps before the crossing.
     pub step: u64,
-    /// The part θ of the step from xₙ, over 0 up to 1.
+    /// The fraction θ of the step from xₙ, 0 < θ ≤ 1.
     pub part: T,
     /// The time since x₀, 2ε(n + θ).
     pub time: T,
-    /// φ_{θε}(xₙ)
+    /// The point φ_{θε}(xₙ).
     pub point: P,
 }
 
-/// What takes crossings: a closure, or [`AtMost`].
+/// A receiver of crossings: a closure, or [`AtMost`].
 pub trait Sink<C> {
-    /// What a [`Section`] reports.
+    /// The type of the report.
     type Report;
 
-    /// Takes the next one.
+    /// Takes the next crossing.
     fn take(&mut self, crossing: C);
 
-    /// Whether it wants no more, so that the run may end.
+    /// Returns whether the sink needs no further crossing, so that the run may end.
     #[inline(always)]
     fn is_full(&self) -> bool {
         false
     }
 
-    /// What came of them.
+    /// Returns the report on the crossings.
     fn report(self) -> Self::Report;
 }
 
-/// Called with every crossing; nothing is reported.
+/// A closure is called with every crossing, and reports nothing.
 impl<C, F: FnMut(C)> Sink<C> for F {
     type Report = ();
 
@@ -142,7 +143,7 @@ impl<C, F: FnMut(C)> Sink<C> for F {
     fn report(self) {}
 }
 
-/// The first crossings, in memory that is allocated at the beginning.
+/// A sink that keeps the first crossings, in memory allocated at the beginning.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
 pub struct AtMost<C> {
@@ -150,25 +151,24 @@ pub struct AtMost<C> {
     capacity: usize,
 }
 
-/// What [`AtMost`] reports.
+/// The report of [`AtMost`].
 #[cfg(feature = "std")]
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kept<C> {
-    /// The first of them.
+    /// The first crossings, at most as many as the capacity.
     pub kept: Vec<C>,
-    /// How many there were, those that were not kept among them.
+    /// The number of all crossings.
     pub all: u64,
 }
 
 #[cfg(feature = "std")]
 impl<C> AtMost<C> {
-    /// Keeps `capacity` crossings, and counts the others.
+    /// Keeps the first `capacity` crossings, and counts all.
     pub fn new(capacity: usize) -> Self {
         Self { found: Kept { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
     }
 
-    /// Whether there is no more room.
     pub(super) fn has_all(&self) -> bool {
         self.found.kept.len() >= self.capacity
     }
@@ -197,7 +197,7 @@ where
     T: FloatScalar,
     S: Sink<Crossing<PointOf<M>, T>>,
 {
-    /// The crossings of `level` = 0 by orbits of `map`, handed to `sink`.
+    /// Observes the crossings with `level` = 0 on orbits of `map`, and hands them to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {
@@ -213,15 +213,13 @@ where
         }
     }
 
-    /// Forgets the point given last: the next one begins anew. Whoever knows that s keeps its sign
-    /// over some steps need not show their points.
+    /// Forgets the latest point, so that points may be skipped while s is known to keep its sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
     }
 
-    /// The crossing between the point given last and the next, x, where s has the height `end`;
-    /// `None` where s jumps there.
+    /// Returns the crossing between the latest point and x, with s(x) = `end`; `None` for a jump.
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {
@@ -232,7 +230,7 @@ where
             if part.is_one() {
                 state.as_mut_slice()[..x.len()].copy_from_slice(x);
             } else {
-                // Floats go on at poles.
+                // Steps of floats continue at poles.
                 let _ = map.part(&(part * eps), state.as_mut_slice(), workspace);
             }
             state.to_point()
@@ -241,7 +239,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &Place<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // The first point belongs to the step before.
+        // θ = 0 belongs to the step before.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -253,8 +251,8 @@ where
     }
 }
 
-/// Whether a point of the curve between these ends is not finite, or at a pole of the curve: much
-/// larger than the ends are, in some variable, and not near the point `beside` it.
+/// Returns whether a point of the curve between the ends is not finite or near a pole of the curve:
+/// much larger than the ends in some variable, and far from the adjacent point `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -280,7 +278,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // Between points that are no neighbours lies infinity.
+            // Between points of non-consecutive steps lies infinity.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),
@@ -288,7 +286,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // What a mode carries behind the point is left as it was: a part of a step ignores it.
+        // A part of a step ignores the numbers that a mode keeps behind the point, so they stay.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
@@ -302,12 +300,11 @@ where
     }
 }
 
-/// Where the orbit of any map from `start` first crosses `level` = 0, within so many steps; `None`
-/// where it does not, or ends before. A start on the section is no crossing, nor is a jump of
-/// `level` from one sign to the other.
+/// Returns the first crossing with `level` = 0 of the orbit from `start`, within `steps` steps;
+/// `None` without a crossing. A start on the section and jumps of `level` are no crossings.
 ///
-/// `map` is a prepared map, a chain, a map read at run time, or a reference to one, `&dyn Step`
-/// among them, whose states are `Vec`s. The crossing is refined as a [`Section`]'s are.
+/// `map` is a prepared map, a chain, a map read at run time, or a reference to one; states of
+/// `&dyn Step` are `Vec`s. The crossing is refined like those of a [`Section`].
 ///
 /// ```
 /// use kahan_core::observe::first_crossing;
@@ -343,7 +340,7 @@ where
     Orbit::new(&map, start).observe(steps, section).points
 }
 
-/// The first crossing.
+/// A sink that keeps the first crossing and ends the run.
 #[derive(Clone, Debug)]
 pub(super) struct First<C>(pub(super) Option<C>);
 

@@ -11,54 +11,52 @@ use super::growth::{Size, dot, scale, square};
 use super::lyapunov::Doublings;
 use super::{Exponent, Observer, TangentMap};
 
-/// The k largest Lyapunov exponents in descending order, per unit of time.
+/// An observer of the k largest Lyapunov exponents, per unit of time, in descending order.
 ///
-/// Tangent vectors v₁, …, vₖ are carried along and made orthogonal every m steps, each against
-/// those before it: the QR decomposition that G. Benettin, L. Galgani, A. Giorgilli, J.-M.
-/// Strelcyn, Meccanica 15 (1980) 9 describe. The rate at which the part of vⱼ grows that is
-/// orthogonal to those before it tends to the j-th largest exponent; on short runs these rates may
-/// have another order, and the report sorts them. With as many vectors as variables, all begin
-/// along the axes, and the exponents' sum is [`MeanLogDet`](super::MeanLogDet) to rounding.
+/// Carries tangent vectors v₁, …, vₖ along, and every m steps makes each orthogonal to those before
+/// it (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
+/// 9). The growth rate of the orthogonal part of vⱼ tends to the j-th largest exponent. Short runs
+/// may give another order, so the report sorts the rates. With as many vectors as variables, the
+/// vectors begin along the axes, and the sum of the exponents is
+/// [`MeanLogDet`](super::MeanLogDet) up to rounding.
 ///
-/// Lengths are never divided out, only powers of two; no root is taken.
+/// Vectors are scaled only by powers of two, without square roots.
 ///
-/// Cost: k tangent vectors a step, and every m steps about k² inner products. Memory is
-/// allocated when it is made and when it reports.
+/// Cost: k tangent vectors in every step, about k² inner products every m steps.
 #[derive(Clone, Debug)]
 pub struct Spectrum<M: TangentMap> {
     map: M,
     place: M::State,
     directions: Vec<GrowingVector<M::State>>,
     every: u64,
-    /// Steps until they are made orthogonal again.
+    /// The steps until the next orthogonalisation.
     until: u64,
-    /// How often they were.
     turns: u64,
     steps: u64,
 }
 
-/// A tangent vector and what it has grown by.
 #[derive(Clone, Debug)]
 struct GrowingVector<P> {
     vector: P,
-    /// The square of its length when it was made orthogonal last.
+    /// The squared length after the last orthogonalisation.
     squared: f64,
-    /// The square of its growth until then.
+    /// The square of the growth up to the last orthogonalisation.
     growth: Size,
     doublings: Doublings,
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// The `k` largest exponents of a prepared map, or of a reference to one; the vectors are made
-    /// orthogonal every `every` steps: often enough that none of them outgrows another beyond the
-    /// digits of the scalar meanwhile.
+    /// Observes the `k` largest exponents of a prepared map, given by value or by reference.
+    ///
+    /// The vectors are made orthogonal every `every` steps. Choose `every` small enough that no
+    /// vector outgrows another beyond the precision of the scalar in between.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.
     pub fn new(map: M, k: usize, every: u64) -> Self {
         let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
-        // Fewer vectors must not lie in a plane that the field keeps, as planes of axes may be.
+        // Fewer vectors must avoid invariant subspaces of the field, often coordinate planes.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);
@@ -115,7 +113,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     }
 }
 
-/// Makes each vector orthogonal to those before it, and takes its growth down.
+/// Makes each vector orthogonal to those before it, and records its growth.
 fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
     P: StateVector<T>,

@@ -1,7 +1,7 @@
-//! Maps that carry tangent vectors along, and what does so as a map of its own.
+//! Maps that carry tangent vectors along, and the map of a point with its tangent vectors.
 //!
-//! In: a map at its ε, a point, vectors there. Out: the vectors at the next point. The number of
-//! variables need not be known while compiling.
+//! In: a map at its ε, a point, tangent vectors there. Out: the vectors at the next point. The
+//! number of variables may be known only at run time.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -25,8 +25,10 @@ use super::{Grouped, SideBySide, lanes::ByOneMap};
 
 /// A map that carries tangent vectors along: v ↦ J(x)·v, J = ∂x̃/∂x.
 ///
-/// Prepared maps do, compositions of them, maps that are read at run time, and references to these.
-/// A slice of another length than the number of variables panics.
+/// Implemented by prepared maps, compositions of them, maps read at run time, and references.
+///
+/// # Panics
+/// The methods panic if a slice is not as long as the number of variables.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` carries no tangent vectors along",
     label = "not a prepared map of `kahan!`, a composition of one, or a map that is read at run time",
@@ -36,20 +38,21 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
     fn carry(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// The same where x̃ is known, as observers know it: that saves about half of the work.
+    /// Like [`carry`](Self::carry), given the next point x̃, which saves about half of the work.
     #[inline(always)]
     fn carry_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.carry(x, v);
     }
 
-    /// det J(x)
+    /// Returns det J(x).
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Carries the vectors of a group of trajectories, each by its own map, from the first of its
-    /// points to the last, and writes the squares of their lengths after each step, if there is
-    /// room for them. It may end early after a step that takes one of these out of the range that
-    /// vectors are kept in, and returns the steps taken; `None` for different maps, and for a step
-    /// that lanes do not run. Bits are those of [`carry_to`](Self::carry_to).
+    /// Carries the vectors of a group of trajectories along their points, each by its own map, and
+    /// writes the squared lengths after each step if `work` has room for them.
+    ///
+    /// Returns the number of steps taken, which is smaller if a squared length leaves the moderate
+    /// range. Returns `None` for different maps and for steps without lanes. The bits are those of
+    /// [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn carry_side_by_side<P: Grouped<Self::Scalar>>(
@@ -91,7 +94,7 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
-/// For each map by itself: an implementation for all `Staged<T, N>` would leave N undetermined.
+// One implementation for each map: one for all `Staged<T, N>` would leave N undetermined.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
@@ -102,7 +105,7 @@ macro_rules! implement_for_stages {
             #[inline(always)]
             fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                // Floats have a value at every point.
+                // Steps of floats have a value at every point.
                 if let Some(carried) = carry(Self::in_order(&stages).copied(), &point(x), v) {
                     *v = carried;
                 }
@@ -117,7 +120,6 @@ macro_rules! implement_for_stages {
                 }
             }
 
-            /// By the tangent vectors of all variables.
             #[inline]
             fn det_jacobian(&self, x: &[T]) -> T {
                 let mut columns = [vector([T::zero(); N]); N];
@@ -136,7 +138,7 @@ macro_rules! implement_for_stages {
             where
                 T: EnsembleScalar,
             {
-                // Lanes share one set of constants, so all must be one map.
+                // Lanes share one set of constants, so all trajectories must share one map.
                 let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
                 let has_lanes = <<M as KahanMap<T, N>>::Prepared as PreparedStep<_, N>>::HAS_LANES;
                 let level = work.level;
@@ -153,19 +155,16 @@ macro_rules! implement_for_stages {
 implement_for_stages!(KahanAt<M, T, N>);
 implement_for_stages!(Composed<KahanAt<M, T, N>>);
 
-/// The point at this slice.
 #[inline(always)]
 fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
     check_length(x.len(), N);
     vector(from_fn(|i| x[i]))
 }
 
-/// A map with tangent vectors that it carries along; made by [`KahanAt::tangent`], and of any
-/// [`TangentMap`] by [`new`](Self::new).
+/// A map on points with tangent vectors; made by [`KahanAt::tangent`] or [`new`](Self::new).
 ///
-/// As a [`Step`] it has states of (1 + k)·n numbers: a point, then k vectors, one behind the other,
-/// which are neither scaled nor made orthogonal. A [part](Step::part) of a step moves the point
-/// alone.
+/// States have (1 + k)·n numbers: a point, then k vectors, which are neither scaled nor made
+/// orthogonal. A [part](Step::part) of a step moves only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -192,7 +191,7 @@ pub struct Tangent<S> {
 }
 
 impl<S> Tangent<S> {
-    /// The map with so many vectors.
+    /// Returns the map on points with the given number of tangent vectors.
     pub const fn new(map: S, vectors: usize) -> Self {
         Self { map, vectors }
     }
@@ -203,7 +202,7 @@ where
     M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    /// This map with a tangent vector that it carries along: v ↦ J(x)·v with J = ∂x̃/∂x.
+    /// Returns the map on points with one tangent vector: v ↦ J(x)·v with J = ∂x̃/∂x.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -230,13 +229,13 @@ where
     M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    /// J(x)·v; `None` at a pole of an exact scalar.
+    /// Returns J(x)·v; `None` at a pole of an exact scalar.
     #[inline(always)]
     pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
         carry([(&self.map.map, &self.map.eps)].into_iter(), x, v)
     }
 
-    /// The same where x̃ is known, as an orbit's next point is: about half of the work then.
+    /// Like [`carry`](Self::carry), given the next point x̃, which saves about half of the work.
     #[inline(always)]
     pub fn carry_to(
         &self,

@@ -33,7 +33,7 @@ macro_rules! tuple {
             where
                 T: EnsembleScalar,
             {
-                // Who may end stops all others at the same point.
+                // An observer that ends the run ends it for all, at one point.
                 if <Self as Observer<T>>::MAY_END {
                     show_in_turn(_group, _burst);
                     return;

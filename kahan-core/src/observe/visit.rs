@@ -1,8 +1,8 @@
-//! A closure that is shown every point.
+//! The observer that shows every point to a closure.
 
 use super::Observer;
 
-/// Calls a closure with every point and its step; nothing is reported.
+/// An observer that calls a closure with every step and point, and reports nothing.
 ///
 /// ```
 /// use kahan_core::observe::Visit;
@@ -22,7 +22,7 @@ use super::Observer;
 pub struct Visit<F>(F);
 
 impl<F> Visit<F> {
-    /// Calls this one.
+    /// Calls `visit` with every step and point.
     pub fn by<T>(visit: F) -> Self
     where
         F: FnMut(u64, &[T]),

@@ -1,9 +1,8 @@
-//! Numbers along a line: a value and its slope, v + s·d with d² = 0.
+//! Dual numbers with one derivative that know whether they are constant: v + s·d with d² = 0.
 //!
-//! In: the closed form of a step. Out: its value and its derivative along one direction. They are
-//! dual numbers that know whether they have a slope, so that nothing is multiplied by the slope 0
-//! of a constant: once a step is inlined, compilers know of each number whether it has one. Without
-//! optimization operators are calls, as those of [dual numbers](super::dual) are.
+//! In: the closed form of a step. Out: its value and its derivative along one direction. Constants
+//! have no slope, so nothing is multiplied by 0; in an inlined step compilers know which numbers
+//! are constants. Without optimisation operators are calls, like in [`dual`](super::dual).
 
 use num_traits::{One, Zero};
 
@@ -13,33 +12,31 @@ use super::{Constant, Scalar, operators};
 /// A value with its derivative along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Along<T> {
-    /// The value.
     pub(crate) value: T,
-    /// Its derivative; `None` for a constant.
+    /// The derivative; `None` for a constant.
     pub(crate) slope: Option<T>,
 }
 
 impl<T: Scalar> Along<T> {
-    /// A constant.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn from_value(value: T) -> Self {
         Self { value, slope: None }
     }
 
-    /// Compilers that pack such numbers with their neighbours need more shuffles than they save.
+    /// Makes a number that compilers do not pack with its neighbours, as shuffles cost more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
     }
 
-    /// The derivative, 0 of a constant.
+    /// Returns the derivative, 0 for a constant.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn into_slope(self) -> T {
         self.slope.unwrap_or_else(T::zero)
     }
 }
 
-/// The slope of what is made of two numbers: from both slopes, or from the one that there is.
+/// Returns the slope of a function of two numbers, from both slopes or the one present.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],
@@ -127,7 +124,7 @@ impl<T: Scalar> Scalar for Along<T> {
         Self::from_value(self.value.clone())
     }
 
-    // (1/v)′ = −v′/v². A number with value 0 has no reciprocal even when it is not 0 itself.
+    // (1/v)′ = −v′/v². A nonzero number with value 0 has no reciprocal.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
@@ -135,7 +132,7 @@ impl<T: Scalar> Scalar for Along<T> {
         Some(Self::new(value, self.slope.clone().map(|slope| factor * slope)))
     }
 
-    // With one reciprocal for value and slope.
+    // One reciprocal serves value and slope.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;

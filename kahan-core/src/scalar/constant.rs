@@ -1,22 +1,20 @@
-//! An exact rational literal as data.
+//! Exact rational literals as data.
 //!
-//! In: the numbers of a field's text, written by the macro or kept by what reads a text at run
-//! time. Out: the ratio itself, or its nearest
-//! `f32`, `f64` or pair of `f64`. Every rounding happens once: small ratios by one correctly
-//! rounded division, long ones by whoever wrote the data, since neither digits nor limbs are
-//! divided here.
+//! In: the numbers of a field, written by the macro or read at run time. Out: the exact ratio, or
+//! the nearest `f32`, `f64` or pair of `f64`. Each is rounded once: small ratios by a correctly
+//! rounded division, long ones by the writer of the data. Nothing here divides digits or limbs.
 
 use super::wide::Digits;
 
-/// An exact rational number p/q that every [`Scalar`](crate::Scalar) can be built from; its digits
-/// are borrowed, as a rule from the program's static data.
+/// An exact rational number p/q from which every [`Scalar`](crate::Scalar) can be made; the digits
+/// are borrowed, usually from static data.
 #[derive(Clone, Copy, Debug)]
 pub struct Constant<'a>(Form<'a>);
 
 #[derive(Clone, Copy, Debug)]
 enum Form<'a> {
     Integer(i64),
-    /// |p| and q at most 2²⁴: exact in `f32`, so that one division rounds correctly in either width.
+    /// |p|, q ≤ 2²⁴, exact in `f32`, so that one division rounds correctly to `f32` and to `f64`.
     Ratio(i64, i64),
     Long(Long<'a>),
 }
@@ -35,16 +33,16 @@ struct Long<'a> {
 const RATIO_LIMIT: u64 = 1 << 24;
 
 impl<'a> Constant<'a> {
-    /// The integer n.
+    /// Makes the integer n.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
         Self(Form::Integer(n))
     }
 
-    /// p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
+    /// Makes p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
     ///
     /// # Panics
-    /// Outside that range (while compiling, where it is used in a constant).
+    /// Outside that range, at compile time in a constant.
     #[inline(always)]
     pub const fn ratio(p: i64, q: i64) -> Self {
         assert!(
@@ -54,11 +52,10 @@ impl<'a> Constant<'a> {
         Self(Form::Ratio(p, q))
     }
 
-    /// Any rational ±numerator/denominator, its limbs of 64 bits in little-endian order, with its
-    /// roundings.
+    /// Makes any rational ±numerator/denominator from little-endian 64-bit limbs and its roundings.
     ///
-    /// `single` and `double` are the nearest floats and `low` is the `f64` nearest to what `double`
-    /// leaves; all three carry the number's sign. The denominator is not zero.
+    /// `single` and `double` are the nearest floats, and `low` is the `f64` nearest to the rest;
+    /// all three have the sign of the number. The denominator must not be zero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -71,13 +68,13 @@ impl<'a> Constant<'a> {
         Self(Form::Long(Long { negative, numerator, denominator, single, double, low }))
     }
 
-    /// Whether this is an integer that every float of 53 bits or more holds.
+    /// Returns whether this is an integer of magnitude at most 2⁵³.
     #[inline(always)]
     pub(crate) const fn is_whole(&self) -> bool {
         matches!(self.0, Form::Integer(n) if n.unsigned_abs() <= 1 << 53)
     }
 
-    /// The nearest `f32`.
+    /// Returns the nearest `f32`.
     #[inline(always)]
     pub const fn to_f32(&self) -> f32 {
         match self.0 {
@@ -87,7 +84,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     #[inline(always)]
     pub const fn to_f64(&self) -> f64 {
         match self.0 {
@@ -97,12 +94,12 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// The nearest `f64` and the `f64` nearest to what it leaves: (high, low), worth high + low.
+    /// Returns (high, low): the nearest `f64`, and the `f64` nearest to the rest.
     #[inline(always)]
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {
-            // Both are integers below 2⁶⁵ in size, and the difference fits an f64.
+            // Both integers are below 2⁶⁵ in size, and the difference fits an f64.
             Form::Integer(n) => (n as i128 - high as i128) as f64,
             Form::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
             Form::Long(long) => long.low,
@@ -110,7 +107,7 @@ impl<'a> Constant<'a> {
         (high, low)
     }
 
-    /// The number: exact but for numerators and denominators of very many bits.
+    /// Returns the number, exact unless numerator or denominator exceeds the digits.
     pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
             Form::Integer(n) => Digits::from(n),
@@ -119,7 +116,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// The number itself.
+    /// Returns the exact number.
     #[cfg(feature = "exact")]
     pub fn to_ratio(&self) -> num_rational::BigRational {
         use num_bigint::{BigInt, Sign};
@@ -137,18 +134,17 @@ impl<'a> Constant<'a> {
     }
 }
 
-/// p − q·quotient without an error, for |p|, q ≤ 2²⁴ and quotient the float nearest to p/q.
+/// Returns p − q·quotient exactly, for |p|, q ≤ 2²⁴ and the float `quotient` nearest to p/q.
 ///
-/// The remainder of a correctly rounded division is a float. To get it without a fused multiply-add
-/// (which `core` lacks), the quotient is cut into 24 leading bits and at most 29 others, whose
-/// products with q are exact.
+/// `core` lacks a fused multiply-add, so the quotient is split into 24 leading bits and at most 29
+/// others, whose products with q are exact. The remainder is a float.
 const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     let leading = quotient as f32 as f64;
     let rest = quotient - leading;
     (p - leading * q) - rest * q
 }
 
-/// A natural number from its limbs of 64 bits, little-endian.
+/// Returns a natural number from its little-endian limbs.
 #[cfg(feature = "exact")]
 fn natural(limbs: &[u64]) -> num_bigint::BigUint {
     num_bigint::BigUint::new(limbs.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect())

@@ -1,11 +1,10 @@
-//! Dual numbers v + g·d with d² = 0: a value that carries its gradient in N directions.
+//! Dual numbers v + g·d with d² = 0: a value with its gradient in N directions.
 //!
-//! In: the closed form of a step. Out: the same formula's value and exact derivatives, without a
-//! second formula. They are for rational formulas only (no ordering, no roots), and live on the
-//! stack whenever T does.
+//! In: the closed form of a step. Out: its value and exact derivatives from one formula. Dual
+//! numbers serve rational formulas only: they have neither an order nor roots.
 //!
-//! Operators are inlined by force, so that steps over lanes stay in registers; without optimization
-//! they are calls, because each inlined one would keep its operands in the caller's frame.
+//! Operators are inlined by force, so that steps over lanes stay in registers. Without optimisation
+//! they are calls, since every inlined operator would enlarge the frame of its caller.
 
 use core::array::from_fn;
 use core::ops::Neg;
@@ -24,25 +23,24 @@ pub struct Dual<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Dual<T, N> {
-    /// A number that depends on no direction.
+    /// Returns a constant: a number with gradient 0.
     pub fn from_value(value: T) -> Self {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
-    /// The coordinate of direction `i`: its derivative is 1 along `i` and 0 along the others.
+    /// Returns the coordinate of direction `i`, with derivative 1 along `i` and 0 along the others.
     pub fn coordinate(value: T, i: usize) -> Self {
         Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
     }
 }
 
-/// A number that depends on no direction.
 impl<const N: usize> From<f64> for Dual<f64, N> {
     fn from(value: f64) -> Self {
         Self::from_value(value)
     }
 }
 
-/// Replaces each entry of a gradient, by itself or with that of another.
+/// Replaces each entry of a gradient by a function of it, or of it and another gradient's entry.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
         for $own in &mut $dual.gradient {
@@ -118,7 +116,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Self::from_value(T::constant(c))
     }
 
-    // (1/v)′ = −v′/v². A dual number with value 0 has no reciprocal even when it is not 0 itself.
+    // (1/v)′ = −v′/v². A nonzero dual number with value 0 has no reciprocal.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;

@@ -1,19 +1,19 @@
-//! First values of the new variables of a lift.
+//! Initial values of the new variables of a lift.
 
 use nalgebra::SVector;
 
 use crate::Scalar;
 
-/// The scalars that a lift's `embed` takes: `f32` and `f64`. Elementary functions are computed in
-/// `f64`, and rounded once for `f32`.
+/// A scalar that the `embed` function of a lift takes: `f32` or `f64`. Elementary functions are
+/// computed in `f64`, and rounded once for `f32`.
 #[diagnostic::on_unimplemented(
     message = "`embed` has values in `f32` and `f64`, not in `{Self}`",
     note = "embed a point of `f64`, then convert the numbers of the result"
 )]
 pub trait EmbedScalar: Scalar + Copy {
-    /// The number as `f64`.
+    /// Returns the number as `f64`.
     fn widened(self) -> f64;
-    /// The number nearest to this one.
+    /// Returns the nearest number of this type.
     fn narrowed(value: f64) -> Self;
 }
 
@@ -35,13 +35,13 @@ impl EmbedScalar for f32 {
     }
 }
 
-/// The functions that first values are made of, the same on every processor.
+/// Elementary functions for initial values, with equal bits on every processor.
 pub mod elementary {
     pub use libm::{
         acosh, asin, asinh, atan, atanh, cbrt, cos, cosh, exp, log, pow, sin, sinh, sqrt, tan, tanh,
     };
 
-    /// base^exponent by repeated squaring.
+    /// Returns base^exponent by repeated squaring.
     #[must_use]
     pub fn power(base: f64, exponent: i32) -> f64 {
         let power = num_traits::pow(base, exponent.unsigned_abs() as usize);
@@ -49,12 +49,12 @@ pub mod elementary {
     }
 }
 
-/// The components of a point.
+/// Returns the components of a point as `f64`.
 pub fn components_in_f64<T: EmbedScalar, const N: usize>(x: &SVector<T, N>) -> [f64; N] {
     core::array::from_fn(|i| x[i].widened())
 }
 
-/// The point of a lift: states, then new variables.
+/// Returns the point of a lift: states, then new variables.
 pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize>(
     x: &SVector<T, N>,
     new: [f64; NEW],
@@ -62,7 +62,7 @@ pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize
     SVector::from_fn(|i, _| if i < N { x[i] } else { T::narrowed(new[i - N]) })
 }
 
-/// The states of a point of a lift, which are its first components.
+/// Returns the states of a point of a lift, its first components.
 pub fn projected<T: Scalar, const M: usize, const N: usize>(x: &SVector<T, M>) -> SVector<T, N> {
     SVector::from_fn(|i, _| x[i].clone())
 }

@@ -1,27 +1,23 @@
-//! Half steps that rounding treats well.
-//!
-//! In: the ε that one would like. Out: one near it whose powers are exact.
+//! Half steps ε with few bits, whose powers are exact.
 
 use crate::FloatScalar;
 
-/// The number nearest to `eps` that has at most a third of the scalar's bits (`f32`: 8, `f64`: 17,
-/// `Dd`: 35), so that its square and cube are exact.
+/// Returns the number nearest to `eps` with at most a third of the scalar's bits (`f32`: 8, `f64`:
+/// 17, `Dd`: 35), so that its square and cube are exact.
 ///
-/// Why one wants that: a step may use ε, ε² and ε³, each computed once and rounded. A rounded ε is
-/// still some ε, and its map keeps its own integrals. But the rounded ε² is not the square of the
-/// rounded ε, so the step belongs to no ε at all; its error is the same in every step, and the
-/// integrals drift in proportion to the number of steps, in compensated orbits, too. Where the
-/// powers are exact there is no such drift.
+/// A step may use ε, ε² and ε³, each computed once and rounded. A rounded ε is still some ε, and
+/// its map keeps its own integrals. But the rounded ε² is not the square of the rounded ε, so the
+/// step is that of no ε. Its error is equal in every step, and integrals drift in proportion to the
+/// number of steps, in compensated orbits, too. Exact powers avoid this drift.
 ///
-/// When it matters: in long runs (from about 10⁷ steps in `f64`, 10⁵ in `f32`) of systems whose
-/// step multiplies parameters with powers of ε, as the Euler top's does: its integrals drift at
-/// ε = 0.05, and not at ε = 3/64. What it costs: the result differs from `eps` by at most 2⁻¹⁷ of
-/// it (`f32`: 2⁻⁸), nothing for a time step that was chosen freely.
+/// The drift matters in long runs (from about 10⁷ steps in `f64`, 10⁵ in `f32`) of systems whose
+/// step multiplies parameters with powers of ε. The integrals of the Euler top drift at ε = 0.05,
+/// and not at ε = 3/64. The result differs from `eps` by at most 2⁻¹⁷ of it (`f32`: 2⁻⁸).
 ///
-/// When it does not help: where a parameter's product with ε is rounded, and in compositions, whose
-/// stages have steps of their own. For a homogeneous field [`Orbit::scaled`](crate::Orbit::scaled)
-/// removes ε altogether. Infinities and NaN are returned as they are; a subnormal ε keeps fewer
-/// bits.
+/// A short ε does not help if the product of a parameter with ε is rounded, or in compositions,
+/// whose stages have steps of their own. For a homogeneous field
+/// [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. Infinities and NaN are returned
+/// unchanged; a subnormal ε keeps fewer bits.
 ///
 /// ```
 /// use kahan_core::nearest_short_eps;

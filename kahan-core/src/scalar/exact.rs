@@ -1,6 +1,4 @@
-//! Rationals of any size as scalars: every result is the number itself.
-//!
-//! A pole is an exact zero, reported as a missing reciprocal and never divided by.
+//! Rationals of any size as scalars, with exact results; a pole is a missing reciprocal.
 
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -12,7 +10,7 @@ impl Scalar for BigRational {
         c.to_ratio()
     }
 
-    /// Without the reciprocal, which costs as much as the quotient.
+    /// Divides without a reciprocal, which would cost as much as the quotient.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }

@@ -1,13 +1,12 @@
-//! The machine's floats as scalars.
+//! `f32` and `f64` as scalars.
 //!
-//! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics;
-//! poles show as results that are not finite. Multiply-adds are a multiplication and an addition,
-//! on every processor, so that all give the same bits. A program compiled for x86-64 with the
-//! feature `fma` fuses them: who names it has chosen other bits.
+//! Every number has a reciprocal (±∞ at ±0), so nothing branches or panics; results at poles are
+//! not finite. A multiply-add is a multiplication and an addition, which gives equal bits on every
+//! processor. Programs compiled for x86-64 with the feature `fma` fuse them, with other bits.
 
 use super::{Constant, Scalar};
 
-/// a·b + c. Without the standard library `mul_add` does not exist.
+/// a·b + c, rounded once. `mul_add` needs the standard library.
 #[cfg(all(feature = "std", target_feature = "fma"))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {
@@ -36,7 +35,7 @@ macro_rules! implement_for_float {
                 Some(1.0 / *self)
             }
 
-            /// The larger magnitude, for stability; what is not a number is never better.
+            /// Prefers the larger magnitude, for stability; NaN is never better.
             #[inline]
             fn is_better_pivot(&self, than: &Self) -> bool {
                 self.abs() > than.abs()

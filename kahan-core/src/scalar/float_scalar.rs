@@ -1,7 +1,6 @@
-//! Scalars that round, as against those that are exact.
+//! Scalars that round.
 //!
-//! In: a float of any width. Out: what only rounded numbers need: compensated sums, coefficients
-//! that are not rational, an ε of few bits.
+//! In: a float of any width. Out: the number of its bits whose cube is exact, and rounding to it.
 
 use super::{Dd, Scalar};
 
@@ -13,12 +12,11 @@ use super::{Dd, Scalar};
     note = "an exact scalar has no rounding error to carry, and the coefficients of the compositions are irrational"
 )]
 pub trait FloatScalar: Scalar + Copy {
-    /// The number of bits such that the third power of a number with that many fits the scalar: 8
-    /// for `f32`, 17 for `f64`, 35 for `Dd`.
+    /// The number of bits whose cube fits the scalar: 8 for `f32`, 17 for `f64`, 35 for `Dd`.
     const SHORT_BITS: u32;
 
-    /// The nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits; what is
-    /// not finite stays.
+    /// Returns the nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits;
+    /// infinities and NaN unchanged.
     fn nearest_short(self) -> Self;
 }
 
@@ -27,10 +25,9 @@ macro_rules! implement_for_float {
         impl FloatScalar for $float {
             const SHORT_BITS: u32 = <$float>::MANTISSA_DIGITS / 3;
 
-            /// Ties away from zero; what would round beyond the largest number is cut off instead.
+            /// Rounds ties away from zero; truncates instead of rounding to infinity.
             fn nearest_short(self) -> Self {
-                // Adjacent bit patterns are adjacent numbers, so rounding the pattern rounds the
-                // number.
+                // Adjacent bit patterns are adjacent numbers, so rounding the pattern suffices.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
                 let (unit, half) = (1 << dropped, 1 << (dropped - 1));
                 let cut = |bits| <$float>::from_bits(bits & !(unit - 1));
@@ -51,7 +48,7 @@ implement_for_float!(f64);
 impl FloatScalar for Dd {
     const SHORT_BITS: u32 = 35;
 
-    /// Ties away from zero; what would round beyond the largest number is cut off instead.
+    /// Rounds ties away from zero; truncates instead of rounding to infinity.
     fn nearest_short(self) -> Self {
         const DROPPED: u32 = f64::MANTISSA_DIGITS - Dd::SHORT_BITS;
         const UNIT: u64 = 1 << DROPPED;
@@ -60,7 +57,7 @@ impl FloatScalar for Dd {
         if !high.is_finite() {
             return self;
         }
-        // In the middle between two short numbers, what high leaves decides.
+        // Between two short numbers, the sign of the low part decides.
         let below_middle = self.low() != 0.0 && (self.low() > 0.0) != (high > 0.0);
         let cut = |bits: u64| f64::from_bits(bits & !(UNIT - 1));
         let nearest = cut(high.to_bits() + (UNIT / 2 - u64::from(below_middle)));

@@ -1,9 +1,8 @@
-//! Laurent series in δ that are known up to some power of it: Σ cₖδᵏ from some k on, which may be
-//! negative, up to O(δᵉ).
+//! Truncated Laurent series in δ: Σ cₖδᵏ from some k, possibly negative, up to O(δᵉ).
 //!
-//! In: a formula, and a point that is moved by δ. Out: what the formula tends to as δ → 0, where it
-//! has no value at δ = 0 itself, or is infinite there. Series over an exact scalar are exact as far
-//! as they are known. Terms that cancel make them shorter; one that is known no more is O(δᵉ).
+//! In: a formula at a point shifted by δ. Out: the limit of the formula as δ → 0, also where the
+//! formula is infinite or undefined at δ = 0. Known coefficients over an exact scalar are exact.
+//! Cancellation shortens a series, down to O(δᵉ) without a known term.
 
 use core::ops::Neg;
 use std::vec::Vec;
@@ -12,16 +11,16 @@ use num_traits::{One, Zero};
 
 use super::{Constant, Scalar, operators};
 
-/// A number, or a series with its first terms known.
+/// A number, or a truncated Laurent series.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Laurent<T> {
-    /// A number, which no power of δ is added to.
+    /// An exact number, without higher powers of δ.
     Number(T),
     /// Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)); the first term is not 0.
     Series {
-        /// The lowest power; where there are no terms, that which bounds the series.
+        /// The power of the first term; without terms, the power e of O(δᵉ).
         start: i64,
-        /// The coefficients from there on.
+        /// The coefficients from δ^start on.
         terms: Vec<T>,
     },
 }
@@ -29,13 +28,13 @@ pub(crate) enum Laurent<T> {
 use Laurent::{Number, Series};
 
 impl<T: Scalar> Laurent<T> {
-    /// δ, with so many terms known.
+    /// Returns δ with the given number of terms.
     pub(crate) fn delta(terms: usize) -> Self {
         let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
         Series { start: 1, terms: terms.collect() }
     }
 
-    /// The lowest power with a coefficient other than 0; `None` where none is known, and for 0.
+    /// Returns the lowest power with a known nonzero coefficient; `None` without one.
     pub(crate) fn order(&self) -> Option<i64> {
         match self {
             Number(number) => (!number.is_zero()).then_some(0),
@@ -43,7 +42,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// The power of δ below which every coefficient is 0.
+    /// Returns the power of δ below which every coefficient is 0.
     pub(crate) fn start(&self) -> i64 {
         match self {
             Number(_) => 0,
@@ -51,7 +50,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// The power of δ from which on nothing is known; `None` for a number.
+    /// Returns the power of δ from which on nothing is known; `None` for a number.
     fn end(&self) -> Option<i64> {
         match self {
             Number(_) => None,
@@ -59,7 +58,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// The coefficient of a power of δ; `None` where it is not known.
+    /// Returns the coefficient of a power of δ; `None` if unknown.
     pub(crate) fn coefficient(&self, power: i64) -> Option<T> {
         match self {
             Number(number) => Some(if power == 0 { number.clone() } else { T::zero() }),
@@ -68,14 +67,14 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// The terms from `start` up to δ^end, without those that are 0 before the first other.
+    /// Makes a series from `start` on, without leading zeros.
     fn of(start: i64, mut terms: Vec<T>) -> Self {
         let zeros = terms.iter().take_while(|term| term.is_zero()).count();
         terms.drain(..zeros);
         Series { start: start + zeros as i64, terms }
     }
 
-    /// The same number as so many terms of a series.
+    /// Returns a number as the coefficients of a series.
     fn written_out(number: T, terms: usize) -> Vec<T> {
         let mut number = Some(number);
         (0..terms).map(|_| number.take().unwrap_or_else(T::zero)).collect()
@@ -103,12 +102,12 @@ fn sum<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
     let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
     let start = a.start().min(b.start()).min(end);
-    // Every power below the end is known of both.
+    // Both series know every power below the end.
     let coefficient = |one: &Laurent<T>, power| one.coefficient(power).unwrap_or_else(T::zero);
     Laurent::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
 }
 
-/// As many terms as both factors have.
+/// Multiplies; the product has as many terms as the shorter series.
 fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (Number(number), _) | (_, Number(number)) if number.is_zero() => Number(number),
@@ -121,8 +120,7 @@ fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
 }
 
-/// As many terms as both have; the divisor has one at least, as [`quotient`](Scalar::quotient) sees
-/// to.
+/// Divides to as many terms as the shorter series has; the divisor must have a term.
 fn quotient<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
@@ -177,7 +175,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
         Some(self / divisor)
     }
 
-    /// The lower order: a division by it leaves more terms.
+    /// Prefers the lower order, since division by it keeps more terms.
     fn is_better_pivot(&self, than: &Self) -> bool {
         match (self.order(), than.order()) {
             (Some(own), Some(other)) => own < other,
@@ -215,7 +213,7 @@ mod tests {
         assert_eq!(b - a.clone(), series(0, &[1]));
         let number = Laurent::Number(BigRational::from_integer(4.into()));
         assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
-        // What ends below δ⁰ says nothing of a number added.
+        // A series known only below δ⁰ absorbs a number.
         assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
         let nothing = a.clone() - a;
         assert_eq!(nothing, Series { start: 1, terms: vec![] });

@@ -1,33 +1,29 @@
-//! What concerns compilers and processors only: over which scalars a step is divided by ε, and
-//! which values are kept from being packed.
+//! Tuning for compilers and processors: scalars whose steps are divided by ε, and values that are
+//! kept from being packed into vectors.
 //!
-//! In: a scalar, and what the plan of a step has decided. Out: the same numbers, sooner. Which type
-//! a scalar is, is known while compiling, so an optimised program asks nothing of what is asked
-//! here.
+//! In: a scalar, and the decisions of a step's plan. Out: equal numbers, computed faster. Types are
+//! known at compile time, so optimised programs contain none of the tests here.
 
 use core::any::{Any, TypeId};
 
 use super::Scalar;
 use super::bounded::{Bounded, PackedDouble, PackedSingle};
 
-/// A step over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ with this k, so that no power of ε in it comes
-/// near the ends of the range.
+/// Steps over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ with this k, where powers of ε stay in range.
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
-/// The same for `f64`.
+/// The limit of ε for `f64`, like [`BITS_OF_SINGLE_STEPS`].
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Steps over `f64` itself may divide by ε from 2 to minus this power: parts of a step, and stages
-/// of a composition, whose whole ε is ordinary, then have its form, and the same bits in every unit
-/// of time.
+/// Steps over `f64` itself may divide by ε down to 2 to minus this power, so that parts of a step
+/// and stages of a composition have the form of the whole step.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
-/// Whether T is U.
 #[inline(always)]
 pub(crate) fn is<T: 'static, U: 'static>() -> bool {
-    // The sizes first: a program that is not optimised compares types at every step, and slowly.
+    // Sizes first: without optimisation a comparison of types in every step is slow.
     size_of::<T>() == size_of::<U>() && TypeId::of::<T>() == TypeId::of::<U>()
 }
 
-/// The same value as a U, which T is.
+/// Returns the number as a U, which T is.
 ///
 /// # Panics
 /// If T is another type.
@@ -39,13 +35,12 @@ pub(crate) fn same<T: 'static, U: 'static>(number: &T) -> &U {
     }
 }
 
-/// Whether T is one of the machine's floats.
 #[inline(always)]
 pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// The j and k such that a step over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` where it never may.
+/// Returns j and k such that steps over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` if never.
 #[inline(always)]
 fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     if is::<T, f64>() {
@@ -59,13 +54,13 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Whether steps over T are divided by ε where the plan has such a form.
+/// Returns whether steps over T are divided by ε if their plan has that form.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
 }
 
-/// Whether a step at this ε may be divided by it.
+/// Returns whether a step at this ε may be divided by it.
 #[inline(always)]
 pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     bits_of_steps::<T>().is_some_and(|bits| {
@@ -74,11 +69,10 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// The same number; where it is a float, in a register of its own, and where it is a bounded value,
-/// its magnitude.
+/// Returns the number; fences a float, or the magnitude of a bounded value, in a register.
 ///
-/// Compilers pack scalars that stand side by side into vectors. Where one of them is late, the
-/// others wait for it, and the shuffles take longer than the operations that are saved.
+/// Compilers pack adjacent scalars into vectors. If one scalar is late, the others wait for it, and
+/// the shuffles cost more than the saved operations.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     let _ = change(&mut number, |single: &mut f32| *single = fence::single(*single))
@@ -88,17 +82,17 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// A component of x̃: fenced where `several` reciprocals follow on each other, as the chain of an
-/// orbit is then that of one component, and in `f32`, whose vectors hold more than there is.
+/// Returns a component of x̃: fenced after `several` successive reciprocals, when one component is
+/// on the critical path of an orbit, and in `f32`, whose vectors have more lanes than components.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
 }
 
-/// Changes a number if it is a U, and tells whether it is.
+/// Changes the number if it is a U, and returns whether it is.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
-    // The types first: a call of `downcast_mut` that is not reached needs no inlining.
+    // Types first: a call of `downcast_mut` that is never reached needs no inlining.
     if is::<T, U>()
         && let Some(number) = (number as &mut dyn Any).downcast_mut()
     {
@@ -108,7 +102,7 @@ fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -
     false
 }
 
-/// An empty statement of the assembler, which no compiler packs across.
+/// An empty assembler statement, across which compilers do not pack.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[allow(unsafe_code, reason = "nothing else keeps a compiler from packing scalars, and costs no instruction")]
 mod fence {
@@ -116,7 +110,8 @@ mod fence {
         ($name:ident, $float:ty) => {
             #[inline(always)]
             pub(super) fn $name(mut number: $float) -> $float {
-                // SAFETY: a comment, which changes no register and touches no memory.
+                // SAFETY: the assembler sees only a comment, which changes no register and touches
+                // no memory.
                 unsafe {
                     core::arch::asm!(
                         "/* {0} stands alone */",
@@ -155,7 +150,7 @@ mod tests {
             assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::given(eps)), may, "{eps}");
             assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::from_value(eps)));
         }
-        // Floats themselves a little further down.
+        // Steps over `f64` itself allow a smaller ε.
         for (eps, may) in [(most, true), (beyond, false), ((-84_f64).exp2(), true), ((-85_f64).exp2(), false)]
         {
             assert_eq!(may_divide_by(&eps), may, "{eps}");

@@ -1,8 +1,7 @@
-//! What every map at its ε can do, whatever it was made of.
+//! The common interface of all maps at their ε.
 //!
-//! In: a state as a slice. Out: the state some steps later, in its place. A function over
-//! [`Step`] takes a compiled map, one that is read at run time, a chain, a composition, by its type
-//! or as `&dyn Step`.
+//! In: a state as a slice. Out: the state some steps later, in its place. A function over [`Step`]
+//! takes compiled maps, maps read at run time, chains and compositions, by type or as `&dyn Step`.
 
 #[cfg(feature = "std")]
 use std::any::Any;
@@ -28,19 +27,18 @@ use crate::{Scalar, SingularStep};
 /// | of a family, a chain of some sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
 /// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
 /// | one of these or of a text, rounding errors beside its points | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
-/// | the same with tangent vectors beside its points | [`Tangent`](crate::Tangent) | `Vec` |
+/// | a map with tangent vectors beside its points | [`Tangent`](crate::Tangent) | `Vec` |
 /// | of a text, derivatives by first points, parameters and ε beside its points | `kahan_runtime::MapAt::sensitivities` | `Vec` |
 /// | any map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
 /// | a reference to any | `&map` | the map's |
 /// | any, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |
 ///
-/// [`state`](Self::state) makes a state of the numbers of a point, whatever the map carries beside
-/// it; [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing)
-/// take any map. A chain has no compositions, and carries neither rounding errors nor vectors.
+/// [`state`](Self::state) makes a state from the numbers of a point.
+/// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) take
+/// any map. Chains have no compositions, and carry neither rounding errors nor vectors.
 ///
-/// Bits are those of the map's own methods. A state of another length panics, as dimensions of
-/// nalgebra do. A chain has an `advance` of its own, in memory of its own, which
-/// `chain.advance(&mut x, steps)` calls; for that of this trait write `Step::advance(&chain, …)`.
+/// The bits are those of the map's own methods; a state of another length panics. A chain has a
+/// method `advance` of its own, so write `Step::advance(&chain, …)` for the method of this trait.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -74,65 +72,60 @@ use crate::{Scalar, SingularStep};
     note = "`map.at(eps)` prepares a map; one that is chosen at run time is a `&dyn Step<Scalar = f64>`"
 )]
 pub trait Step {
-    /// The numbers that a state is made of.
+    /// The type of the numbers in a state.
     type Scalar: Scalar;
 
-    /// A state: an array where the number of variables is known while compiling.
+    /// The type of states: an array if the number of variables is known at compile time.
     type State: StateVector<Self::Scalar>
     where
         Self: Sized;
 
-    /// How many numbers a state has.
+    /// Returns the length of a state.
     fn dimension(&self) -> usize;
 
-    /// ε, half the time step.
+    /// Returns ε, half the time step.
     fn eps(&self) -> &Self::Scalar;
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Each call makes a workspace; [`advance`](Self::advance) takes one from its caller.
+    /// Makes a workspace in each call; [`advance`](Self::advance) takes one.
     ///
     /// # Errors
     /// # Panics
-    /// As [`advance`](Self::advance).
+    /// Those of [`advance`](Self::advance).
     fn run(&self, x: &mut [Self::Scalar], steps: u64) -> Result<(), Stopped> {
         self.advance(x, steps, &mut Workspace::new())
     }
 
     /// Replaces `x` by the state after one step at another ε.
     ///
-    /// Each call makes a workspace; [`part`](Self::part) takes one from its caller.
+    /// Makes a workspace in each call; [`part`](Self::part) takes one.
     ///
     /// # Errors
     /// # Panics
-    /// As [`advance`](Self::advance).
+    /// Those of [`advance`](Self::advance).
     fn run_part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar]) -> Result<(), Stopped> {
         self.part(eps, x, &mut Workspace::new())
     }
 
-    /// Replaces `x` by the state after `steps` steps, and computes in `workspace`.
+    /// Replaces `x` by the state after `steps` steps, with `workspace` as memory to compute in.
     ///
-    /// Loops share one workspace among their calls; [`run`](Self::run) needs none.
-    ///
-    /// Its steps do not allocate. A call may, once: a chain where it finds no memory of its own in
-    /// the workspace, and what wraps a map whose states are vectors.
+    /// Steps do not allocate; a call may once, for a chain or a wrapper of a map on vectors.
     ///
     /// # Errors
-    /// [`Stopped`] at a pole of an exact scalar; `x` is the point there. Floats go on with numbers
-    /// that are not finite.
+    /// [`Stopped`] at a pole of an exact scalar, with the pole in `x`. Floats continue at poles.
     ///
     /// # Panics
-    /// If `x` has not [`dimension`](Self::dimension) numbers.
+    /// If the length of `x` is not [`dimension`](Self::dimension).
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
-    /// One step at another ε: x(θ) = φ_{θε}(x) is the curve from x to x̃, which is as far from the
-    /// flow as a step is.
+    /// Replaces `x` by the state after one step at another ε, computing anew all that depends on ε.
     ///
-    /// Cost: what ε fixes is computed anew.
+    /// The curve θ ↦ φ_{θε}(x) leads from x to x̃, as close to the flow as a step is.
     ///
     /// # Errors
     /// # Panics
-    /// As [`advance`](Self::advance).
+    /// Those of [`advance`](Self::advance).
     fn part(
         &self,
         eps: &Self::Scalar,
@@ -140,10 +133,10 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// The state at a point; what the map carries beside it is 0.
+    /// Returns the state at a point, with zeros for the numbers carried beside the point.
     ///
     /// # Panics
-    /// If there are more numbers than a state has.
+    /// If `point` is longer than a state.
     fn state(&self, point: &[Self::Scalar]) -> Self::State
     where
         Self: Sized,
@@ -153,7 +146,7 @@ pub trait Step {
         state
     }
 
-    /// x̃; `None` at a pole of an exact scalar.
+    /// Returns x̃; `None` at a pole of an exact scalar.
     #[inline]
     fn next(&self, x: &Self::State, workspace: &mut Workspace) -> Option<Self::State>
     where
@@ -165,11 +158,10 @@ pub trait Step {
     }
 }
 
-/// What an orbit of a map yields: a state without what is carried beside its point.
+/// The points of a map's orbits: states without the numbers carried beside the point.
 pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
-/// [`Step::advance`] by a step of states that need no memory: the loop has a state of its own,
-/// which compilers keep in registers.
+/// Runs [`Step::advance`] by repeated `next` on a local state, which compilers keep in registers.
 #[inline(never)]
 pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],
@@ -193,47 +185,43 @@ pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     Err(Stopped { steps: made, why: SingularStep::pole(eps.approximate()) })
 }
 
-/// Sees that a state has the numbers that a map takes.
 #[track_caller]
 #[inline]
 pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as numbers one after the other: those of a point, and behind them what a mode carries
-/// beside it.
+/// A state as a slice: the numbers of a point, then those that a mode carries beside the point.
 pub trait StateVector<T>: Clone + fmt::Debug {
-    /// The point alone. A `Vec` does not tell it from what is carried: there it is all numbers.
+    /// The type of the point. A `Vec` doesn't separate the point, so there it is the whole state.
     type Point: StateVector<T>;
 
-    /// So many zeros.
+    /// Returns a state of `len` zeros.
     ///
     /// # Panics
-    /// If it has another length.
+    /// If the type has a fixed length other than `len`.
     fn zeros(len: usize) -> Self;
 
-    /// Its numbers.
+    /// Returns all numbers.
     fn as_slice(&self) -> &[T];
 
-    /// Its numbers, to be changed.
+    /// Returns all numbers, mutably.
     fn as_mut_slice(&mut self) -> &mut [T];
 
-    /// The numbers of the point.
+    /// Returns the numbers of the point.
     fn point(&self) -> &[T];
 
-    /// A copy of the point.
+    /// Returns a copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they
-    /// stay in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of
-    /// an exact scalar.
+    /// Replaces the state by the next one, without allocation; `None` at a pole of an exact scalar.
     fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
         T: Scalar;
 }
 
-/// The first column is the point.
+/// States in columns; the first column is the point.
 impl<T: Scalar, const N: usize, const C: usize> StateVector<T> for SMatrix<T, N, C> {
     type Point = SVector<T, N>;
 
@@ -307,8 +295,8 @@ impl<T: Scalar> StateVector<T> for Vec<T> {
     }
 }
 
-/// Memory to compute in, which a map takes when it first needs some. One serves any maps in turn,
-/// and a map's results do not depend on what is in it.
+/// Reusable memory to compute in, allocated by a map at first use. Its contents never influence
+/// results, so one workspace serves any maps in turn.
 #[derive(Default)]
 pub struct Workspace {
     #[cfg(feature = "std")]
@@ -316,14 +304,13 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// An empty one.
+    /// Returns an empty workspace.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// What a map keeps here: what is held, if it is of this type and `fits`, or else what `make`
-    /// makes.
+    /// Returns the held memory if it has type `M` and `fits`, otherwise new memory from `make`.
     #[cfg(feature = "std")]
     pub fn of<M: Any + Send + Sync>(
         &mut self,
@@ -339,7 +326,7 @@ impl Workspace {
     }
 }
 
-/// An empty one: what is held is no value.
+/// Clones are empty.
 impl Clone for Workspace {
     fn clone(&self) -> Self {
         Self::new()
@@ -352,12 +339,12 @@ impl fmt::Debug for Workspace {
     }
 }
 
-/// Where a run ended before it was done.
+/// The report on a run that ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stopped {
-    /// The steps made.
+    /// The number of steps taken.
     pub steps: u64,
-    /// Why there is no other.
+    /// The reason why the next step failed.
     pub why: SingularStep,
 }
 
@@ -395,7 +382,7 @@ impl<S: Step> Step for &S {
     }
 }
 
-/// One that is chosen at run time: its states are vectors.
+// Maps chosen at run time; their states are vectors.
 #[cfg(feature = "std")]
 macro_rules! implement_for_a_choice {
     ($($choice:ty),*) => {$(

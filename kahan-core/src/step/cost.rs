@@ -1,33 +1,31 @@
-//! What a step costs.
+//! The cost of a step.
 
-/// What a step costs, counted in the plan that it runs: the deterministic measure by which settings
-/// are compared.
+/// The cost of a step, counted in its plan: a deterministic measure to compare settings by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
     /// Additions, subtractions, multiplications and divisions; a multiply-add counts as two.
     pub operations: u32,
-    /// The divisions among them.
+    /// Divisions, which are also counted in `operations`.
     pub divisions: u32,
-    /// Cycles from one state to the next in an orbit, where each step waits for the one before, on
-    /// a core of today: additions take 3, multiplications 4, divisions 14.
+    /// Latency in cycles from one state to the next, on a current core: additions take 3,
+    /// multiplications 4, divisions 14.
     pub critical_path: u32,
 }
 
 impl StepCost {
-    /// So many operations, divisions among them, and cycles from one state to the next.
+    /// Makes a cost from `operations`, `divisions` among them, and `critical_path`.
     pub const fn of(operations: u32, divisions: u32, critical_path: u32) -> Self {
         StepCost { operations, divisions, critical_path }
     }
 
-    /// The cycles of a step: the longer of what it waits for and what it has to do, at two
-    /// operations a cycle and four cycles a division.
+    /// Returns the cycles of a step: the larger of latency and throughput, at two operations per
+    /// cycle and four cycles per division.
     pub fn cycles(self) -> f64 {
         let work = f64::from(self.operations) / 2.0 + 4.0 * f64::from(self.divisions);
         work.max(f64::from(self.critical_path))
     }
 
-    /// What elimination in n variables costs, a multiplication and an addition an entry of each row
-    /// below a pivot; A(x,ε) and f(x) are taken as dense.
+    /// Returns the cost of elimination in n variables, with dense A(x,ε) and f(x).
     pub const fn of_elimination(n: usize) -> Self {
         let n = n as u32;
         let (matrix, field) = (2 * n * n * n, n * n * (n + 1));

@@ -1,15 +1,13 @@
-//! Why a step has no value.
+//! The error of a step without a value.
 //!
-//! In: det A and ε as the step met them, and what is the case. Out: a report in the terms of the
-//! map. It holds floats only, whatever the scalar, so that it is `Copy` and never allocates; it is
-//! a report, not a number to compute with.
+//! In: det A, ε, and the reason. Out: a report in the terms of the map. The report holds floats for
+//! every scalar, so that it is `Copy` and never allocates.
 
 use core::fmt;
 
 use crate::Scalar;
 
-/// There is no (finite) step from this point: the point is a pole of the map, or the numbers
-/// overflow, or their digits run out.
+/// The error of a step without a finite value: a pole of the map, overflow, or too few digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {
@@ -19,33 +17,32 @@ pub struct SingularStep {
     reason: Reason,
 }
 
-/// The reason why there is no step; see [`SingularStep::reason`].
+/// The reason why a step failed; see [`SingularStep::reason`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// The map has no value there, exactly.
+    /// The point is an exact pole of the map.
     Pole,
     /// The point, ε or a parameter is not a finite number.
     NotFinite,
-    /// The field has no value at the parameters: it divides by zero.
+    /// The field divides by zero at the parameters.
     NoField,
-    /// The step is known, and the scalar does not hold it.
+    /// The step is known, but outside the range of the scalar.
     BeyondRange,
-    /// So many digits of 64 bits leave open what the step is.
+    /// The given number of 64-bit digits does not determine the step.
     Digits(usize),
-    /// Elimination and its refinements leave too large a backward error.
+    /// Elimination with iterative refinement leaves too large a backward error.
     Refined,
-    /// Numbers overflowed before anything else was known.
+    /// Numbers overflowed before another reason was found.
     Overflow,
-    /// Along lines through the point the iterates of the map have different limits; orbits through
-    /// poles alone meet it.
+    /// Iterates have different limits along lines through the point; only on orbits through poles.
     Indeterminate,
-    /// Lines through the point show no limit; orbits through poles alone meet it.
+    /// Lines through the point show no limit; occurs only on orbits through poles.
     Unfollowed,
 }
 
 impl SingularStep {
-    /// What a step without bounds met: det A(x,ε) and ε, both rounded to `f64`.
+    /// Makes the error of a step without bounds from det A(x,ε) and ε, rounded to `f64`.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole
@@ -57,18 +54,16 @@ impl SingularStep {
         Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// A step whose error is bounded by no less than this multiple of its largest component, or not
-    /// promised for this reason.
+    /// Makes the error for a reason; `bound` is the smallest relative error bound that was reached.
     pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
         Self { determinant, bound, eps, reason }
     }
 
-    /// An exact pole, where det A is 0.
     pub(crate) fn pole(eps: f64) -> Self {
         Self::new(0.0, eps)
     }
 
-    /// Returns the reason why there is no step.
+    /// Returns the reason why the step failed.
     ///
     /// ```
     /// use kahan_core::Reason;
@@ -85,20 +80,20 @@ impl SingularStep {
         self.reason
     }
 
-    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it was not
-    /// looked at or overflows.
+    /// Returns det A(x,ε) rounded to `f64`: 0 at an exact pole, NaN if not computed or overflown.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }
 
-    /// The smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that was reached in any precision: infinite at
-    /// a pole, and where none was sought. In more than eight variables it is the backward error.
-    /// A bound below 64 u belongs to a result that the scalar cannot hold.
+    /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision reached.
+    ///
+    /// Infinite at a pole and if no bound was sought; the backward error in more than eight
+    /// variables. A bound below 64 u belongs to a result outside the range of the scalar.
     pub fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// ε, half the time step, of the step that failed, rounded to `f64`.
+    /// Returns ε, half the time step, of the failed step, rounded to `f64`.
     pub fn eps(&self) -> f64 {
         self.eps
     }
@@ -145,14 +140,14 @@ impl fmt::Display for SingularStep {
                 )?;
             }
         }
-        // A scalar that nothing approximates has no ε to print.
+        // Scalars without an approximation have no ε to print.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }
     }
 }
 
 impl core::error::Error for SingularStep {}
 
-/// The end of a call that has no way to report a pole.
+/// Panics with the report of a pole, for calls without another way to report it.
 #[cold]
 pub fn pole<T: Scalar>(eps: &T) -> ! {
     panic!("{}", SingularStep::pole(eps.approximate()))

@@ -1,5 +1,4 @@
-//! The step of a map whose ε and parameters are known: what the macro writes, and what orbits,
-//! prepared maps and ensembles run.
+//! Steps at fixed ε and parameters: written by the macro, run by orbits, maps and ensembles.
 //!
 //! In: constants computed once. Out: for each state the increment x̃ − x, as numerators and the
 //! reciprocals of their denominators ([`Quotients`]).
@@ -23,72 +22,68 @@ pub use quotients::Quotients;
 pub use straight::{Kernel, Padded, StraightStep};
 pub use two_forms::{StepOfOneOrbit, StepOverEps};
 
-/// A step that knows its ε and its parameters.
+/// A step at fixed ε and parameters.
 ///
-/// By hand, [`quotients`](Self::quotients) is all that is written, and `Wide` is [`NoLanes`].
-/// Nothing in a step allocates beyond what the scalar does, and the order of operations is fixed.
+/// Steps by hand implement only [`quotients`](Self::quotients), with `Wide` = [`NoLanes`]. Only
+/// operations of the scalar allocate, and their order is fixed.
 pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
-    /// What one step costs; here, elimination in N variables.
+    /// The cost of one step; the default is elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
-    /// Whether the step is straight-line code, which lanes run side by side; elimination chooses
-    /// its pivots by comparing, so it is none.
+    /// Whether lanes can run the step: true for straight-line code, false for elimination.
     const HAS_LANES: bool = false;
 
-    /// This step over another scalar, such as the lanes of a register; [`NoLanes`] where
-    /// `HAS_LANES` is false.
+    /// The step over another scalar, such as a register of lanes; [`NoLanes`] without lanes.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
-    /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that
-    /// has no reciprocal of zero.
+    /// Returns the increment before its last multiplication; `None` at a pole of an exact scalar.
     ///
     /// Implementations are `#[inline(always)]`, because lanes must be compiled into the function
     /// that enables their instructions.
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>>;
 
-    /// The increment at `x`, handed to `finish`; a step of two forms hands that of each on by
-    /// itself.
+    /// Hands the increment at `x` to `finish`, in the branch of each form of the step.
     #[inline(always)]
     fn finish<R>(&self, x: &SVector<T, N>, finish: impl FnOnce(Quotients<T, N>) -> R) -> Option<R> {
         Some(finish(self.quotients(x)?))
     }
 
-    /// x̃ − x.
+    /// Returns x̃ − x.
     #[inline]
     fn increment(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         self.finish(x, |quotients| quotients.increment())
     }
 
-    /// x̃, the last multiplication and addition fused where the scalar can.
+    /// Returns x̃; the last multiplication and addition are fused if the scalar can.
     #[inline(always)]
     fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         self.finish(x, |quotients| quotients.added_to(x))
     }
 
-    /// x̃ and what it lacks, from x and what x lacks: the step of a compensated orbit.
+    /// Returns x̃ and its carry from x and its carry: the step of a compensated orbit.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<[SVector<T, N>; 2]> {
         self.finish(x, |quotients| quotients.added_with_carry(x, carry))
     }
 
-    /// Each constant spread over the lanes of `L`.
+    /// Returns the step over `L`, with each constant spread over all lanes.
     ///
     /// # Panics
-    /// Where `HAS_LANES` is false.
+    /// If `HAS_LANES` is false.
     fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> Self::Wide<L> {
         panic!("a step that chooses has no lanes: step each state alone")
     }
 
-    /// The steps of W lanes as one: each constant of it is what `pack` makes of those of the lanes.
+    /// Returns the step over `L` that runs the steps of W lanes; `pack` combines their constants.
     ///
     /// # Panics
-    /// Where `HAS_LANES` is false.
+    /// If `HAS_LANES` is false.
     fn gather<L: Scalar, const W: usize>(_each: [&Self; W], _pack: impl Fn([&T; W]) -> L) -> Self::Wide<L> {
         panic!("a step that chooses has no lanes: step each state alone")
     }
 }
 
-/// The wide step of a step without lanes: there is none.
+/// The wide step of a step without lanes, which has no values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoLanes {}
 

@@ -1,5 +1,4 @@
-//! The increment of a step before its last multiplication, so that whoever finishes the step
-//! decides how to round it.
+//! The increment of a step before its last multiplication, whose rounding the caller chooses.
 
 use core::array::from_fn;
 
@@ -9,48 +8,48 @@ use crate::Scalar;
 use crate::field::linear::vector;
 use crate::scalar::tuning::component;
 
-/// The increment x̃ − x: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ where there is no
-/// reciprocal.
+/// The increment x̃ − x in unevaluated form:
 ///
-/// A reciprocal is that of a denominator; the factor 2ε is in the products, wherever it costs
-/// least.
+/// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ without a reciprocal.
+///
+/// Each reciprocal is that of a denominator; numerators or reciprocals contain the factor 2ε.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
     /// The numerators.
     pub numerators: [T; N],
-    /// The reciprocals, where the last thing to do is a multiplication.
+    /// The reciprocals; `None` if the numerator is already the increment.
     pub reciprocals: [Option<T>; N],
-    /// Whether reciprocals were computed one after the other.
+    /// Whether the reciprocals were computed one after the other.
     pub(crate) several: bool,
 }
 
 impl<T: Scalar, const N: usize> Quotients<T, N> {
-    /// Increments numeratorᵢ · reciprocal.
+    /// Makes increments numeratorᵢ · reciprocal.
     #[inline(always)]
     pub fn over(numerators: [T; N], reciprocal: T) -> Self {
         Self { numerators, reciprocals: from_fn(|_| Some(reciprocal.clone())), several: false }
     }
 
-    /// Increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ.
+    /// Makes increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ.
     #[inline(always)]
     pub fn over_each(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// The same for reciprocals one after the other, where the last may be waited for by some
-    /// components only.
+    /// Like [`over_each`](Self::over_each), for reciprocals computed one after the other, of which
+    /// some components need only the first.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }
     }
 
-    /// Increments that are known as they are.
+    /// Makes increments without a pending multiplication.
     #[inline(always)]
     pub fn whole(increments: [T; N]) -> Self {
         Self { numerators: increments, reciprocals: from_fn(|_| None), several: false }
     }
 
-    /// x̃ − x: at most one multiplication a component.
+    /// Returns x̃ − x, with at most one multiplication per component.
     #[inline(always)]
     pub fn increment(&self) -> SVector<T, N> {
         vector(from_fn(|i| match &self.reciprocals[i] {
@@ -59,13 +58,12 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         }))
     }
 
-    /// x̃ from x: one multiply-add or addition a component.
+    /// Returns x̃, with one multiply-add or addition per component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
         vector(from_fn(|i| component(self.sum(i, x[i].clone()), self.several)))
     }
 
-    /// x̃ᵢ from xᵢ.
     #[inline(always)]
     pub(crate) fn sum(&self, i: usize, x: T) -> T {
         let numerator = self.numerators[i].clone();
@@ -75,15 +73,15 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         }
     }
 
-    /// x̃ and what it lacks, from x and what x lacks: the step of a compensated orbit.
+    /// Returns x̃ and its carry from x and its carry c: the step of a compensated orbit.
     ///
-    /// What x lacks is added while the step waits for its division: with b = x + c and what is left
-    /// of c, t = b + n·r is the next point, and what that lacks is n·r − (t − b) and the rest of c.
-    /// The critical path from state to state is that of a plain step.
+    /// The carry is added while the step waits for its division, so the critical path is that of a
+    /// plain step. With b = x + c and the rest c − (b − x):
     ///
-    /// Where |n·r| ≤ |b| (Dekker 1971), nothing is lost but the rounding of n·r itself. Where a
-    /// component is smaller than its increment, t − b is rounded, and what t lacks is wrong by at
-    /// most u·|t − b|: no more than that rounding. So there is no branch.
+    /// t = b + n·r, carry = (n·r − (t − b)) + rest.
+    ///
+    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded,
+    /// and the carry errs by at most u·|t − b|, no more than that rounding. So no branch is needed.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));
@@ -96,7 +94,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         [next, carry]
     }
 
-    /// x̃ᵢ − xᵢ − d: one multiply-subtract or subtraction.
+    /// Returns x̃ᵢ − xᵢ − d, with one multiply-subtract or subtraction.
     #[inline(always)]
     fn less(&self, i: usize, d: T) -> T {
         let numerator = self.numerators[i].clone();

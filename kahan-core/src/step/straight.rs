@@ -1,8 +1,7 @@
-//! The step of a map in straight lines: constants that ε and the parameters fix, and formulas that
-//! a state runs through.
+//! Steps as straight-line programs over prepared constants.
 //!
-//! In: a [`Kernel`], the formulas that the macro writes, and the constants they name. Out: a
-//! [`PreparedStep`] over the scalar of the constants, and the same step over any other.
+//! In: a [`Kernel`], formulas written by the macro, and the constants that ε and the parameters
+//! fix. Out: a [`PreparedStep`] over any scalar.
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -17,26 +16,25 @@ use super::{PreparedStep, Quotients, StepCost};
 
 /// The formulas of a step in N variables with C prepared constants.
 pub trait Kernel<const N: usize, const C: usize> {
-    /// What one step costs.
+    /// The cost of one step.
     const COST: StepCost;
 
-    /// The increment at a state before its last multiplication, or `None` at a pole of a scalar
-    /// that has no reciprocal of zero.
+    /// Returns the increment before its last multiplication; `None` at a pole of an exact scalar.
     fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
 }
 
-/// A prepared constant with nothing else of the step in the 32 bytes around it.
+/// A prepared constant, aligned to 32 bytes without a neighbour.
 ///
-/// Compilers load scalars that lie side by side as one vector, and shuffling it apart is waited for
-/// in the critical path of an orbit. They load a single-precision constant with the twelve bytes
-/// after it, too, and compute on with all four numbers. Zeros stand there: what else might lie
-/// there can be subnormal, and processors take many times as long for that.
+/// Compilers load adjacent scalars as one vector, and shuffling the vector apart lengthens the
+/// critical path of an orbit. They also load a single-precision constant with the next twelve
+/// bytes, and compute with all four numbers. Zeros fill these bytes, as other contents could be
+/// subnormal, which is many times slower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);
 
 impl<T: Scalar> Padded<T> {
-    /// The constant itself, which depends on no state.
+    /// Returns the constant.
     #[inline(always)]
     pub fn get(&self) -> T {
         self.0.prepared()
@@ -50,7 +48,7 @@ pub struct StraightStep<K, T, const C: usize> {
 }
 
 impl<K, T: Clone, const C: usize> StraightStep<K, T, C> {
-    /// The step with these constants.
+    /// Makes the step from its constants.
     #[inline(always)]
     pub fn new(constants: [T; C]) -> Self {
         Self { constants: from_fn(|i| Padded(constants[i].clone(), [0; 3])), kernel: PhantomData }
@@ -100,8 +98,8 @@ where
     }
 }
 
-/// The formulas over numbers that own memory, such as big rationals: each operation on them is
-/// calls already, so they are compiled once, and not into every function that takes a step.
+/// Evaluates the formulas for scalars that own memory, such as big rationals. Their operations are
+/// calls already, so the formulas are compiled once instead of inlined everywhere.
 #[inline(never)]
 fn called<K, T, const N: usize, const C: usize>(
     constants: &[Padded<T>; C],

@@ -1,6 +1,6 @@
-//! Steps of two forms: one that is faster for some scalars, and one that serves them all.
+//! Steps with two forms: one that is faster in some cases, and a general one.
 //!
-//! In: both, prepared. Out: one step that takes the faster form wherever it may.
+//! In: both forms, prepared. Out: one step that takes the faster form where possible.
 
 use nalgebra::SVector;
 
@@ -9,15 +9,13 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
-/// A step divided by ε, which only floats take, and only at an ordinary ε, beside the general form
-/// for all else.
+/// A step with a form divided by ε, for floats at an ordinary ε, and a general form.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx is h + x up to a factor, so that no multiplication by ε stands
-/// between a state and the next. Such a form has no value at ε = 0, and leaves the range of a float
-/// sooner. Lanes take the general form.
+/// With h = 1/(2ε) prepared, 1 + 2εx is a multiple of h + x, so no multiplication by ε lies on the
+/// critical path. The divided form has no value at ε = 0, overflows sooner, and is not for lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
-    /// `None` where ε, or the scalar, does not allow it.
+    /// The divided form; `None` if ε or the scalar does not allow it.
     over_eps: Option<S>,
     general: G,
 }
@@ -27,8 +25,7 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// The step at `eps`, from the constants of either form; those that are divided by ε are
-    /// computed only where they may be.
+    /// Makes the step at `eps` from the constants of both forms; calls `over_eps` only if allowed.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -81,10 +78,8 @@ where
     }
 }
 
-/// The general form of a scalar that takes the other one as a rule.
-///
-/// It is called, so that the step stays small enough to be inlined. It is given copies, so that a
-/// loop keeps its state in registers.
+/// Evaluates the general form for a scalar that usually takes the other one. Not inlined, to keep
+/// the step small; takes copies, so that a loop keeps its state in registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -93,7 +88,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // Floats come back as increments: half as much to hand over.
+    // Increments of floats are half as large to return.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {
@@ -101,8 +96,8 @@ where
     })
 }
 
-/// A step with a second division, which shortens the critical path of one orbit, beside the form
-/// for lanes, which share one divider.
+/// A step for single orbits, whose second division shortens the critical path, and the form for
+/// lanes, which share one divider.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,
@@ -114,7 +109,7 @@ pub type StepOfOneOrbit<S, G, T, const C: usize, const D: usize> =
     OneOrbit<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOfOneOrbit<S, G, T, C, D> {
-    /// The step, from the constants of either form.
+    /// Makes the step from the constants of both forms.
     #[inline(always)]
     pub fn new(step: impl FnOnce() -> [T; C], of_lanes: impl FnOnce() -> [T; D]) -> Self {
         Self { step: StraightStep::new(step()), of_lanes: StraightStep::new(of_lanes()) }

@@ -1,12 +1,11 @@
-//! The systems of these tests: reduced closed forms by the macro, and one that is written by hand
-//! and eliminates.
+//! Test systems: closed forms by the macro, and one written by hand with elimination.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Elimination, KahanMap, QuadraticField, Scalar};
 
 crate::kahan! {
-    /// Its map loses the factor 1 + εz of det A.
+    /// A system whose map cancels the factor 1 + εz of det A.
     pub(super) struct E3;
     xdot = -x*z;
     ydot = -y*z;
@@ -14,7 +13,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// One form for one orbit and for lanes.
+    /// A system with one form for single orbits and lanes.
     pub(super) struct E6;
     xdot = y*(2*z - x);
     ydot = x^2 - z^2;
@@ -22,7 +21,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// Reduced for every ξ.
+    /// A system reduced for every ξ.
     pub(super) struct E7 { xi }
     xdot = -x^2;
     ydot = -xi*x*y;
@@ -30,7 +29,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// E7 at ξ = 1; its map loses the factor 1 + εx of det A.
+    /// E7 at ξ = 1; its map cancels the factor 1 + εx of det A.
     pub(super) struct E1;
     xdot = -x^2;
     ydot = -x*y;
@@ -38,7 +37,6 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// The field of [`Coupled`].
     struct CoupledField;
     xdot = y*z - w + 1;
     ydot = x*w - 2*y;
@@ -46,11 +44,11 @@ crate::kahan! {
     wdot = y*z + x;
 }
 
-/// A quadratic, a linear and a constant part, stepped by elimination.
+/// A field with quadratic, linear and constant parts, stepped by elimination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coupled;
 
-/// The field of one type as that of another, whose map is then written by hand.
+/// Implements the field of one type for another, whose map is written by hand.
 macro_rules! field_of {
     ($field:expr, for $name:ident in $n:literal) => {
         impl<T: Scalar> QuadraticField<T, $n> for $name {

@@ -1,5 +1,4 @@
-//! Dual numbers, and those of one direction: the rules of differentiation, on numbers that floats
-//! hold exactly.
+//! The rules of differentiation of dual numbers, without rounding.
 
 use num_traits::{One, Zero};
 
@@ -44,7 +43,6 @@ fn constants_have_no_gradient() {
     assert!(!Dual::<f64, 2>::coordinate(0.0, 1).is_zero());
 }
 
-/// Numbers along a line, with their values and slopes, and a constant.
 fn along() -> [Along<f64>; 3] {
     [(3.0, Some(1.0)), (4.0, Some(2.0)), (4.0, None)].map(|(value, slope)| Along { value, slope })
 }

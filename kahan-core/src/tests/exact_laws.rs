@@ -7,14 +7,13 @@ use super::rationals::{Q, Rationals, product, q, scaled};
 use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 
-/// Points at which no denominator vanishes, and ε.
+/// Returns points and ε without vanishing denominators.
 fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<Q, N>, Q)> {
     let mut rationals = Rationals::seeded(seed);
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Runs a law on all systems at all their points that are not on det A = 0, and sees that there are
-/// such points.
+/// Checks a law for all systems at all points off det A = 0, of which there must be some.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {
@@ -63,7 +62,7 @@ fn the_step_solves_the_linear_system() {
 fn stepping_back_returns_the_start_exactly() {
     fn law<M: KahanMap<Q, N>, const N: usize>(map: &M, x: &V<N>, eps: Q) {
         let next = map.step(x, eps.clone());
-        // Where det ∂x̃/∂x = 0 the map contracts a surface, and x̃ is a pole of the inverse.
+        // If det ∂x̃/∂x = 0, the map contracts a surface, and x̃ is a pole of the inverse.
         if map.det_matrix(&next, -eps.clone()).is_zero() {
             return;
         }

@@ -1,5 +1,4 @@
-//! Elimination and the division-free algorithm over the rationals: each against the other, singular
-//! matrices too.
+//! Elimination against the division-free algorithm over the rationals, with singular matrices.
 
 use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
@@ -9,7 +8,6 @@ use crate::field::linear::{determinant, determinant_and_adjugate_product, solve}
 
 const TRIALS: usize = 20;
 
-/// A matrix whose last row is the sum of the others and so has no inverse.
 fn singular<const N: usize>(rationals: &mut Rationals) -> SMatrix<Q, N, N> {
     let mut a = rationals.matrix::<N>();
     for j in 0..N {
@@ -18,7 +16,6 @@ fn singular<const N: usize>(rationals: &mut Rationals) -> SMatrix<Q, N, N> {
     a
 }
 
-/// adj(A), a column at a time.
 fn adjugate<const N: usize>(a: &SMatrix<Q, N, N>) -> SMatrix<Q, N, N> {
     let columns: [SVector<Q, N>; N] = core::array::from_fn(|j| {
         let unit = SVector::from_fn(|i, _| if i == j { Q::one() } else { Q::zero() });

@@ -1,5 +1,4 @@
-//! Poles over the rationals: the removable ones have the values that the paper's formulas give, the
-//! others are reported.
+//! Poles over the rationals: removable ones have the values of the paper's formulas.
 
 use std::format;
 use std::panic::catch_unwind;
@@ -30,7 +29,7 @@ fn e1_has_a_value_at_its_removable_pole() {
     assert!(E1.det_matrix(&x, eps.clone()).is_zero());
     assert_eq!(E1.step(&x, eps.clone()), next);
     assert_eq!(E1.det_jacobian(&x, eps.clone()), -Q::one());
-    // Reduced for a parameter, the map keeps the factor that it loses at the parameter's value 1.
+    // For a parameter the map keeps the factor that it loses at the parameter value 1.
     assert!(E7 { xi: q(1, 1) }.try_step(&x, eps).is_err());
 }
 
@@ -52,7 +51,7 @@ fn a_pole_is_an_error_that_names_the_determinant_and_eps() {
 
 #[test]
 fn elimination_reports_its_pole() {
-    // Where x = y = z = w = 0, A has the determinant (1 + 2ε)(1 − ε)(1 + ε²).
+    // At x = y = z = w = 0, A has the determinant (1 + 2ε)(1 − ε)(1 + ε²).
     let origin = vector![Q::zero(), Q::zero(), Q::zero(), Q::zero()];
     assert!(Coupled.det_matrix(&origin, q(-1, 2)).is_zero());
     assert!(Coupled.try_step(&origin, q(-1, 2)).is_err());

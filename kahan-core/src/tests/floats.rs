@@ -1,5 +1,4 @@
-//! What floats promise: nothing panics at any input, poles and overflow are seen, single precision
-//! works.
+//! Guarantees for floats: no panic for any input, poles and overflow are detected, `f32` works.
 
 use std::format;
 
@@ -11,7 +10,7 @@ use crate::{KahanMap, eps_from_dt, vector};
 
 const HARD: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
-/// Calls everything; what it returns is checked for consistency, never for panicking.
+/// Calls every method, which must not panic, and checks the results for consistency.
 fn call_everything<M: KahanMap<f64, N> + Clone, const N: usize>(map: &M, x: SVector<f64, N>, eps: f64) {
     let _ = (map.step(&x, eps), map.step_back(&x, eps), map.matrix(&x, eps), map.rhs(&x, eps));
     let _ = (map.jacobian(&x, eps), map.det_jacobian(&x, eps), map.det_matrix(&x, eps));
@@ -90,7 +89,6 @@ fn eps_of_a_float_is_exactly_half() {
     assert_eq!(eps_from_dt(0.1_f32), 0.05_f32);
 }
 
-/// A fence is around a number, not in it: every one keeps its bits.
 #[test]
 fn a_fenced_number_keeps_its_bits() {
     let doubles = [

@@ -1,4 +1,4 @@
-//! Macros in a hostile scope: no prelude, and types of the user's with the names of the prelude's.
+//! Macros in a scope without a prelude, beside user types with names of the prelude.
 
 mod scope {
     #![no_implicit_prelude]

@@ -1,6 +1,4 @@
-//! The laws of the method on some systems, one topic a file.
-//!
-//! Over rationals every law is tested with `==`; over floats only what floats promise.
+//! The laws of the method on example systems: exact over rationals, with bounds over floats.
 
 mod by_hand;
 mod constants;

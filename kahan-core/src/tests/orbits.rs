@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::by_hand::{E1, E3};
 use crate::{KahanAt, KahanMap, Orbit, vector};
 
-/// An orbit outlives the map and the point it was made from.
+/// Returns an orbit that outlives the map and the point it was made from.
 fn owned() -> Orbit<KahanAt<E3, f64, 3>> {
     let (map, start) = (E3, vector![0.1, 0.2, 0.3]);
     map.orbit(start, 0.05)

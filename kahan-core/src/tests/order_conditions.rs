@@ -1,12 +1,10 @@
-//! The coefficients of compositions satisfy the order conditions, and each of their roundings is
-//! the nearest.
+//! The coefficients of compositions satisfy the order conditions and are correctly rounded.
 //!
-//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with derivations Yₖ of which nothing
-//! else is known (Y₁ = f), so its composition is a product of such exponentials with γᵢh. It has
-//! order p for every such method where the product equals exp(hY₁) up to hᵖ, as series in
-//! non-commuting letters; a word's grade is the sum of its indices. (E. Hairer, C. Lubich, G.
-//! Wanner, Geometric Numerical Integration, III.3.) This takes no list of conditions that could be
-//! wrong.
+//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with general derivations Yₖ (Y₁ = f),
+//! so its composition is a product of such exponentials with γᵢh. The composition has order p for
+//! every method if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters; the
+//! grade of a word is the sum of its indices. (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
+//! Integration, III.3.) The test needs no list of conditions.
 
 use std::collections::BTreeMap;
 use std::vec::Vec;
@@ -19,8 +17,8 @@ use crate::{Composition, Constant};
 
 type Q = BigRational;
 
-/// A series in the words over 1, 3, 5, 7, cut off beyond a grade, its coefficients in units of
-/// 2⁻²⁰⁰. Each product is rounded by at most one unit, all 10⁶ of them together by less than 10⁻⁵⁴.
+/// A series in the words over 1, 3, 5, 7, truncated by grade, with coefficients in units of 2⁻²⁰⁰.
+/// A product rounds by at most one unit; 10⁶ products round by less than 10⁻⁵⁴.
 type Series = BTreeMap<Vec<u32>, BigInt>;
 
 const BITS: u32 = 200;
@@ -42,7 +40,6 @@ fn product(a: &Series, b: &Series, grade: u32) -> Series {
     product
 }
 
-/// exp of Σ letterₖ·Yₖ.
 fn exponential(letters: &Series, grade: u32) -> Series {
     let mut power: Series = [(Vec::new(), one())].into();
     let mut sum = power.clone();
@@ -56,7 +53,7 @@ fn exponential(letters: &Series, grade: u32) -> Series {
     sum
 }
 
-/// The largest difference, up to a grade, between the composition and the flow.
+/// Returns the largest difference, up to a grade, between the composition and the flow.
 fn residual(composition: Composition, grade: u32) -> Q {
     let mut composed: Series = [(Vec::new(), one())].into();
     for gamma in composition.coefficients() {
@@ -76,8 +73,7 @@ fn ten_to_minus(digits: u32) -> Q {
     Q::new(BigInt::one(), BigInt::from(10).pow(digits))
 }
 
-/// Decimals of 40 digits are off by at most 5·10⁻⁴¹ each; a condition of degree up to 7 in them
-/// makes less than 10⁻³⁸ of that.
+/// Decimals of 40 digits are off by 5·10⁻⁴¹, conditions of degree up to 7 by less than 10⁻³⁸.
 #[test]
 fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     for composition in Composition::ALL {
@@ -86,8 +82,7 @@ fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     }
 }
 
-/// Otherwise the test above could not fail. Even grades come for free, so the first to fail is p +
-/// 1.
+/// Checks that the previous test can fail. Even grades are automatic, so p + 1 fails first.
 #[test]
 fn the_order_is_not_higher_than_stated() {
     for composition in Composition::ALL {
@@ -106,8 +101,6 @@ fn the_coefficients_are_decimals_of_40_digits_and_sum_to_one() {
     }
 }
 
-/// Each float is at most half a unit of its last place away, and the low part is what the high one
-/// leaves.
 #[test]
 fn the_roundings_of_the_coefficients_are_the_nearest() {
     let half = Q::new(BigInt::one(), 2.into());

@@ -1,17 +1,16 @@
-//! A denominator or a pivot that overflows must not pass for a step of length zero.
+//! A denominator or pivot that overflows is not mistaken for a step of length zero.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::by_hand::{Coupled, E1, field_of};
 use crate::{KahanMap, NoLanes, PreparedStep, QuadraticField, Quotients, Scalar, vector};
 
-/// The map of E1 written by hand, all of it over one denominator.
+/// The map of E1 written by hand, over one common denominator.
 #[derive(Clone)]
 struct ByHand;
 
 field_of!(E1, for ByHand in 3);
 
-/// The step of [`ByHand`] at ε.
 #[derive(Clone)]
 struct ByHandStep(f64);
 
@@ -37,12 +36,11 @@ impl KahanMap<f64, 3> for ByHand {
 
 #[test]
 fn an_overflowing_denominator_is_seen_and_elimination_takes_over() {
-    // (1 + 2εx)(1 − εx) has the size of 1e340, while nothing in x̃₁ = x/(1 + 2εx) leaves the range
-    // of f64.
+    // (1 + 2εx)(1 − εx) is about 1e340, while x̃₁ = x/(1 + 2εx) stays in the range of f64.
     let (x, eps) = (vector![1e-50_f64, 5e-51, 2.5e-51], 1e220);
     assert_eq!(ByHand.step(&x, eps), x);
     let next = ByHand.try_step(&x, eps).unwrap();
-    // x̃₁ and x̃₂ are tiny: x + 2ε·(−x²)/(1 + 2εx) cancels to within the rounding of x.
+    // x̃₁ and x̃₂ are tiny: x + 2ε·(−x²)/(1 + 2εx) cancels up to rounding.
     assert!(next[0].abs() <= 2.0 * f64::EPSILON * x[0], "{next}");
     assert!(next[1].abs() <= 2.0 * f64::EPSILON * x[1], "{next}");
 }
@@ -55,8 +53,7 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // εw is beyond f64, and elimination divides by it: a finite result with x̃₁ = x₁, where x̃₁ −
-    // x₁ = 2.7e-10.
+    // εw overflows, and elimination divides by it: x̃₁ = x₁, while exactly x̃₁ − x₁ = 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);
@@ -72,7 +69,7 @@ fn a_component_at_rest_is_no_overflow() {
     assert_eq!(ByHand.try_step(&x, 0.5), Ok(ByHand.step(&x, 0.5)));
 }
 
-/// ẋ = −x² beside a clock, ṫ = 1, with a denominator for each.
+/// ẋ = −x² beside a clock ṫ = 1, each with a denominator.
 #[derive(Clone)]
 struct Clock;
 
@@ -94,7 +91,7 @@ impl QuadraticField<f64, 2> for Clock {
     }
 }
 
-/// The step of [`Clock`] at ε, with the factor εx too many in x̃ − x = −2εx²·εx/((1 + 2εx)·εx).
+/// The step of [`Clock`] at ε, with a redundant factor εx in x̃ − x = −2εx²·εx/((1 + 2εx)·εx).
 #[derive(Clone)]
 struct ClockStep(f64);
 
@@ -118,8 +115,7 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // (1 + 2εx)·εx has the size of 1e340, so x seems to rest; the clock moves, and elimination is
-    // possible.
+    // (1 + 2εx)·εx is about 1e340, so x seems to rest; the clock moves, and elimination succeeds.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

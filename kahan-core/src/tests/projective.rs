@@ -1,4 +1,4 @@
-//! Orbits through poles, of fields whose answers are known.
+//! Orbits through poles, for fields with known results.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -13,7 +13,7 @@ kahan! {
 }
 
 kahan! {
-    /// A top of equal moments. At ε = 1/2 the plane x + y + z = 2 goes to the point (2, 2, 2).
+    /// A top of equal moments. At ε = 1/2 the plane x + y + z = 2 is mapped to the point (2, 2, 2).
     struct Top;
     xdot = y*z;
     ydot = z*x;
@@ -21,13 +21,12 @@ kahan! {
 }
 
 kahan! {
-    /// Predator and prey: what goes to infinity stays there.
+    /// Predator and prey: points at infinity stay there.
     struct Prey;
     xdot = x*(1 - y);
     ydot = y*(x - 1);
 }
 
-/// The coordinates of points; `None` at infinity.
 fn affine<T: Scalar, const N: usize>(
     points: impl Iterator<Item = ProjectivePoint<T, N>>,
 ) -> Vec<Option<SVector<T, N>>> {
@@ -49,7 +48,7 @@ fn a_line_closes_at_infinity_in_every_scalar() {
     check_riccati(|p, q| BigRational::new(p.into(), q.into()));
 }
 
-/// (1, 1, 0), (3/2, 1, −1/2) and (2, 2, −2) lie in one plane, and go to one point together.
+/// Checks points of a plane that are mapped to one point.
 fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>, &SVector<T, 3>) -> bool) {
     let point = |x: [f64; 3]| vector![number(x[0]), number(x[1]), number(x[2])];
     for start in [[1.5, 1.0, -0.5], [0.75, 1.5, -0.25], [3.0, -2.0, 1.0]] {
@@ -58,7 +57,7 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
         assert_eq!(points[1], Some(point([2.0; 3])), "{start:?}");
         assert_eq!(points[2], Some(point([-2.0; 3])), "{start:?}");
         let last = points[3].clone().expect("not at infinity");
-        // Back from there, through the same point.
+        // Back through the common point.
         let back = affine(Top.orbit(last, number(-0.5)).projective().take(4));
         assert_eq!(back[2], Some(point([2.0; 3])), "{start:?}");
         assert!(near(back[3].as_ref().expect("not at infinity"), &point(start)), "{start:?}: {back:?}");
@@ -67,7 +66,7 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
 
 #[test]
 fn what_was_brought_to_one_point_comes_apart_again() {
-    // The last point is rounded once, and ten bits may be lost on the way back from there.
+    // The last point is rounded once, and the way back may lose ten bits.
     check_top(|x| x, |a, b| (a - b).amax() <= 65536.0 * f64::EPSILON);
     check_top(|x| x as f32, |a, b| (a - b).amax() <= 65536.0 * f32::EPSILON);
     #[cfg(feature = "exact")]
@@ -85,7 +84,7 @@ where
 
 #[test]
 fn an_orbit_ends_where_lines_lead_to_different_points() {
-    // Nothing tells from which point of the plane it came.
+    // From the common point alone, the origin in the plane is unknown.
     let (points, why) = end(&mut Top.orbit(vector![2.0, 2.0, 2.0], 0.5).projective());
     assert_eq!(points, 2);
     assert!(why.contains("lines through it lead to different points"), "{why}");
@@ -111,7 +110,7 @@ fn away_from_poles_points_have_the_bits_of_the_orbit() {
     let start = vector![1.5, 1.0];
     let plain: Vec<_> = Prey.orbit(start, 0.05).take(500).map(Some).collect();
     assert_eq!(affine(Prey.orbit(start, 0.05).projective().take(500)), plain);
-    // It goes on from where the orbit is.
+    // The projective orbit continues at the current point.
     let mut orbit = Prey.orbit(start, 0.05);
     orbit.nth(9);
     assert_eq!(affine(orbit.projective().take(490)), plain[10..]);

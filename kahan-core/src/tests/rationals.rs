@@ -7,7 +7,6 @@ use num_traits::Zero;
 
 pub(super) type Q = BigRational;
 
-/// p/q.
 pub(super) fn q(p: i64, q: i64) -> Q {
     Q::new(BigInt::from(p), BigInt::from(q))
 }
@@ -38,7 +37,6 @@ impl Rationals {
     }
 }
 
-/// A·B.
 pub(super) fn product<const N: usize, const M: usize>(
     a: &SMatrix<Q, N, N>,
     b: &SMatrix<Q, N, M>,
@@ -46,7 +44,6 @@ pub(super) fn product<const N: usize, const M: usize>(
     SMatrix::from_fn(|i, j| (0..N).fold(Q::zero(), |sum, k| sum + &a[(i, k)] * &b[(k, j)]))
 }
 
-/// t·v.
 pub(super) fn scaled<const N: usize>(t: &Q, v: &SVector<Q, N>) -> SVector<Q, N> {
     v.map(|entry| entry * t)
 }

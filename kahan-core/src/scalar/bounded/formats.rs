@@ -1,5 +1,4 @@
-//! The formats that bounded values are computed in, and what the range of each leaves to products
-//! and quotients.
+//! The number formats of bounded values, and the range that each leaves to products and quotients.
 
 use crate::Dd;
 use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
@@ -7,16 +6,16 @@ use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
 
-/// The powers η of two that an operation is off by where it underflows, at most.
+/// Binary exponents of the largest error η of an operation that underflows.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
-/// Each of the float operations on pairs of doubles loses as much.
+// Each float operation in an operation on pairs may underflow.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// That of `f32` is narrow, but what it leaves out has only to be computed in `f64`.
+/// A narrow range; `f64` serves the inputs outside.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
-/// The same allowance serves `f64` and pairs of them.
+/// The allowance for `f64` and pairs of `f64`.
 const ALLOWANCE_OF_DOUBLES: i32 = -150;
 const BITS_OF_DOUBLE_DIVISORS: u32 = 120;
 
@@ -46,7 +45,7 @@ impl Number for f64 {
 impl Number for Dd {
     type Magnitude = f64;
     const IS_CALLED: bool = true;
-    /// 16 u² of `f64`, at least the bound of each of its operations.
+    /// 16u² for the u of `f64`, at least the error bound of each operation.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
     const RANGE: Range =
         Range::of(LOST_OF_PAIRS, ALLOWANCE_OF_DOUBLES, BITS_OF_DOUBLE_DIVISORS, BITS_OF_DOUBLE_STEPS);

@@ -1,39 +1,36 @@
-//! What is known of a value, and the backward error of a row that follows.
+//! Magnitudes and errors of computed values, and the backward error of a row.
 //!
-//! In: the residual of a row of A·x̃ = b, its right-hand side and the sizes of its products, each
-//! with a bound on its own error. Out: |A·x̃ − b|/(|A|·|x̃| + |b|), at most.
+//! In: the residual of a row of A·x̃ = b, its right-hand side and the magnitudes of its products,
+//! each with an error bound. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
 
 use super::{Bounded, Limit, Magnitude, Number};
 
-/// What is known of the value of a formula: a number, and how far it may be off.
+/// A computed value v̂ of an exact value v: its magnitude and error bound.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<G> {
     /// |v̂|
     pub(crate) size: G,
-    /// |v̂ − v|, at most.
+    /// An upper bound of |v̂ − v|.
     pub(crate) error: G,
-    /// How large inputs may be, see [`Bounded::largest_input`].
+    /// The limit of the inputs, see [`Bounded::largest_input`].
     pub(crate) largest_input: Limit,
 }
 
 impl<V: Number> Bounded<V> {
-    /// What is known of this.
     pub(crate) fn known(&self) -> Known<V::Magnitude> {
         Known { size: self.value().size(), error: self.error(), largest_input: self.largest_input() }
     }
 }
 
 impl<G: Magnitude> Known<G> {
-    /// What |v| is at least: a little less than |v̂|, which pays for the roundings of sums of sizes
-    /// too; nothing where the error is no small part of it.
+    /// Returns a lower bound of |v|, rounding of sums included; 0 unless the error is small.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
     }
 }
 
-/// The backward error of a row, at most: the residual beside `products`, which is |A|·|x̃| at
-/// least, and the right-hand side. Infinite where nothing is known of it, as where underflow was
-/// not allowed for with inputs as large as `largest`.
+/// Returns an upper bound of the backward error of a row; `products` is a lower bound of |A|·|x̃|.
+/// Infinite if nothing is known, as for inputs as large as `largest` that may underflow.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: Known<G>,
     products: G,
@@ -46,7 +43,7 @@ pub(crate) fn backward_error<G: Magnitude>(
     }
     let limit = residual.largest_input.and(right.largest_input);
     let error: f64 = (error / size).into();
-    // What is not a number compares with none.
+    // Comparisons with NaN are false.
     if limit.allows(largest) && error >= 0.0 { error } else { f64::INFINITY }
 }
 
@@ -64,7 +61,7 @@ mod tests {
         // (3 + 1)/(2 + 6·62/64)
         let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
-        // A right-hand side that may be zero counts for nothing.
+        // A right-hand side that may be zero counts as zero.
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
         assert_eq!(backward_error(known(0.0, 0.0), 0.0, known(0.0, 0.0), 1.0), 0.0);
     }
@@ -73,14 +70,14 @@ mod tests {
     fn nothing_is_known_where_a_premise_is_broken() {
         let fine = known(1.0, 0.0);
         assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
-        // Inputs of 2¹⁰ are no longer allowed for, in either of the two.
+        // Inputs of 2¹⁰ exceed the limit, in the residual or the right-hand side.
         assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
         let refused = Known { largest_input: Limit::NONE, ..fine };
         assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);
         assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
         let any = Known { largest_input: Limit::ANY, ..fine };
         assert!(backward_error(any, 1.0, any, 1e300).is_finite());
-        // What is not a number compares with none, and establishes nothing.
+        // NaN establishes no bound.
         for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {
             assert_eq!(backward_error(not_a_number, 1.0, fine, 1.0), f64::INFINITY);
         }

@@ -1,4 +1,4 @@
-//! The numbers that rungs compute in.
+//! The interface of the number formats of bounded values.
 
 use core::fmt::Debug;
 use core::ops::{Div, Mul};
@@ -7,12 +7,10 @@ use num_traits::Zero;
 
 use crate::scalar::{Scalar, Size};
 
-/// What bounds on errors are made of: numbers that are not negative, in which a few digits are
-/// enough. What is not a number is neither more nor less than any.
+/// Nonnegative numbers for error bounds, with few digits. NaN compares as unordered.
 pub(crate) trait Magnitude:
     Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
-    /// The nearest magnitude.
     fn of(value: f64) -> Self;
 }
 
@@ -36,64 +34,61 @@ impl Magnitude for Size {
     }
 }
 
-/// What the range of a format leaves to products and quotients, see [`bounded`](super).
+/// The range that a format leaves to products and quotients, see [`bounded`](super).
 pub(crate) struct Range {
-    /// More than all errors of underflow; 0 where nothing underflows.
+    /// An upper bound of all errors of underflow; 0 if nothing underflows.
     pub(crate) allowance: f64,
-    /// B: no product of inputs exceeds 2ᴮ.
+    /// B: the upper limit 2ᴮ of products of inputs.
     pub(crate) bits_of_products: u32,
-    /// No divisor is below 2 to minus this power.
+    /// The lower limit of divisors is 2 to minus this power.
     pub(crate) bits_of_divisors: u32,
-    /// No ε that a step divides by is below 2 to minus this power; 0 where none is divided by.
+    /// The lower limit of an ε that steps divide by is 2 to minus this power; 0 for no division.
     pub(crate) bits_of_steps: u32,
 }
 
-/// The power of two up to which operations of a formula may underflow, one after the other: w.
+/// The binary logarithm of the largest w.
 const POWER_OF_UNDERFLOWS: i32 = 10;
 
-/// The largest w that the allowance of a format is made for.
+/// The largest w that allowances cover.
 pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
 
 impl Range {
-    /// Nothing underflows, and no step is divided by ε.
+    /// The range of a format that never underflows, without division by ε.
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
-    /// Where an operation that underflows is off by 2^eta at most, and 2^allowance is allowed for
-    /// all of them: B is what w·2ᴮ·η leaves.
+    /// Makes a range with underflow errors of at most 2^eta each and 2^allowance in all, and its B.
     pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
         let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
     }
 
-    /// The least divisor; 0 where nothing underflows.
+    /// Returns the lower limit of divisors; 0 if nothing underflows.
     #[inline(always)]
     pub(crate) const fn least_divisor(&self) -> f64 {
         if self.allowance > 0.0 { power_of_two(-(self.bits_of_divisors as i32)) } else { 0.0 }
     }
 }
 
-/// 2^power for powers of normal doubles.
+/// Returns 2^power, for exponents of normal doubles.
 pub(crate) const fn power_of_two(power: i32) -> f64 {
     f64::from_bits(((1023 + power) as u64) << 52)
 }
 
-/// A scalar to work in: its operations round once, relative to their result.
+/// A scalar whose operations round once, relative to their result.
 pub(crate) trait Number: Scalar + Copy {
-    /// What magnitudes are computed in: numbers of the same range.
+    /// The type of magnitudes, of equal range.
     type Magnitude: Magnitude;
-    /// u: the relative error of an operation is at most this, but for underflow.
+    /// u: the largest relative error of an operation without underflow.
     const UNIT: f64;
-    /// Where underflow is allowed for.
+    /// The range in which underflow is accounted for.
     const RANGE: Range;
-    /// Whether operations with bounds are called: over hardware floats they are inlined, so that a
-    /// step is one piece of code; over wide numbers, whose rungs are seldom reached, called, so
-    /// that a step over them stays small.
+    /// Whether operations with bounds are calls, to keep steps over wide numbers small.
     const IS_CALLED: bool = false;
 
-    /// |self|, rounded as magnitudes are.
+    /// Returns |self|, rounded like magnitudes.
     fn size(&self) -> Self::Magnitude;
-    /// How far the value may be from its formula's, where it knows that itself.
+    /// Returns an error radius, for numbers that carry one.
     #[inline(always)]
     fn radius(&self) -> Option<Self::Magnitude> {
         None

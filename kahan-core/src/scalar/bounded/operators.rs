@@ -1,4 +1,4 @@
-//! Bounded values as a scalar: the generated step runs over them as over a float.
+//! Bounded values as a scalar, on which generated steps run.
 
 use core::ops::Neg;
 
@@ -19,7 +19,7 @@ impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
-    /// Integers that the number and a double hold are exact; every other literal is rounded once.
+    /// Integers that the number and an `f64` hold are exact; other literals are rounded once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);
@@ -64,7 +64,7 @@ impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
 
 operators!([V: Number, P: Pair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
 
-/// Writes operations, each inlined into its caller or called, as the number says.
+/// Writes operations that are inlined or called, by `V::IS_CALLED`.
 macro_rules! inlined_or_called {
     ($($name:ident, $called:ident = $operation:ident($($operand:ident),*) -> $result:ty;)*) => { $(
         #[inline(never)]

@@ -1,5 +1,4 @@
-//! A float and its magnitude in one register of several lanes: then a bound costs no operation more
-//! than the value alone.
+//! A float and its magnitude in one vector register, so that bounds cost no further operations.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -11,7 +10,7 @@ use core::arch::x86_64::{_mm_fmadd_pd, _mm_fmadd_ps};
 
 use super::pair::Pair;
 
-/// Runs intrinsics of registers of 128 bits.
+/// Runs intrinsics on registers of 128 bits.
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
@@ -102,8 +101,7 @@ packed! {
 }
 
 packed! {
-    /// Two floats. The upper lanes hold the magnitude, too: what may lie there else, subnormal
-    /// numbers say, could be slower than what counts.
+    /// Two floats. The upper lanes repeat the magnitude, as subnormal numbers there are slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

@@ -1,10 +1,10 @@
-//! A value and its magnitude, moved together.
+//! A value and its magnitude as one operand.
 
 use core::fmt::Debug;
 
 use super::number::Number;
 
-/// A value v̂ beside a magnitude m: what each operation does to both.
+/// A value v̂ with its magnitude m, and the operations on both.
 pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
@@ -19,11 +19,11 @@ pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     /// −v̂, m
     fn negated(self) -> Self;
 
-    /// self·factor + addend, the value rounded as `Scalar::multiply_add` does.
+    /// self·factor + addend, with the value rounded like `Scalar::multiply_add`.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
 }
 
-/// One after the other.
+/// A value and a magnitude as two numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Both<V: Number> {
     value: V,

@@ -1,4 +1,4 @@
-//! The rules: value, magnitude, roundings and sizes of every operation's result.
+//! The rules of bounded values: value, magnitude, roundings and range of every result.
 
 use num_traits::Zero;
 
@@ -26,7 +26,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.multiplied(other, pair).added(addend, pair)
     }
 
-    /// The pair of a sum or difference.
+    /// Returns a sum or difference with the given pair.
     #[inline(always)]
     fn added(self, other: Self, pair: P) -> Self {
         Self {
@@ -39,7 +39,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// The pair of a product.
+    /// Returns a product with the given pair.
     #[inline(always)]
     fn multiplied(self, other: Self, pair: P) -> Self {
         Self {
@@ -52,8 +52,8 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u,
-    /// whatever cancelled on its way; with r = 0 there is no error.
+    /// Tightens the bound of a value with an error radius r: m = |v̂| + r/u satisfies |v| ≤ m and
+    /// |v̂ − v| ≤ γ₁·m after any cancellation. With r = 0 the value is exact.
     #[inline(always)]
     pub(super) fn settled(self) -> Self {
         let value = self.value();
@@ -67,7 +67,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         }
     }
 
-    /// self/divisor, if the divisor is certainly not zero.
+    /// Returns self/divisor, if the divisor is certainly nonzero.
     #[inline(always)]
     pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
@@ -78,7 +78,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         if !is_certain {
             return None;
         }
-        // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
+        // If 1/a is known, 1/|b̂| = |v̂|·(1/a) needs no second division.
         let (magnitude, inverse, ratio) = match self.inverse() {
             Some(inverse) => {
                 let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
@@ -103,8 +103,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Some(quotient.settled())
     }
 
-    /// c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε: rounded once more
-    /// than c, and no larger than that ε allows.
+    /// Returns c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε.
     #[inline(always)]
     pub(crate) fn over_input(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
@@ -117,7 +116,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         }
     }
 
-    /// About 1/|v̂|, where that costs no division.
+    /// Returns about 1/|v̂|, if that costs no division at run time.
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;

@@ -1,19 +1,18 @@
-//! The operations, each with its bound; u = 2⁻⁵³.
+//! The operations of double-double numbers, each with its error bound; u = 2⁻⁵³.
 //!
-//! In: normalised numbers. Out: a normalised number. Everything is inlined into the caller, so that
-//! a kernel is one piece of straight-line code; what may overflow or lose bits on the way goes to
-//! `extremes`, on a branch that is never taken in ordinary computations and costs no latency.
+//! In: normalised numbers. Out: a normalised number. Everything is inlined, so that a kernel is one
+//! straight-line program. Operands that may overflow or lose bits go to `extremes`, on a branch
+//! that ordinary computations never take and that adds no latency.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
-/// Below this size a leading sum or product leaves room for everything that is added to it.
+/// A bound of leading sums and products below which all later additions stay finite.
 const ROOM: f64 = power_of_two(1022);
 
-/// Operands between these sizes can be divided without a loss: their quotients are between 2⁻⁹⁰⁰
-/// and 2⁹⁰⁰.
+/// Quotients of operands between these bounds lose no bits: they are between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
 const SMALL: f64 = power_of_two(-450);
 const LARGE: f64 = power_of_two(450);
 
@@ -28,35 +27,34 @@ pub(super) fn is_moderate(x: f64) -> bool {
     size > SMALL && size < LARGE
 }
 
-/// x + y, off by at most (3u² + 13u³)·|x + y| (AccurateDWPlusDW).
+/// Returns x + y with an error of at most (3u² + 13u³)·|x + y| (AccurateDWPlusDW).
 #[inline(always)]
 pub(super) fn sum(x: Dd, y: Dd) -> Dd {
     let leading = two_sum(x.high, y.high);
     if has_room(leading.0) { moderate::with_lower(leading, x.low, y.low) } else { extremes::sum(x, y) }
 }
 
-/// x − y, as the sum with −y.
 #[inline(always)]
 pub(super) fn difference(x: Dd, y: Dd) -> Dd {
     sum(x, -y)
 }
 
-/// xy, off by at most 5u²·|xy| (DWTimesDW2; without fused multiply-adds DWTimesDW1).
+/// Returns xy with an error of at most 5u²·|xy| (DWTimesDW2, or DWTimesDW1 without fusing).
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
     let leading = two_product(x.high, y.high);
     if has_room(leading.0) { moderate::product(leading, x, y) } else { extremes::product(x, y) }
 }
 
-/// xy + z, off by at most 16u²·|xy| + 5u²·|xy + z|.
+/// Returns xy + z with an error of at most 16u²·|xy| + 5u²·|xy + z|.
 ///
-/// The product is not normalised and the lower parts are added as floats: 15 operations where a
-/// product and a sum take 28, and half of their latency. That is as good, because the product's own
-/// error is a multiple of |xy| where the sum cancels. In units of u², with p = |xy|, r = |xy + z|
-/// and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|, 3p + |z| and 3p +
-/// |z| + r, and x.low·y.low, left out, is p; without fused multiply-adds two products round by p
-/// each. Where the leading parts cancel below the lower sum, they leave a multiple of its last
-/// place, so the last sum is exact.
+/// The product is not normalised and the lower parts are added as floats. This takes 15 operations,
+/// against 28 of a product and a sum, and half of their latency. It is as accurate, because the
+/// error of the product is a multiple of |xy| even if the sum cancels. In units of u², with p =
+/// |xy|, r = |xy + z| and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|,
+/// 3p + |z| and 3p + |z| + r, and the omitted x.low·y.low is p; without fused multiply-adds two
+/// products round by p each. If the leading parts cancel below the lower sum, they leave a multiple
+/// of its last place, so the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);
@@ -70,14 +68,13 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     }
 }
 
-/// x/y, off by at most 14u²·|x/y|.
+/// Returns x/y with an error of at most 14u²·|x/y|.
 ///
-/// The leading quotient q has a remainder r = x − qy that is known but for its last bits: x.high −
-/// q·y.high is a float. The correction is r times the float nearest to 1/y.high, which is divided
-/// out beside q and not after it. With x.high, y.high and q scaled into [1,2), the errors in u² of
-/// x/y are: 3 from the products and sums in r, which is at most 3u·x.high; 3 each from its last
-/// addition, from leaving out y.low and from the last product; 1.5 from the reciprocal. Away from y
-/// = q = 1 the sum of these is less.
+/// The remainder r = x − qy of the leading quotient q is known up to its last bits: x.high −
+/// q·y.high is a float. The correction is r times the float nearest to 1/y.high, a division beside
+/// that for q. With x.high, y.high and q scaled into [1,2), the errors in u² of x/y are: 3 from the
+/// products and sums in r, which is at most 3u·x.high; 3 each from its last addition, from omitting
+/// y.low and from the last product; 1.5 from the reciprocal. Away from y = q = 1 their sum is less.
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {
@@ -87,7 +84,7 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     }
 }
 
-/// √x, off by at most 25/8 u²·√x (SQRTDWtoDW).
+/// Returns √x with an error of at most 25/8 u²·√x (SQRTDWtoDW).
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
     if x.high > SMALL && x.high < LARGE { moderate::square_root(x) } else { extremes::square_root(x) }

@@ -1,7 +1,7 @@
-//! Decimals: the digits of a number and the number of digits.
+//! Decimal numbers of many digits.
 //!
-//! In: text, or a fixed-point number. Out: each other, exactly; text of any length is read as if
-//! all its digits counted. Nothing here allocates.
+//! In: text, or a fixed-point number. Out: the other one, exactly; all digits of a text count.
+//! Nothing here allocates.
 
 use core::num::ParseFloatError;
 use core::str::FromStr;
@@ -9,37 +9,33 @@ use core::str::FromStr;
 use super::Dd;
 use super::fixed::{Fixed, HALF};
 
-/// Digits in a chunk.
 const CHUNK: usize = 19;
 
-/// 10¹⁹.
+/// 10¹⁹, as chunks have 19 digits.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// More digits than a sum of two `f64`, or a tie between two of them, can have: 309 before the
-/// point and 1075 behind it.
+/// An upper bound of the digits of a sum, or tie, of two `f64`: 309 before the point, 1075 behind.
 const CAPACITY: usize = 1444;
 
-/// The powers of ten of `f64` go down to −324.
+/// An upper bound of the zeros behind the point: the powers of ten of `f64` go down to −324.
 const LEADING_ZEROS: usize = 342;
 
-/// 0.d₁d₂…·10^exponent, d₁ and the last digit not 0; no digits for 0.
+/// The number 0.d₁d₂…·10^exponent; d₁ and the last digit are not 0. Zero has no digits.
 pub(super) struct Decimal {
     digits: [u8; CAPACITY],
     length: usize,
     pub(super) exponent: i64,
-    /// Whether digits other than 0 did not fit.
+    /// Whether nonzero digits did not fit.
     is_cut: bool,
 }
 
 impl Decimal {
     const ZERO: Self = Self { digits: [0; CAPACITY], length: 0, exponent: 0, is_cut: false };
 
-    /// The digits.
     pub(super) fn digits(&self) -> &[u8] {
         &self.digits[..self.length]
     }
 
-    /// Every digit of a number.
     pub(super) fn of(number: &Fixed) -> Self {
         let mut decimal = Self::ZERO;
         let (fraction, integer) = number.limbs.split_at(HALF);
@@ -48,7 +44,7 @@ impl Decimal {
         for &chunk in chunks[..count].iter().rev() {
             decimal.push_chunk(chunk);
         }
-        // What was pushed stands before the point.
+        // The digits pushed so far stand before the point.
         decimal.exponent += (CHUNK * count) as i64;
         let mut limbs = [0; HALF];
         limbs.copy_from_slice(fraction);
@@ -59,7 +55,7 @@ impl Decimal {
         decimal
     }
 
-    /// Nineteen digits more; zeros that lead move the point instead.
+    /// Appends nineteen digits; leading zeros move the point instead.
     fn push_chunk(&mut self, mut chunk: u64) {
         let mut power = CHUNK_BASE / 10;
         while power != 0 {
@@ -89,7 +85,7 @@ impl Decimal {
         }
     }
 
-    /// Rounds to `count` digits, ties to even; a negative count leaves nothing.
+    /// Rounds to `count` digits, ties to even; to 0 for a negative count.
     pub(super) fn round(&mut self, count: i64) {
         let Ok(count) = usize::try_from(count) else {
             *self = Self::ZERO;
@@ -99,7 +95,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last digit is not 0, so more than one digit is more than a tie.
+        // The last digit is nonzero, so a further digit means more than a tie.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;
@@ -117,7 +113,7 @@ impl Decimal {
         self.trim();
     }
 
-    /// The digits of a number that `f64` accepts, sign aside.
+    /// Returns the magnitude of a text that `f64` accepts.
     fn read(text: &str) -> Self {
         let text = text.trim_start_matches(['+', '-']);
         let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -138,8 +134,7 @@ impl Decimal {
         decimal
     }
 
-    /// The number, cut at the last place of a fixed-point number, and whether anything was cut off.
-    /// It is finite and not 0 as an `f64`.
+    /// Returns the number truncated to fixed point, and whether it was cut; it must be nonzero.
     fn to_fixed(&self) -> (Fixed, bool) {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
@@ -149,7 +144,7 @@ impl Decimal {
         };
         let mut fixed = Fixed::ZERO;
         let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
-        // Whole chunks before the point, the first of them filled with zeros on its left.
+        // Whole chunks before the point; zeros fill the first one on the left.
         let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
         while first < self.exponent {
             append_chunk(integer, chunk(first));
@@ -170,7 +165,7 @@ impl Decimal {
     }
 }
 
-/// The chunks of an integer, least first, and how many there are.
+/// Writes the chunks of an integer, least first, and returns their number.
 fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     let mut limbs = [0; HALF];
     limbs.copy_from_slice(integer);
@@ -188,7 +183,7 @@ fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     count
 }
 
-/// integer·10¹⁹ + chunk.
+/// Replaces `integer` by integer·10¹⁹ + chunk.
 fn append_chunk(integer: &mut [u64], chunk: u64) {
     let mut carry = chunk;
     for limb in integer {
@@ -198,7 +193,7 @@ fn append_chunk(integer: &mut [u64], chunk: u64) {
     }
 }
 
-/// The first nineteen decimal digits of a binary fraction, which keeps the rest.
+/// Removes the first nineteen decimal digits from a binary fraction, and returns them.
 fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
     let mut carry = 0;
     for limb in fraction {
@@ -209,7 +204,7 @@ fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
     carry
 }
 
-/// The first 64 bits of a decimal fraction, which keeps the rest.
+/// Removes the first 64 bits from a decimal fraction, and returns them.
 fn next_limb(fraction: &mut [u64]) -> u64 {
     let mut carry = 0;
     for chunk in fraction.iter_mut().rev() {
@@ -220,13 +215,12 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// A number as `f64` reads it, also `inf` and `NaN`: high is the float nearest to it, low the float
-/// nearest to the rest.
+/// Reads the texts that `f64` reads: high is the nearest float, low that nearest to the rest.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 
     /// # Errors
-    /// Where the text is no number for `f64` either.
+    /// For texts that `f64` does not read.
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
         let high: f64 = text.parse()?;
         if !high.is_finite() || high == 0.0 {

@@ -1,8 +1,7 @@
-//! Numbers as text: 32 significant digits, or as many as the format asks for, all of them correctly
-//! rounded.
+//! Numbers as text: 32 significant digits, or as many as the format asks for, correctly rounded.
 //!
-//! In: a number and a format. Out: its decimal, positional or with an exponent. Zeros at the end
-//! are left out unless a precision asks for them.
+//! In: a number and a format. Out: its decimal, positional or with an exponent. Trailing zeros are
+//! omitted unless a precision asks for them.
 
 use core::fmt::{self, Alignment, Formatter, Write};
 
@@ -10,14 +9,14 @@ use super::Dd;
 use super::decimal::Decimal;
 use super::fixed::Fixed;
 
-/// The significant digits that are written unless a precision is given.
+/// The number of significant digits without a precision.
 const DIGITS: i64 = 32;
 
-/// Numbers from 10⁻⁵ on and below 10³² are written without an exponent.
+/// The decimal exponents of numbers written without an exponent: from 10⁻⁵ to below 10³².
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Positional between 10⁻⁵ and 10³² and with an exponent elsewhere; with a precision always
-/// positional, with as many places.
+/// Positional from 10⁻⁵ to below 10³², with an exponent elsewhere. A precision makes all numbers
+/// positional, with that many places.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -35,7 +34,7 @@ impl fmt::Display for Dd {
     }
 }
 
-/// One digit before the point; the precision counts those behind it.
+/// One digit before the point; the precision counts the digits after it.
 impl fmt::LowerExp for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -46,7 +45,7 @@ impl fmt::LowerExp for Dd {
     }
 }
 
-/// As [`Display`](fmt::Display).
+/// Like [`Display`](fmt::Display).
 impl fmt::Debug for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -58,7 +57,7 @@ fn places(f: &Formatter<'_>) -> Option<i64> {
 }
 
 impl Dd {
-    /// Sign, magnitude and padding; `write` puts the magnitude of a finite number.
+    /// Writes sign, magnitude and padding; `write` writes the magnitude of a finite number.
     fn write_padded(
         self,
         f: &mut Formatter<'_>,
@@ -99,7 +98,6 @@ impl Dd {
     }
 }
 
-/// Counts what is written.
 struct Length(usize);
 
 impl Write for Length {
@@ -113,7 +111,7 @@ fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
     (0..count).try_for_each(|_| out.write_char(character))
 }
 
-/// The digits at these places, zeros where there are none.
+/// Writes the digits at these places, with zeros beyond the last digit.
 fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
     for place in places {
         let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));
@@ -122,7 +120,6 @@ fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn 
     Ok(())
 }
 
-/// 12.5
 fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
     let point = decimal.exponent;
     if point > 0 {
@@ -138,7 +135,6 @@ fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Wri
     Ok(())
 }
 
-/// 1.25e1
 fn write_scientific(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
     write_digits(decimal, 0..1, out)?;
     let end = precision.map_or(decimal.digits().len() as i64, |places| 1 + places);

@@ -1,8 +1,8 @@
-//! The exponential function, the logarithm, sine and cosine, each with its bound; u = 2⁻⁵³.
+//! Exponential function, logarithm, sine and cosine, each with its error bound; u = 2⁻⁵³.
 //!
-//! In: a number. Out: the function's value, by a reduction to a small argument r and the series
-//! there. A bound counts the roundings of the reduction, of the last sum, and of the terms behind
-//! it by their share in the value; what the series leaves out is below u²/4.
+//! In: a number. Out: the value of the function, by reduction to a small argument r and a series
+//! there. Bounds add the roundings of the reduction, of the last sum, and of its other terms by
+//! their share in the value. Truncating a series costs less than u²/4.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -12,17 +12,16 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// ln 2 = `LN_2` + `REST_OF_LN_2`; the first part has 40 bits, so that its products with exponents
-/// are floats.
+/// The leading 40 bits of ln 2, whose products with exponents are floats.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 
-/// π/2, the sum of three numbers.
+/// The two leading parts of π/2; `REST_OF_HALF_PI` is the rest.
 const HALF_PI: [f64; 2] = [FRAC_PI_2, 6.123233995736766e-17];
 const REST_OF_HALF_PI: Dd = Dd { high: -1.4973849048591698e-33, low: 5.562271104316826e-50 };
 
-/// 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), n = `first`, up to the divisor `last`; with `step` 2 each
-/// divisor is the product of the next two numbers.
+/// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), n = `first`, up to the divisor `last`; with
+/// `step` 2 each divisor is the product of the next two numbers.
 fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
     let one = Dd::from(1.0);
     (first..last).step_by(step).rev().fold(one, |sum, n| {
@@ -31,12 +30,12 @@ fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
     })
 }
 
-/// eˣ, off by at most 12u² relatively.
+/// Returns eˣ with a relative error of at most 12u².
 ///
 /// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r is off by 6u²|r|, the last sum rounds by 3u², and
 /// eʳ − 1, which is off by 14u² relatively besides, is at most 0.42 of the value.
 pub(super) fn exp(x: Dd) -> Dd {
-    // Beyond, the value is 0 or infinite, or not a number.
+    // Beyond, the value is 0, infinite or NaN.
     if x.is_nan() || x.high.abs() > 800.0 {
         return Dd::from(libm::exp(x.high));
     }
@@ -45,7 +44,7 @@ pub(super) fn exp(x: Dd) -> Dd {
     scaled(series(r, 0, 1, 22), k as i32)
 }
 
-/// ln x, off by at most 32u² relatively; −∞ at 0, and not a number below.
+/// Returns ln x with a relative error of at most 32u²; −∞ at 0, NaN below.
 ///
 /// With x = 2ᵏm and √½ ≤ m ≤ √2, ln m is 2 artanh s, s = (m − 1)/(m + 1): off by 20u² from s and
 /// by 4u² from its series. |ln m| is at most |ln x|, and two more sums round by 3u² each.
@@ -64,7 +63,7 @@ pub(super) fn ln(x: Dd) -> Dd {
     (twice * tail + twice + Dd::from(k) * REST_OF_LN_2) + Dd::from(k * LN_2)
 }
 
-/// sin x and cos x, each off by at most 16u² relatively and 2⁻¹⁵⁵|x| besides; NaN where
+/// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|; NaN for
 /// |x| > 2⁴⁰.
 ///
 /// With x = k·π/2 + r and |r| ≤ π/4, r is off by 6u²|r|, and, where x is cancelled, by 6u² of the

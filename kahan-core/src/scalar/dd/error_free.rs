@@ -1,10 +1,9 @@
-//! Sums and products of two floats with their rounding errors, which are floats themselves.
+//! Error-free sums and products of two floats.
 //!
-//! In: two floats. Out: the rounded result and what it leaves; the two together are the exact
-//! result unless something overflows, or, for products, falls below 2⁻⁹⁶⁹. The multiply-add is
-//! fused where floats fuse theirs; a library call it never is.
+//! In: two floats. Out: the rounded result and its error, whose sum is the exact result without
+//! overflow and, for products, above 2⁻⁹⁶⁹. Multiply-adds are fused only by the target.
 
-/// a + b and its error (Knuth).
+/// Returns a + b and its error (Knuth).
 #[inline(always)]
 pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -13,14 +12,14 @@ pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - from_a) + (b - from_b))
 }
 
-/// a + b and its error, where |a| ≥ |b| or a is a multiple of the last place of b (Dekker).
+/// Returns a + b and its error, if |a| ≥ |b| or a is a multiple of the last place of b (Dekker).
 #[inline(always)]
 pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// √a, rounded once.
+/// Returns √a, rounded once.
 #[inline(always)]
 pub(super) fn root(a: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -31,37 +30,34 @@ pub(super) fn root(a: f64) -> f64 {
 
 pub(super) use product::{multiply_add, remainder, two_product};
 
-/// Where the target fuses.
 #[cfg(all(feature = "std", target_feature = "fma"))]
 mod product {
-    /// ab and its error.
+    /// Returns ab and its error.
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         let product = a * b;
         (product, a.mul_add(b, -product))
     }
 
-    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b
-    /// = a.
+    /// Returns whole − ab for the rounded quotient a = whole/b, or the rounded root a = b.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         (-a).mul_add(b, whole)
     }
 
-    /// ab + c, rounded once.
+    /// Returns ab + c, rounded once.
     #[inline(always)]
     pub(in super::super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
     }
 }
 
-/// Where it does not.
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
-    /// Beyond this [`split`] would overflow.
+    /// The bound beyond which [`split`] would overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
 
-    /// ab and its error, by halves (Dekker).
+    /// Returns ab and its error, by halves (Dekker).
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         if a.abs() < LARGE && b.abs() < LARGE { halves(a, b) } else { large(a, b) }
@@ -75,7 +71,7 @@ mod product {
         (product, left + a_low * b_low)
     }
 
-    /// Two floats of 26 bits and one sign with the sum a (Veltkamp).
+    /// Returns two floats of at most 26 bits with the sum a (Veltkamp).
     #[inline(always)]
     fn split(a: f64) -> (f64, f64) {
         const FACTOR: f64 = ((1_u32 << 27) + 1) as f64;
@@ -84,8 +80,8 @@ mod product {
         (high, a - high)
     }
 
-    /// With the large factor made smaller. The other one is brought up, so that no half of it
-    /// underflows.
+    /// Returns ab and its error for a large factor, which is scaled down. The other factor is
+    /// scaled up, so that neither of its halves underflows.
     #[cold]
     #[inline(never)]
     fn large(a: f64, b: f64) -> (f64, f64) {
@@ -96,20 +92,17 @@ mod product {
         if b.abs() < LARGE * DOWN {
             (product, halves(a * DOWN, b * UP).1)
         } else {
-            // The product is not finite, and it has no error.
+            // The product is infinite or NaN, and has no error.
             (product, f64::NAN)
         }
     }
 
-    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b
-    /// = a.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         let (product, error) = two_product(a, b);
         (whole - product) - error
     }
 
-    /// ab + c.
     #[inline(always)]
     pub(in super::super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
         a * b + c

@@ -1,9 +1,7 @@
-//! The operations where their intermediate numbers would leave the range of `f64`, or would not be
-//! numbers.
+//! The operations on operands whose intermediate results would leave the range of `f64`.
 //!
-//! In: any operands. Out: what the exact result rounds to, by the same bounds; infinite where that
-//! is beyond the range. Finite operands are scaled by powers of two, which is exact, so nothing
-//! here is a second formula.
+//! In: any operands. Out: the rounded exact result within the usual bounds; infinite beyond the
+//! range. Finite operands are scaled by powers of two, which is exact, and use the usual formulas.
 
 use crate::scalar::bounded::power_of_two;
 
@@ -51,8 +49,7 @@ pub(super) fn square_root(x: Dd) -> Dd {
     }
 }
 
-/// Finite numbers other than 0, each over the power of two below it, and the exponents of these
-/// powers.
+/// Returns finite nonzero numbers scaled into [1, 2), and their binary exponents.
 fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
     if !(is_plain(x) && is_plain(y)) {
@@ -62,7 +59,7 @@ fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     Some((scaled(x, -exponents.0), scaled(y, -exponents.1), exponents))
 }
 
-/// The exponent e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite x other than 0.
+/// Returns the exponent e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite nonzero x.
 pub(super) fn exponent(x: f64) -> i32 {
     let bits = x.abs().to_bits();
     match (bits >> 52) as i32 {
@@ -72,16 +69,14 @@ pub(super) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// 2ᵏx; below the normal range each part is rounded once, an error of 2⁻¹⁰⁷⁴ at most.
-///
-/// A low part is so small beside its high part that it may underflow for every k; that is one
-/// rounding, too.
+/// Returns 2ᵏx. Below the normal range each part is rounded once, an error of at most 2⁻¹⁰⁷⁴; the
+/// low part may underflow for every k.
 pub(super) fn scaled(x: Dd, k: i32) -> Dd {
-    // Beyond ±2200 everything is infinite or 0.
+    // Beyond ±2200 every result is infinite or 0.
     let k = k.clamp(-2200, 2200);
     let third = k / 3;
     let [a, b, c] = [power_of_two(third), power_of_two(third), power_of_two(k - 2 * third)];
     let high = x.high * a * b * c;
-    // Rounding may have made a tie of the low part.
+    // Rounding may have made the low part a tie.
     Dd::new(high, if high.is_finite() { x.low * a * b * c } else { 0.0 })
 }

@@ -1,20 +1,18 @@
-//! Binary numbers with a fixed point, wide enough for every sum of two `f64`: where text becomes
-//! numbers and back.
+//! Binary fixed-point numbers that hold every sum of two `f64`, for conversion from and to text.
 //!
-//! In: floats, or limbs from decimal digits. Out: the same values, exactly, or rounded once to a
-//! float. On the stack.
+//! In: floats, or limbs from decimal digits. Out: exact values, or the nearest float.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::Dd;
 
-/// Limbs of 64 bits before the point, and as many behind it: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
+/// The number of 64-bit limbs before the point, and of those behind: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
 pub(super) const HALF: usize = 17;
 
-/// The place of the point, in bits.
+/// The number of bits behind the point.
 const POINT: i32 = 64 * HALF as i32;
 
-/// Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
+/// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Fixed {
     pub(super) limbs: [u64; 2 * HALF],
@@ -23,7 +21,7 @@ pub(super) struct Fixed {
 impl Fixed {
     pub(super) const ZERO: Self = Self { limbs: [0; 2 * HALF] };
 
-    /// |x|, for a finite x.
+    /// Returns |x| of a finite x.
     pub(super) fn magnitude(x: f64) -> Self {
         let bits = x.abs().to_bits();
         let biased = (bits >> 52) as i32;
@@ -37,7 +35,6 @@ impl Fixed {
         fixed
     }
 
-    /// |x|, for a finite x.
     pub(super) fn magnitude_of(x: Dd) -> Self {
         let (high, low) = (Self::magnitude(x.high), Self::magnitude(x.low));
         if x.high.is_sign_negative() == x.low.is_sign_negative() { high.plus(&low) } else { high.minus(&low) }
@@ -53,7 +50,7 @@ impl Fixed {
         self
     }
 
-    /// self − other, which is not larger.
+    /// Returns self − other, for other ≤ self.
     pub(super) fn minus(mut self, other: &Self) -> Self {
         let mut borrow = false;
         for (mine, theirs) in self.limbs.iter_mut().zip(&other.limbs) {
@@ -65,24 +62,21 @@ impl Fixed {
         self
     }
 
-    /// Whether self is less than other.
     pub(super) fn is_less(&self, other: &Self) -> bool {
         self.limbs.iter().rev().lt(other.limbs.iter().rev())
     }
 
-    /// The smallest number other than 0.
     pub(super) fn last_place() -> Self {
         let mut fixed = Self::ZERO;
         fixed.limbs[0] = 1;
         fixed
     }
 
-    /// The nearest float, ties to even, of a number below 2¹⁰²⁴; with `has_more` of one that is
-    /// larger by less than the last place.
+    /// Returns the nearest float, ties to even, of a number below 2¹⁰²⁴, plus a rest if `has_more`.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
-        // The last bit of a float of this size, as an exponent.
+        // The exponent of the last bit of a float of this size.
         let last = (leading - POINT - 52).max(-1074);
         let (limb, shift) = place(last);
         let next = self.limbs.get(limb + 1).copied().unwrap_or(0);
@@ -93,14 +87,14 @@ impl Fixed {
             || self.limbs[..half_limb].iter().any(|&limb| limb != 0)
             || has_more;
         let up = half && (rest || kept & 1 == 1);
-        // At most 2⁵³, and exact in both products.
+        // At most 2⁵³, so both products are exact.
         let significand = (kept + u64::from(up)) as f64;
         let first = last / 2;
         significand * power_of_two(first) * power_of_two(last - first)
     }
 }
 
-/// Limb and bit of 2^exponent.
+/// Returns limb and bit of 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)

@@ -1,10 +1,9 @@
-//! The formulas of the operations where nothing overflows or underflows; their bounds stand where
-//! they are called.
+//! The formulas of the operations without overflow or underflow; the callers state the bounds.
 
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, root, two_sum};
 
-/// The exact sum `leading` and two smaller numbers.
+/// Returns the sum of the exact sum `leading` and two smaller numbers.
 #[inline(always)]
 pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     let (lower, rest) = two_sum(a, b);
@@ -13,7 +12,7 @@ pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
     Dd { high, low }
 }
 
-/// xy from the exact product of the leading parts.
+/// Returns xy from the exact product of the leading parts.
 #[inline(always)]
 pub(super) fn product((leading, error): (f64, f64), x: Dd, y: Dd) -> Dd {
     let lower = multiply_add(x.low, y.high, x.high * y.low);
@@ -21,7 +20,6 @@ pub(super) fn product((leading, error): (f64, f64), x: Dd, y: Dd) -> Dd {
     Dd { high, low }
 }
 
-/// x/y
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     let leading = x.high / y.high;
@@ -31,7 +29,6 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     Dd { high, low }
 }
 
-/// √x
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
     let leading = root(x.high);

@@ -1,4 +1,4 @@
-//! `+`, `-`, `*`, `/` and their assignments, the sign, and the order.
+//! Operators, assignments, sign and order of double-double numbers.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -17,12 +17,11 @@ impl Neg for Dd {
 
 operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, arithmetic::quotient);
 
-/// By value; what is not a number has no place.
+/// Order by value; NaN is unordered.
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        // Rounding to the nearest float keeps the order, so the low parts matter between equal high
-        // parts only.
+        // Rounding to nearest is monotonic, so low parts matter only between equal high parts.
         match self.high.partial_cmp(&other.high)? {
             Ordering::Equal => self.low.partial_cmp(&other.low),
             order => Some(order),

@@ -1,4 +1,4 @@
-//! What a Kahan map asks of a number.
+//! Double-double numbers as a scalar.
 
 use num_traits::{One, Zero};
 
@@ -41,7 +41,6 @@ impl Scalar for Dd {
         Some(arithmetic::quotient(self, divisor))
     }
 
-    /// The larger magnitude, for stability; what is not a number is never better.
     #[inline]
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.abs() > than.abs()

@@ -1,7 +1,7 @@
-//! The four operations on [`Digits`], and what follows from them.
+//! The four operations on [`Digits`], comparison and equality.
 //!
-//! Each is exact until digits are cut off, and what is cut off goes into the radius beside what the
-//! operands' radii grow to.
+//! Operations are exact until digits are cut off. The radius of a result contains the cut digits
+//! and the effect of the operands' radii.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -12,7 +12,6 @@ use super::rows::DigitRow;
 use super::{Digits, Size};
 use crate::scalar::operators;
 
-/// The greatest common divisor.
 fn common(mut a: u64, mut b: u64) -> u64 {
     while b != 0 {
         (a, b) = (b, a % b);
@@ -21,7 +20,7 @@ fn common(mut a: u64, mut b: u64) -> u64 {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Two numbers as rows over one denominator, if that has room.
+    /// Returns two numbers as rows over one denominator, if that fits 64 bits.
     fn over_one_denominator(&self, other: &Self) -> Option<(DigitRow<M>, DigitRow<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
@@ -32,7 +31,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Some((raised(self), raised(other), all))
     }
 
-    /// self + sign·other
     #[inline(never)]
     fn combined(&self, other: &Self, sign: i64) -> Self {
         if !(self.is_defined() && other.is_defined()) {
@@ -44,7 +42,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         }
     }
 
-    /// The same number without a denominator.
+    /// Returns the number with denominator 1, divided out.
     #[inline(never)]
     pub(super) fn divided_out(&self) -> Self {
         if self.denominator == 1 {
@@ -54,7 +52,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + self.radius, ..quotient }
     }
 
-    /// ±m and e where this is ±m·2^e with an odd m of 64 bits, over the denominator.
+    /// Returns sign, m and e if the numerator is ±m·2^e with an odd m of 64 bits.
     fn short(&self) -> Option<(bool, u64, i64)> {
         let row = self.row();
         let (first, last) = (row.digits().first()?, row.digits().last()?);
@@ -68,13 +66,12 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 }
 
-/// a/b for a divisor other than zero, with what the division leaves as the radius.
+/// Returns a/b for a nonzero divisor; the radius bounds the effect of the remainder.
 fn ratio<const D: usize, const M: usize>(a: &DigitRow<M>, b: &DigitRow<M>) -> Digits<D, M> {
     let (quotient, rest) = a.divided(b);
     Digits::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
 }
 
-/// A natural number as a row.
 fn integer<const M: usize>(n: u64) -> DigitRow<M> {
     DigitRow::of_limbs(false, &[n])
 }
@@ -96,7 +93,7 @@ operators! {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
+    /// Multiplies: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
@@ -109,8 +106,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::of(&self.row().times(&other.row()), denominator, radius)
     }
 
-    /// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else
-    /// nothing is known of the quotient. Undefined for a divisor that is zero.
+    /// Divides: |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b) for r_b ≤ |b̂|/64; the radius is
+    /// infinite for larger r_b. Undefined for a zero divisor.
     #[inline(never)]
     fn over(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) || other.is_zero() {
@@ -129,7 +126,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + radius, ..quotient }
     }
 
-    /// â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
+    /// Returns â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
@@ -138,7 +135,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
     }
 
-    /// How |self| compares to |other|; `None` if either is undefined.
+    /// Compares |self| with |other|; `None` if either is undefined.
     pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
         if !(self.is_defined() && other.is_defined()) {
             return None;
@@ -148,12 +145,12 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let sign = if a.sign() * b.sign() < 0 { 1 } else { -1 };
         let difference = a.plus(&b, sign).sign();
-        // Of zero the other's sign is all that there is.
+        // For self = 0 only the sign of the other matters.
         Some(if a.sign() == 0 { 0.cmp(&b.sign().abs()) } else { (a.sign() * difference).cmp(&0) })
     }
 }
 
-/// Undefined equals nothing, itself included.
+/// Undefined numbers equal nothing, themselves included.
 impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
     fn eq(&self, other: &Self) -> bool {
         let difference = *self - *other;

@@ -1,19 +1,18 @@
-//! Into [`Digits`] and out of it: floats, pairs of floats, integers, ratios.
+//! Conversions between [`Digits`] and floats, pairs of floats, integers, ratios.
 //!
-//! What comes from a float or an integer is exact. What goes to a float is correctly rounded, ties
-//! to even, through the subnormal range; beyond the largest float it is infinite, and undefined is
-//! not a number.
+//! Conversions from floats and integers are exact. Conversions to floats round correctly, ties to
+//! even, also to subnormal numbers; beyond the range they give ±∞, for undefined numbers NaN.
 
 use num_traits::Zero;
 
 use super::rows::{DigitRow, significand};
 use super::{Digits, Size};
 
-/// A format of IEEE 754 that fits 64 bits.
+/// A format of IEEE 754 in at most 64 bits.
 struct Format {
-    /// Significant bits, the hidden one included.
+    /// The number of significant bits, including the hidden one.
     precision: u32,
-    /// The exponent of the least normal number; the largest number has the exponent 1 − lowest.
+    /// The exponent of the least normal number; the largest exponent is 1 − lowest.
     lowest: i64,
 }
 
@@ -43,49 +42,44 @@ impl<const D: usize, const M: usize> From<f32> for Digits<D, M> {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// high + low
     pub(crate) fn from_double_double(high: f64, low: f64) -> Self {
         Self::from(high) + Self::from(low)
     }
 
-    /// An integer of any length, its limbs in little-endian order.
+    /// Returns an integer of any length from little-endian limbs.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
         Self::of(&DigitRow::of_limbs(negative, limbs), 1, Size::zero())
     }
 
-    /// ±numerator/denominator from limbs of any number.
+    /// Returns ±numerator/denominator from little-endian limbs.
     pub(crate) fn from_ratio(negative: bool, numerator: &[u64], denominator: &[u64]) -> Self {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }
 
-    /// The nearest `f64`, ties to even; ±∞ beyond the largest, not a number for undefined.
+    /// Returns the nearest `f64`, ties to even; ±∞ beyond the largest, NaN for undefined.
     pub(crate) fn to_f64(self) -> f64 {
         let magnitude = f64::from_bits(self.encode(&DOUBLE));
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// The nearest `f32`, ties to even, rounded once; ±∞ beyond the largest, not a number for
-    /// undefined.
+    /// Returns the nearest `f32`, rounded once, like [`to_f64`](Self::to_f64).
     pub(crate) fn to_f32(self) -> f32 {
-        // Bits of the format fill the low half.
+        // The low half holds the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// The nearest `f64` and the `f64` nearest to what it leaves; (x, 0) where the first is not
-    /// finite.
+    /// Returns the nearest `f64` and the `f64` nearest to the rest; (x, 0) if x is not finite.
     ///
-    /// The second is at most half an ulp of the first; where it is exactly that by its own
-    /// rounding, the sum of both may round away from the first.
+    /// If the second rounds to half an ulp of the first, their sum may round away from the first.
     pub(crate) fn to_double_double(self) -> (f64, f64) {
         let high = self.to_f64();
-        // The difference is exact: it starts below the bits of `high` and ends where this number
-        // does.
+        // The difference is exact: its digits lie between the last bit of `high` and the end.
         let low = if high.is_finite() { (self - Self::from(high)).to_f64() } else { 0.0 };
         (high, low)
     }
 
-    /// The bits of |self| in a format, correctly rounded.
+    /// Returns the bits of |self| in a format, correctly rounded.
     fn encode(&self, format: &Format) -> u64 {
         let stored = format.precision - 1;
         let infinity = ((2 - 2 * format.lowest) as u64 + 1) << stored;
@@ -98,8 +92,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if exponent > 1 - format.lowest {
             return infinity;
         }
-        // Below the least normal number the last place stays where it is, and bits are missing at
-        // the top.
+        // Subnormal numbers share their last place, so they have fewer bits.
         let missing = (format.lowest - exponent).max(0);
         let kept = i64::from(format.precision) - missing;
         if kept < 0 {
@@ -113,14 +106,13 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry out of the fraction, count the exponent up, as far as
-        // infinity.
+        // The hidden bit, and a carry out of the fraction, increment the exponent, up to infinity.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// |numerator| as n·2^e with 64 bits of n at least. Where more was left out n is odd,
-    /// and rounds to fewer bits as the whole does.
+    /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits were left out,
+    /// n is odd and rounds to fewer bits like the whole numerator.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

@@ -1,9 +1,8 @@
-//! Numbers of many digits on the heap, for the last eliminations that a step is tried by.
+//! Numbers of many digits on the heap, for the last eliminations that try a step.
 //!
-//! 17 digits of 64 bits leave a step open where its matrix has entries that are a thousand powers
-//! of ten apart and nearly singular parts; here there is room enough, at the price of an
-//! allocation an operation. The time of an operation grows with the square of the digits, so that
-//! an elimination begins with few. Zero takes no room.
+//! Steps whose matrix has entries a thousand powers of ten apart and nearly singular parts may need
+//! more than 17 digits of 64 bits. Every operation allocates. The time of an operation grows with
+//! the square of the digits, so an elimination begins with few. Zero allocates nothing.
 
 use std::boxed::Box;
 
@@ -13,24 +12,22 @@ use super::{Digits, Size, Wide};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-/// How many digits the numbers of an elimination may have.
+/// The largest number of digits in an elimination.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
-    /// As many as wide numbers have.
+    /// The digits of [`Wide`].
     Few,
     More,
     Most,
 }
 
 impl Capacity {
-    /// Each, in the order that they are tried in.
     pub(crate) const ALL: [Self; 3] = [Self::Few, Self::More, Self::Most];
 }
 
 type More = Digits<64, 134>;
 type Most = Digits<256, 518>;
 
-/// A number of its capacity.
 #[derive(Clone, Debug, PartialEq)]
 enum Number {
     Few(Box<Wide>),
@@ -38,7 +35,7 @@ enum Number {
     Most(Box<Most>),
 }
 
-/// A value that a number has of any capacity.
+/// Evaluates an expression for a number of any capacity.
 macro_rules! of_any_capacity {
     ($number:expr, |$digits:ident| $value:expr) => {
         match $number {
@@ -49,7 +46,7 @@ macro_rules! of_any_capacity {
     };
 }
 
-/// The result of an operation on two numbers, in the smaller of their capacities.
+/// Applies an operator to two numbers in the smaller of their capacities.
 macro_rules! of_common_capacity {
     ($a:expr, $operator:tt, $b:expr) => {
         match ($a, $b) {
@@ -63,13 +60,11 @@ macro_rules! of_common_capacity {
 }
 
 impl Number {
-    /// The same number with another number of digits.
     fn digits<const D: usize, const M: usize>(&self) -> Digits<D, M> {
         of_any_capacity!(self, |digits| digits.with_digits())
     }
 }
 
-/// Numbers that know their capacity.
 macro_rules! capacities {
     ($($capacity:ident: $digits:ty;)*) => { $(
         impl From<$digits> for Number {
@@ -82,16 +77,15 @@ macro_rules! capacities {
 
 capacities! { Few: Wide; More: More; Most: Most; }
 
-/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; none for zero. What is
-/// computed from two has the smaller capacity of both.
+/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; exact zeros have no
+/// memory. Results have the smaller capacity of the operands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Long(Option<Number>);
 
 impl Long {
-    /// How many digits there may be.
     pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
-    /// A number, and the capacity of what is computed from it.
+    /// Makes a number; `capacity` bounds the digits of results computed from it.
     pub(crate) fn new(number: Wide, capacity: Capacity) -> Self {
         Self::of(match capacity {
             Capacity::Few => number.into(),
@@ -106,40 +100,38 @@ impl Long {
         Self((!is_exactly_zero).then_some(number))
     }
 
-    /// What |v| is at most, for the value v of the formula.
+    /// Returns an upper bound of |v| for the exact value v.
     pub(crate) fn at_most(&self) -> Size {
         let at_most = |number: &Number| of_any_capacity!(number, |digits| digits.size() + digits.radius());
         self.0.as_ref().map_or_else(Size::zero, at_most)
     }
 
-    /// The leading digits, and what the others are as the radius.
+    /// Returns the leading digits; the radius covers the others.
     pub(crate) fn leading(&self) -> Wide {
         self.0.as_ref().map_or_else(Wide::zero, Number::digits)
     }
 
-    /// Whether the value of the formula is no farther from `rounded` than so many times |rounded|.
+    /// Returns whether the exact value differs from `rounded` by at most relative·|rounded|.
     ///
-    /// Where that is so of each component of x̃, |A·x̃ − b|ᵢ is no more than so many times
-    /// (|A|·|x̃|)ᵢ, as A times the true ones is b.
+    /// If this holds for all components of x̃, then |A·x̃ − b|ᵢ ≤ relative·(|A|·|x̃|)ᵢ.
     pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
         let off = self.leading() - rounded;
         off.size() + off.radius() <= rounded.size() * Size::from(relative)
     }
 
-    /// Whether more digits are known than any scalar has.
+    /// Returns whether the number is known to more digits than any scalar has.
     fn is_known(&self) -> bool {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Whether a larger capacity would tell nothing new of a step: all of its components are known,
-    /// or one that is known is not in the range of the scalar. The range is asked for beside each.
+    /// Returns whether a larger capacity is useless: all components are known, or a known one is
+    /// out of range. Each component comes with whether it is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
         known.all(|(number, _)| number.is_known()) || beyond.any(|(number, _)| number.is_known())
     }
 
-    /// self·2^power
     fn scaled(&self, power: i64) -> Self {
         self.clone().times(Self::of(Most::power_of_two(power).into()))
     }
@@ -170,8 +162,8 @@ impl Long {
     }
 }
 
-/// Multiplies a row of a system of equations by the power of two that leaves its largest entry
-/// near 1, so that the largest entry of a column is a good pivot.
+/// Scales a row of a linear system by a power of two to bring its largest entry near 1, so that
+/// the largest entry of a column is a good pivot.
 pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut Long) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());
@@ -214,12 +206,10 @@ impl Scalar for Long {
         Self::of(Number::Most(Box::new(c.to_digits())))
     }
 
-    /// Without the reciprocal, which would be a second division.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }
 
-    /// The larger magnitude, for stability; what is undefined is never better.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.at_most() > than.at_most()
     }

@@ -1,52 +1,49 @@
-//! Exact sums and products of digits to the base 2⁶⁴, wherever these lie: places without a digit
-//! take no room.
+//! Exact sums and products of sparse rows of digits to the base 2⁶⁴.
 //!
-//! Digits carry signs, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them: a difference fills no
-//! gap with borrows. A row is worth the sum of digit·2^(64·place), and its sign is that of its
-//! leading digit. What a row has no room for is cut off at its low end, and the row says how much
-//! that is at most.
+//! Digits are signed, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them, and differences need no
+//! long borrows. The value of a row is Σ digit·2^(64·place), with the sign of its leading digit.
+//! Rows cut off low digits for lack of room, and keep a bound of them.
 
 use num_traits::Zero;
 
 use super::Size;
 
-/// At most M digits with their places, the leading one first; none is zero. They are those of an
-/// exact sum of two numbers with a common denominator, or of a product's leading half.
+/// At most M nonzero digits with their places, the leading one first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DigitRow<const M: usize> {
     digits: [(i64, i64); M],
-    /// Where the leading one stands: a row is made from its low end.
+    /// The index of the leading digit, as rows are filled from the low end.
     start: usize,
-    /// At most so much was cut off.
+    /// An upper bound of the digits cut off.
     cut: Size,
 }
 
-/// The digits of short rows, and how many of a longer one a short one takes.
+/// The capacity of short rows, and the number of leading digits copied to one.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
-/// More than a digit and all that may stand below it.
+/// Returns an upper bound of a digit and all digits below it.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
-    // The second factor is more than what the conversion of the digit loses.
+    // The second factor covers the rounding of the digit's conversion.
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
 
 impl<const M: usize> DigitRow<M> {
-    /// Whether the digits of a quotient are guessed by dividing short rows, not floats.
+    /// Whether quotient digits are estimated by dividing short rows instead of floats.
     const IS_LONG: bool = M > SHORT;
 
-    /// So many bits of a guess are right, at least. A short row leaves out less than a unit of its
-    /// last digit, and is worth at least half a unit of its first one.
+    /// The least number of correct bits in an estimate. A short row omits less than a unit of its
+    /// last digit, and is at least half a unit of its first one.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
-    /// Each round of a division leaves less than 2^−GUESSED of the remainder; so many leave less
-    /// than the unit of a number, which has half of the digits of a row.
+    /// The number of division rounds. Each leaves less than 2^−GUESSED of the remainder; together
+    /// they leave less than the unit of a number, which has half of the digits of a row.
     const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// Puts a sum of digits at a place above all others; what is carried to the next one.
+    /// Adds a sum of digits at a place above all others, and returns the carry to the next place.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
         let digit = total as i64;
         if digit != 0 {
@@ -55,7 +52,7 @@ impl<const M: usize> DigitRow<M> {
         (total - i128::from(digit)) >> 64
     }
 
-    /// Puts a digit before the others. If there is no room, the last one is cut off.
+    /// Adds a digit before the others, and cuts off the last one if the row is full.
     fn lead(&mut self, digit: (i64, i64)) {
         if self.start == 0 {
             self.cut = self.cut + from_here_on(self.digits[M - 1]);
@@ -66,7 +63,7 @@ impl<const M: usize> DigitRow<M> {
         self.digits[self.start] = digit;
     }
 
-    /// ±limbs, little-endian.
+    /// Makes ±limbs from little-endian limbs.
     pub(super) fn of_limbs(negative: bool, limbs: &[u64]) -> Self {
         let (mut row, mut carry, mut place) = (Self::EMPTY, 0, 0);
         for limb in limbs {
@@ -78,7 +75,6 @@ impl<const M: usize> DigitRow<M> {
         row
     }
 
-    /// significand·2^exponent
     pub(super) fn of_significand(significand: i64, exponent: i64) -> Self {
         let (place, shift) = (exponent.div_euclid(64), exponent.rem_euclid(64));
         let mut row = Self::EMPTY;
@@ -87,29 +83,28 @@ impl<const M: usize> DigitRow<M> {
         row
     }
 
-    /// The digits of a number.
     pub(super) fn of_digits(digits: impl DoubleEndedIterator<Item = (i64, i64)>) -> Self {
         let mut row = Self::EMPTY;
         digits.rev().for_each(|digit| row.lead(digit));
         row
     }
 
-    /// The digits, the leading one first.
+    /// Returns the digits, the leading one first.
     pub(super) fn digits(&self) -> &[(i64, i64)] {
         &self.digits[self.start..]
     }
 
-    /// What all digits but the first `kept`, and what was cut off before, are at most.
+    /// Returns an upper bound of all digits except the first `kept`, cut digits included.
     pub(super) fn without(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
 
-    /// 1, −1, or 0 for none.
+    /// Returns 1, −1, or 0 for an empty row.
     pub(super) fn sign(&self) -> i64 {
         self.digits().first().map_or(0, |(_, digit)| digit.signum())
     }
 
-    /// m and e with m·2^e near the row: up to a relative 2⁻⁵¹.
+    /// Returns m and e with m·2^e near the row, up to a relative 2⁻⁵¹.
     pub(super) fn leading(&self) -> (f64, i64) {
         match *self.digits() {
             [] => (0.0, 0),
@@ -118,13 +113,12 @@ impl<const M: usize> DigitRow<M> {
         }
     }
 
-    /// The size of the digits that are here.
     pub(super) fn size(&self) -> Size {
         size_of(self.leading())
     }
 
-    /// |d·2⁶⁴ + d′| of the leading digit d and the one in the place below, which may be 0,
-    /// and that place. `None` for zero.
+    /// Returns |d·2⁶⁴ + d′| for the leading digit d and the digit d′ one place below, possibly 0,
+    /// and the place of d′; `None` for zero.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
@@ -132,7 +126,7 @@ impl<const M: usize> DigitRow<M> {
         Some((size.wrapping_add_signed(i128::from(second) * i128::from(first.signum())), place - 1))
     }
 
-    /// self + sign·other, for a sign of 1 or −1.
+    /// Returns self + sign·other, for a sign of 1 or −1.
     pub(super) fn plus(&self, other: &Self, sign: i64) -> Self {
         let mut sum = Self { cut: self.cut + other.cut, ..Self::EMPTY };
         let (mut these, mut those) = (self.digits(), other.digits());
@@ -143,7 +137,7 @@ impl<const M: usize> DigitRow<M> {
                 (Some(this), Some(that)) => Some(this.min(that)),
                 (this, that) => this.or(that),
             };
-            // What is carried stands at or below the next digit.
+            // A carry stands at or below the next digit.
             let here = if carry == 0 { next } else { Some(place) };
             let Some(here) = here else { break };
             let mut take = |digits: &mut &[(i64, i64)], sign: i64| {
@@ -162,14 +156,14 @@ impl<const M: usize> DigitRow<M> {
         sum
     }
 
-    /// self·digit·2^(64·up)
+    /// Returns self·digit·2^(64·up).
     fn times_digit(&self, (up, factor): (i64, i64)) -> Self {
         let cut = self.cut * Size::from(factor.unsigned_abs() as f64).scaled(64 * up);
         let mut product = Self { cut, ..Self::EMPTY };
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
-                // It is a digit: less than 2⁶³.
+                // The carry is below 2⁶³, so it is a digit.
                 carry = product.settle(place, carry);
             }
             carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
@@ -179,19 +173,18 @@ impl<const M: usize> DigitRow<M> {
         product
     }
 
-    /// self·factor, for a factor that nothing was cut off.
+    /// Returns self·factor, for a factor without cut digits.
     pub(super) fn times(&self, factor: &Self) -> Self {
         self.times_in_place(factor).unwrap_or_else(|| self.times_far_apart(factor))
     }
 
-    /// The same where all places of the product, those without a digit included, are no more than a
-    /// row has: its sums are made where they stand.
+    /// Returns self·factor, summed in place, if all places of the product fit a row.
     pub(super) fn times_in_place(&self, factor: &Self) -> Option<Self> {
         let (these, those) = (self.digits(), factor.digits());
         let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
         let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
         let lowest = low + factor_low;
-        // Two digits are carried into, at most.
+        // Carries reach at most two further places.
         let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
         if !self.cut.is_zero() {
             return None;
@@ -207,7 +200,7 @@ impl<const M: usize> DigitRow<M> {
             };
             for &(place, digit) in these.iter().rev() {
                 let here = (place + up - lowest) as usize;
-                // What was carried goes as far as it goes.
+                // Propagates the carry up to the next digit.
                 while at < here && add(&mut sums[at], 0) {
                     at += 1;
                 }
@@ -225,17 +218,15 @@ impl<const M: usize> DigitRow<M> {
         Some(product)
     }
 
-    /// The same wherever the digits stand.
+    /// Returns self·factor for digits at any places.
     pub(super) fn times_far_apart(&self, factor: &Self) -> Self {
         let parts = factor.digits().iter().map(|&digit| self.times_digit(digit));
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit
-    /// of a number beside self.
-    ///
-    /// Digits are guessed from the leading ones; what they leave is exact, so a guess need not be
-    /// right.
+    /// Returns q and r with self = q·divisor + r, for a nonzero divisor; r is zero, or below a unit
+    /// of a number relative to self. Each remainder is exact, so later rounds correct wrong
+    /// estimates.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
@@ -249,7 +240,7 @@ impl<const M: usize> DigitRow<M> {
         (quotient, rest)
     }
 
-    /// The leading digits of self/divisor.
+    /// Returns an estimate of the leading digits of self/divisor.
     fn guessed_quotient(&self, divisor: &Self) -> Self {
         if Self::IS_LONG {
             let (quotient, _) = self.leading_digits().divided(&divisor.leading_digits());
@@ -265,17 +256,16 @@ impl<const M: usize> DigitRow<M> {
     }
 }
 
-/// digit·2^(64·place) and the digit below it as m·2^e.
+/// Returns m and e with m·2^e ≈ digit·2^(64·place) plus the digit one place below.
 pub(super) fn leading(place: i64, digit: i64, below: i64) -> (f64, i64) {
     (digit as f64 + below as f64 * f64::from_bits((1023 - 64) << 52), 64 * place)
 }
 
-/// |m|·2^e
 pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
     Size::from(leading.abs()).scaled(exponent)
 }
 
-/// A finite float as an integer times a power of two.
+/// Returns a finite float as an integer and a binary exponent.
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);

@@ -1,7 +1,6 @@
-//! [`Digits`] as a scalar: the generated step runs over it as over a float.
+//! [`Digits`] as a scalar, on which generated steps run.
 //!
-//! Zero has no reciprocal, so a pole that is met exactly ends the step instead of passing on an
-//! undefined number.
+//! Zero has no reciprocal, so an exact pole ends the step without an undefined number.
 
 use core::cmp::Ordering;
 
@@ -19,12 +18,11 @@ impl<const D: usize, const M: usize> Scalar for Digits<D, M> {
         Self::one().quotient(*self)
     }
 
-    /// Without the reciprocal, which would be a second division.
+    /// Divides without the reciprocal, which would be a second division.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }
 
-    /// The larger magnitude, for stability; what is undefined is never better.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.compare_magnitudes(than) == Some(Ordering::Greater)
     }

@@ -1,29 +1,24 @@
-//! How large a [`Wide`](super::Wide) is: its exponent, and 53 bits of its mantissa.
+//! Magnitudes of [`Wide`](super::Wide) numbers: an exponent and 53 bits of mantissa.
 //!
-//! Bounds on errors are made of sizes. They need the range of the numbers that they belong to and
-//! hardly a digit of them, and a step over such numbers carries a size beside each.
+//! Error bounds are made of them. They need the range of wide numbers and few digits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// mantissa·2^exponent with a mantissa in [1, 2); or a mantissa of 0, infinity or NaN with the
-/// exponent 0.
-///
-/// Each operation rounds by at most 2⁻⁵². What leaves the range of the exponent is NaN, which is
-/// neither more nor less than any.
+/// A magnitude mantissa·2^exponent with a mantissa in [1, 2), or a mantissa of 0, infinity or NaN
+/// with the exponent 0. Operations round by at most 2⁻⁵²; an exponent out of range gives NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(super) exponent: i64,
     pub(super) mantissa: f64,
 }
 
-/// The bits of 1.0, and those of a mantissa behind its leading bit.
+/// The bits of 1.0, and the mask of a mantissa's fraction.
 const ONE: u64 = 1023 << 52;
 const FRACTION: u64 = (1 << 52) - 1;
 
-/// 2^power for powers of normal numbers.
 fn power_of_two(power: i64) -> f64 {
     f64::from_bits(((1023 + power) as u64) << 52)
 }
@@ -31,7 +26,7 @@ fn power_of_two(power: i64) -> f64 {
 impl Size {
     const UNKNOWN: Self = Self { exponent: 0, mantissa: f64::NAN };
 
-    /// mantissa·2^exponent for a mantissa that is not subnormal.
+    /// Returns mantissa·2^exponent for a mantissa that is not subnormal.
     fn normalised(mantissa: f64, exponent: Option<i64>) -> Self {
         if !mantissa.is_normal() {
             return Self { exponent: 0, mantissa };
@@ -44,23 +39,19 @@ impl Size {
         })
     }
 
-    /// self·2^power
     pub(crate) fn scaled(self, power: i64) -> Self {
         Self::normalised(self.mantissa, self.exponent.checked_add(power))
     }
 
-    /// Whether nothing is known of this.
     pub(crate) fn is_unknown(self) -> bool {
         self.mantissa.is_nan()
     }
 
-    /// Whether this is a number other than zero.
     fn is_normal(self) -> bool {
         self.mantissa.is_normal()
     }
 }
 
-/// The size of a number that is not negative.
 impl From<f64> for Size {
     fn from(value: f64) -> Self {
         if value < f64::MIN_POSITIVE {
@@ -71,7 +62,7 @@ impl From<f64> for Size {
     }
 }
 
-/// Infinite and zero beyond the range.
+/// Returns infinity or zero beyond the range.
 impl From<Size> for f64 {
     fn from(size: Size) -> Self {
         let exponent = size.exponent.clamp(-1200, 1200);

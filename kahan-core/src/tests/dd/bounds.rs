@@ -1,9 +1,8 @@
-//! The bound of each operation, which `Dd` states, on seeded operands with exponents over the whole
-//! range.
+//! The error bounds that `Dd` states, on seeded operands with exponents over the whole range.
 //!
-//! A result is compared with the exact one as whole numbers times powers of two, so the comparison
-//! is exact. Every result must be normalised as well. The default run is a sample;
-//! `cargo test --release -p kahan-core --features exact -- --ignored millions` is the whole.
+//! Results are compared exactly, as integers times powers of two, and must be normalised. The
+//! default run is a sample of
+//! `cargo test --release -p kahan-core --features exact -- --ignored millions`.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;
@@ -12,28 +11,27 @@ use crate::{Dd, Scalar};
 const SAMPLE: usize = 20_000;
 const MILLIONS: usize = 4_000_000;
 
-/// What [`Dd`] states of sums, products and quotients, in u².
+/// The bounds of sums, products and quotients, in u².
 const SUM: i64 = 3;
 const PRODUCT: i64 = 5;
 const QUOTIENT: i64 = 14;
 
-/// count·u², u = 2⁻⁵³, with a hundredth for terms in u³.
+/// Returns count·u², u = 2⁻⁵³, plus a hundredth for terms in u³.
 fn square_units(count: i64) -> Dyadic {
     Dyadic::new(count, -106) + Dyadic::new(count, -150)
 }
 
-/// What a result below the normal range may be off by in addition: 2⁻¹⁰⁷².
+/// Returns the additional error below the normal range, 2⁻¹⁰⁷².
 fn least() -> Dyadic {
     Dyadic::new(1, -1072)
 }
 
-/// No bits of high and low overlap, and high is the nearest float.
+/// Asserts that high is the nearest float to the sum.
 #[track_caller]
 fn assert_normalised(x: Dd) {
     assert!(x.is_finite() && x.high() + x.low() == x.high(), "{:e} {:e}", x.high(), x.low());
 }
 
-/// |computed − exact| ≤ bound
 #[track_caller]
 fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[Dd]) {
     let error = (computed.clone() - exact.clone()).abs();
@@ -41,7 +39,7 @@ fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[
     assert!(error <= *bound, "{parts:?}");
 }
 
-/// Sums: the relative bound holds everywhere, as sums of floats do not underflow.
+/// Checks sums, whose relative bound has no exceptions, as sums of floats do not underflow.
 fn check_sums(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {
@@ -59,9 +57,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// Operands at which an operation errs by most of what is stated, which therefore could not be much
-/// less. Those of the sum are from the paper of Joldeş, Muller and Popescu, the others are the
-/// worst that a search of a minute met without fused multiply-adds.
+/// Operands at which an operation errs by most of its bound. Those of the sum are from the paper of
+/// Joldeş, Muller and Popescu, others the worst of a one-minute search without fused multiply-adds.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));
@@ -88,7 +85,6 @@ fn the_bounds_are_nearly_reached() {
     assert!(errs_between(Dyadic::of(x / y) * Dyadic::of(y) - exact.clone(), 9, QUOTIENT, &exact));
 }
 
-/// Two exponents whose sum is within `most`.
 fn exponents(operands: &mut Operands, most: i32) -> (i32, i32) {
     let first = operands.between(-1022, 1022);
     let sum = operands.between(-most, most);
@@ -104,7 +100,7 @@ fn check_products(seed: u64, count: usize) {
         let bound = square_units(PRODUCT) * exact.clone().abs();
         let product = x * y;
         if !product.is_finite() {
-            // The largest product here is below 2¹⁰²⁴ and may round to it.
+            // The largest products are below 2¹⁰²⁴ and may round to it.
             assert!(exact.abs() > Dyadic::new(1, 1023) && product.low() == 0.0 && !product.is_nan());
             continue;
         }
@@ -116,7 +112,7 @@ fn check_products(seed: u64, count: usize) {
     }
 }
 
-/// |z − x/y| ≤ 14u²·|x/y| is |zy − x| ≤ 14u²·|x|.
+/// Checks |z − x/y| ≤ 14u²·|x/y| as |zy − x| ≤ 14u²·|x|.
 fn check_quotients(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for i in 0..count {
@@ -143,7 +139,7 @@ fn check_quotients(seed: u64, count: usize) {
     }
 }
 
-/// |z − √x| ≤ b√x is (1 − b)²x ≤ z² ≤ (1 + b)²x.
+/// Checks |z − √x| ≤ b√x as (1 − b)²x ≤ z² ≤ (1 + b)²x.
 #[cfg(feature = "std")]
 fn check_square_roots(seed: u64, count: usize) {
     let one = || Dyadic::new(1, 0);
@@ -164,7 +160,7 @@ fn check_square_roots(seed: u64, count: usize) {
     }
 }
 
-/// |computed − (xy + z)| ≤ 16u²·|xy| + 5u²·|xy + z|, also where the sum cancels.
+/// Checks |computed − (xy + z)| ≤ 16u²·|xy| + 5u²·|xy + z|, also with cancellation.
 fn check_multiply_adds(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for i in 0..count {
@@ -186,8 +182,7 @@ fn check_multiply_adds(seed: u64, count: usize) {
     }
 }
 
-/// Numbers below the normal range, where sums stay exact and the other operations are off by 2⁻¹⁰⁷²
-/// more.
+/// Checks subnormal numbers: sums are exact, other operations err by 2⁻¹⁰⁷² more.
 fn check_subnormals(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

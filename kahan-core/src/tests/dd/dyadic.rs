@@ -1,5 +1,4 @@
-//! Exact numbers m·2ᵉ: what sums, differences and products of floats are. Much faster than
-//! fractions, and as exact.
+//! Exact numbers m·2ᵉ for sums, differences and products of floats, faster than fractions.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
@@ -17,7 +16,6 @@ pub(super) struct Dyadic {
 }
 
 impl Dyadic {
-    /// m·2ᵉ
     pub(super) fn new(significand: i64, exponent: i32) -> Self {
         Self { significand: significand.into(), exponent }
     }
@@ -47,7 +45,7 @@ impl Dyadic {
         }
     }
 
-    /// Both significands over one power of two.
+    /// Returns both significands over one power of two.
     fn aligned(self, other: Self) -> (BigInt, BigInt, i32) {
         if self.significand.is_zero() || other.significand.is_zero() {
             let exponent = if self.significand.is_zero() { other.exponent } else { self.exponent };

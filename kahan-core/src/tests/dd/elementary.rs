@@ -1,8 +1,8 @@
 //! The bounds of the elementary functions, against fixed-point numbers of 700 bits.
 //!
-//! An argument is a whole multiple of 2⁻⁷⁰⁰. Taylor's series are summed there until a term is 0:
-//! each of the fewer than 2000 divisions is off by less than one unit, and where terms fall by
-//! halves the rest of a series is less than its last term. So all sums are right to 2⁻⁶⁰⁰.
+//! An argument is a multiple of 2⁻⁷⁰⁰. Taylor series are summed until a term is 0: each of the
+//! fewer than 2000 divisions is off by less than one unit, and the rest of a series is below its
+//! last term once terms halve. All sums are accurate to 2⁻⁶⁰⁰.
 
 use std::vec::Vec;
 
@@ -17,7 +17,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// A number of at least 2⁻⁵⁹⁰ in size, or 0, exactly.
+/// Returns a number exactly, for a magnitude of at least 2⁻⁵⁹⁰ or 0.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });
@@ -28,8 +28,7 @@ fn fixed(x: Dd) -> BigInt {
     part(x.high()) + part(x.low())
 }
 
-/// The sum of a series that begins with `first`: each later term is the one before it, times y over
-/// the next `step` numbers after n.
+/// Returns Σ of terms from `first` on, each the last one times y over the next `step` numbers.
 fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
     let (mut term, mut sum) = (first, BigInt::zero());
     while !term.is_zero() {
@@ -44,7 +43,7 @@ fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
 }
 
 fn exp(x: &BigInt) -> BigInt {
-    // e^x = (e^(x/2¹⁰))^(2¹⁰): the 2¹⁰ roundings grow with the value, and stay below 2⁻⁶⁰⁰ of it.
+    // e^x = (e^(x/2¹⁰))^(2¹⁰): the relative error of the 2¹⁰ roundings stays below 2⁻⁶⁰⁰.
     let mut power = series(one(), 0, 1, &(x >> 10));
     for _ in 0..10 {
         power = (&power * &power) >> BITS;
@@ -52,7 +51,7 @@ fn exp(x: &BigInt) -> BigInt {
     power
 }
 
-/// π, by Machin's formula.
+/// Returns π by Machin's formula.
 fn pi() -> BigInt {
     let arctangent = |n: u32| {
         let (mut power, mut sum, mut k) = (one() / n, BigInt::zero(), 0_u32);
@@ -67,7 +66,7 @@ fn pi() -> BigInt {
     (arctangent(5) * 4 - arctangent(239)) * 4
 }
 
-/// |computed − exact| ≤ count·u²·|exact| + 2⁻ᵏ, k = `least`.
+/// Asserts |computed − exact| ≤ count·u²·|exact| + 2⁻ᵏ, k = `least`.
 #[track_caller]
 fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) {
     let error = (fixed(computed) - exact).abs();
@@ -75,8 +74,7 @@ fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) 
     assert!(error <= bound, "{x:?}: {computed:?}");
 }
 
-/// Numbers of sizes from 2⁻²⁰ to 2ᵐ and both signs, with low parts; beside them multiples of
-/// `period`.
+/// Returns numbers from 2⁻²⁰ to 2ᵐ in size, of both signs, and near multiples of `period`.
 fn arguments(most: i32, period: f64) -> Vec<Dd> {
     let mut state = 20_261_128_u64;
     let mut unit = || {
@@ -112,7 +110,7 @@ fn exponentials_are_within_their_bound() {
 #[test]
 fn logarithms_are_within_their_bound() {
     for x in arguments(8, 0.5).into_iter().map(Dd::abs).filter(|x| x.high() > 0.0) {
-        // Where e to the power of y is x(1 + δ), y is off by δ(1 − δ/2 + …).
+        // If e to the power of y is x(1 + δ), y is off by δ(1 − δ/2 + …).
         let y = x.ln();
         let (power, x_fixed) = (exp(&fixed(y)), fixed(x));
         let error = (((power - &x_fixed) << BITS) / x_fixed).abs();
@@ -133,7 +131,7 @@ fn sines_and_cosines_are_within_their_bound() {
     for x in arguments(40, core::f64::consts::FRAC_PI_2) {
         let exact = fixed(x);
         let turn: BigInt = &pi * 2;
-        // Division rounds to 0, which is downwards once there are many more turns.
+        // Division rounds to 0, which is down after adding many turns.
         let turns: BigInt = (&exact + &pi + &turn * MANY) / &turn - MANY;
         let rest: BigInt = exact - turns * turn;
         let square: BigInt = (&rest * &rest) >> BITS;

@@ -1,9 +1,8 @@
-//! Seeded operands that look for trouble: low parts next to a tie, gaps between the parts, few
-//! bits, all bits, cancellation.
+//! Seeded difficult operands: ties, gaps between the parts, few bits, all bits, cancellation.
 
 use crate::Dd;
 
-/// SplitMix64 (Steele, Lea, Flood 2014).
+/// The generator SplitMix64 (Steele, Lea, Flood 2014).
 pub(super) struct Operands(u64);
 
 impl Operands {
@@ -26,7 +25,7 @@ impl Operands {
         least + self.below((most - least + 1) as u64) as i32
     }
 
-    /// 52 bits behind the leading one: any, next to a power of two, or few.
+    /// Returns 52 bits behind the leading one: any, next to a power of two, or few.
     fn fraction(&mut self) -> u64 {
         const ALL: u64 = (1 << 52) - 1;
         match self.below(8) {
@@ -38,28 +37,26 @@ impl Operands {
         }
     }
 
-    /// A normal float with this exponent.
     pub(super) fn float(&mut self, exponent: i32) -> f64 {
         let sign = self.bits() & 1 << 63;
         f64::from_bits(sign | ((exponent + 1023) as u64) << 52 | self.fraction())
     }
 
-    /// A number whose high part has this exponent, or the next one where a low part carries.
+    /// Returns a number whose high part has this exponent, or the next one after a carry.
     pub(super) fn number(&mut self, exponent: i32) -> Dd {
         let high = self.float(exponent);
         let gap = match self.below(8) {
             0 => return Dd::from(high),
-            // Half a unit in the last place, nearly: |low| in [½, 1) of it.
+            // |low| is in [½, 1) of half a unit in the last place.
             1..=5 => 54,
             6 => 53 + self.between(1, 8),
             _ => 53 + self.between(1, 60),
         };
-        // A low part below the normal range is none.
+        // Low parts below the normal range are omitted.
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Another number, often one that cancels against x in one part or both, its exponent at most
-    /// `reach` from that of x.
+    /// Returns a number within `reach` of the exponent of x, which often cancels x in part.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

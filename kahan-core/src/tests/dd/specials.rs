@@ -1,4 +1,4 @@
-//! Infinities, zeros, what is not a number, the largest numbers, order and conversions.
+//! Infinities, zeros, NaN, the largest numbers, order and conversions.
 
 use core::cmp::Ordering;
 
@@ -22,7 +22,6 @@ const SPECIAL: [f64; 13] = [
     f64::NAN,
 ];
 
-/// The same float, whatever the sign of a zero.
 fn is_same(a: f64, b: f64) -> bool {
     a == b || a.is_nan() && b.is_nan()
 }
@@ -35,8 +34,7 @@ fn what_is_not_finite_is_what_floats_say() {
             let pairs =
                 [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (x.recip(), 1.0 / a)];
             for (result, float) in pairs {
-                // The nearest float of the exact result, in every case; subnormal quotients are
-                // rounded twice.
+                // The result is the float nearest to the exact one, or rounded twice if subnormal.
                 let is_near = is_same(result.high(), float)
                     || float.is_subnormal() && (result.high() - float).abs() <= f64::from_bits(1);
                 assert!(is_near, "{a:e} {b:e}: {:e}, not {float:e}", result.high());
@@ -46,8 +44,7 @@ fn what_is_not_finite_is_what_floats_say() {
             assert!(is_same(x.multiply_add(y, Dd::one()).high(), (x * y + Dd::one()).high()), "{a:e} {b:e}");
             assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b));
         }
-        // The exact root of the largest float is next to a tie, so its high part may be a place
-        // off.
+        // The exact root of the largest float is near a tie, so high may be off by one place.
         #[cfg(feature = "std")]
         assert!({
             let (root, float) = (Dd::from(a).sqrt().high(), a.sqrt());
@@ -67,7 +64,7 @@ fn a_sum_near_the_largest_number_has_its_low_part() {
     let below = Dd::new(f64::MAX, -3.0 * half_place);
     assert_eq!(Dd::from(f64::MAX) - Dd::from(3.0 * half_place), below);
     assert_eq!(below + Dd::from(3.0 * half_place), Dd::from(f64::MAX));
-    // A product that overflows on the way to a sum that does not.
+    // An overflowing product gives infinity, even if the exact sum is finite.
     let big = Dd::from(1e200);
     assert_eq!(big.multiply_add(big, Dd::one()), Dd::from(f64::INFINITY));
     let two = Dd::from(2.0);

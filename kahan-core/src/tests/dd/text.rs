@@ -49,7 +49,7 @@ fn short_numbers_are_short() {
     }
     assert_eq!(Dd::from(5e-324).to_string(), "4.9406564584124654417656879286822e-324");
     assert_eq!(Dd::from(f64::MAX).to_string(), "1.797693134862315708145274237317e308");
-    // The float 10³² is 5366162204393472 more, and with it, in the low part, the number is 10³².
+    // The float 10³² exceeds 10³² by 5366162204393472, which the low part can correct.
     assert_eq!(Dd::from(1e32).to_string(), "1.0000000000000000536616220439347e32");
     assert_eq!(Dd::new(1e32, -5_366_162_204_393_472.0).to_string(), "1e32");
     assert_eq!(Dd::new(1e31, -5e15).to_string(), "9999999999999994635896294965248");
@@ -65,7 +65,6 @@ fn widths_signs_and_fills_are_those_of_floats() {
     }
 }
 
-/// A float and the same number without a low part are the same text to any precision.
 #[test]
 fn without_a_low_part_the_text_is_that_of_the_float() {
     for x in [1.0 / 3.0, 123456.789, 1e-7, 2.5e10, -0.1, 5e-324, 1e300, f64::MAX, f64::MIN_POSITIVE] {
@@ -95,7 +94,7 @@ fn text_is_read_to_the_last_bit_of_both_parts() {
     assert!(read("nan").is_nan());
 }
 
-/// 1 + 2⁻⁵³ is a tie of the high part and 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is none: every digit counts.
+/// 1 + 2⁻⁵³ is a tie of the high part, 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is not: every digit counts.
 #[test]
 fn digits_far_behind_decide_ties() {
     let half = f64::EPSILON / 2.0;
@@ -117,7 +116,7 @@ fn digits_far_behind_decide_ties() {
     assert_eq!(above.low(), parts[0].low() * (1.0 + f64::EPSILON));
 }
 
-/// The sum of two positive decimals with as many places.
+/// Returns the sum of two positive decimals with equally many places.
 fn add_digits(a: &str, b: &str) -> String {
     let mut carry = 0;
     let mut sum: std::vec::Vec<u8> = a

@@ -11,7 +11,6 @@ use super::dyadic::Dyadic;
 use super::operands::Operands;
 use crate::Dd;
 
-/// The rational that a decimal is.
 fn rational(text: &str) -> BigRational {
     let (significand, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, fraction) = significand.split_once('.').unwrap_or((significand, ""));

@@ -1,5 +1,4 @@
-//! Floats in and out: exact in, and out the nearest, judged by the neighbours and by parsed
-//! decimals.
+//! Conversions of floats: exact in, and nearest out, compared with neighbours and parsed decimals.
 
 use std::string::ToString;
 
@@ -8,11 +7,11 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Any float: any exponent, few or many bits.
+/// Returns any finite float, of any exponent, with few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
-        // A quarter subnormal or nearly.
+        // A quarter are subnormal or nearly so.
         let bits = if random.bits() & 3 == 0 { bits & !(0x7fe << 52) } else { bits };
         let x = f64::from_bits(bits);
         if x.is_finite() {
@@ -46,7 +45,6 @@ fn a_float_comes_back_bit_for_bit() {
     }
 }
 
-/// The value that a float's fields spell, read here a second time.
 #[test]
 fn a_float_is_taken_exactly() {
     let mut random = Random(12);
@@ -62,7 +60,7 @@ fn a_float_is_taken_exactly() {
     }
 }
 
-/// x·2¹⁰⁷⁴ by halving and doubling alone.
+/// Returns x·2¹⁰⁷⁴ by halving and doubling.
 fn scaled_integer(x: f64) -> BigInt {
     let (mut size, mut shift) = (x.abs(), 1074_u64);
     while size >= 9_007_199_254_740_992.0 {
@@ -77,13 +75,12 @@ fn scaled_integer(x: f64) -> BigInt {
     if x < 0.0 { -integer } else { integer }
 }
 
-/// Asserts that `nearest` is the float nearest to `number`: no neighbour is nearer, and of two as
-/// near it is the even one.
+/// Asserts that `nearest` is the float nearest to `number`, and the even one at a tie.
 macro_rules! assert_nearest {
     ($number:expr, $nearest:expr, $largest_exponent:expr) => {{
         let (number, nearest) = ($number, $nearest);
         let value = Dyadic::of(number);
-        // Infinity stands for 2^(largest exponent + 1), the number that would follow.
+        // Infinity stands for 2^(largest exponent + 1), the next number.
         let as_dyadic = |x| {
             let wide = Wide::from(x);
             let beyond = Wide::one().scaled($largest_exponent + 1);
@@ -121,8 +118,7 @@ fn rounding_is_to_the_nearest_float() {
     }
 }
 
-/// Half-way numbers, and those that differ from them in the last bit of a mantissa, from the least
-/// float to the largest.
+/// Tests ties from the least float to the largest, and numbers that differ in their last bit.
 #[test]
 fn ties_go_to_even() {
     let mut random = Random(14);
@@ -157,7 +153,7 @@ fn ties_go_to_even() {
 
 #[test]
 fn beyond_the_largest_float_there_is_infinity() {
-    // Half-way between the largest float and its successor, if it had one: a tie, to the even side.
+    // The tie between the largest float and the next power of two goes to the even side.
     let tie = Wide::from(f64::MAX) + Wide::one().scaled(970);
     assert_eq!(tie.to_f64(), f64::INFINITY);
     assert_eq!((-tie).to_f64(), f64::NEG_INFINITY);
@@ -169,7 +165,7 @@ fn beyond_the_largest_float_there_is_infinity() {
     assert_eq!(Wide::one().scaled(100_000).to_double_double(), (f64::INFINITY, 0.0));
 }
 
-/// Decimal integers of up to 100 digits, and ratios of such, as the standard library reads them.
+/// Tests integers of up to 100 digits, and their ratios, against the standard library.
 #[test]
 fn decimals_round_as_they_parse() {
     let mut random = Random(15);
@@ -208,7 +204,6 @@ fn a_pair_of_floats_is_their_sum() {
     }
 }
 
-/// The high part is the nearest, the low part the nearest to the rest.
 #[test]
 fn a_number_splits_into_the_nearest_pair() {
     let mut random = Random(17);

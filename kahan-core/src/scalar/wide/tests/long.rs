@@ -1,4 +1,4 @@
-//! Numbers on the heap beside rationals.
+//! Numbers on the heap against rationals.
 
 use std::vec::Vec;
 
@@ -11,7 +11,6 @@ use crate::{Constant, Scalar};
 
 type Q = BigRational;
 
-/// What is exact in both: floats of very different sizes.
 fn floats() -> Vec<f64> {
     let sizes = [-300, -20, 0, 3, 40, 290];
     sizes.iter().flat_map(|size| [1.1, -0.7].map(|x| x * f64::from(*size).exp2())).chain([0.0]).collect()
@@ -25,8 +24,6 @@ fn rational(x: f64) -> Q {
     Q::from_float(x).expect("finite")
 }
 
-/// Sums, differences and products cut nothing off while there is room, and the leading digits of a
-/// result are its own.
 #[test]
 fn sums_and_products_are_exact() {
     let all = floats();
@@ -44,7 +41,7 @@ fn sums_and_products_are_exact() {
     }
 }
 
-/// A quotient knows what it cut off, which is far below a unit of any float; of zero there is none.
+/// A quotient knows its error, far below a unit of any float; zero has no reciprocal.
 #[test]
 fn quotients_know_their_digits() {
     let third = Long::one().quotient(long(3.0)).expect("a quotient");
@@ -69,7 +66,6 @@ fn constants_and_pivots_are_those_of_the_numbers() {
     assert_eq!((-long(0.75)).approximate(), -0.75);
 }
 
-/// A row and its right-hand side are multiplied by one power of two.
 #[test]
 fn a_levelled_row_is_the_same_equation() {
     let (mut row, mut right) = ([long(3e200), long(-5e-300), Long::zero()], long(7e100));
@@ -81,11 +77,10 @@ fn a_levelled_row_is_the_same_equation() {
     assert!((ratio(&row[1], -5e-300) - ratio(&right, 7e100)).is_zero() && row[2].is_zero());
 }
 
-/// What is settled needs no more room: all digits are known, or those of a number beyond the range.
 #[test]
 fn more_room_is_asked_for_until_a_step_is_settled() {
     let known = long(1.5);
-    // What two quotients differ by that are cut off at different digits.
+    // Two quotients cut off at different digits have an unknown difference.
     let divisor = || long(1e300) + long(3e-300);
     let lost = Long::new(Wide::one(), Capacity::Few) / divisor() - Long::one() / divisor();
     let are_settled = |components: &[(Long, bool)]| {
@@ -97,8 +92,6 @@ fn more_room_is_asked_for_until_a_step_is_settled() {
     assert!(!are_settled(&[(long(1.0), true), (lost, false)]));
 }
 
-/// A rounded number is near a value that is known, no nearer than a rounding; near one that is not,
-/// none is.
 #[test]
 fn a_rounding_is_within_half_a_unit() {
     let third = Long::one() / long(3.0);
@@ -107,10 +100,10 @@ fn a_rounding_is_within_half_a_unit() {
         |number: &Long, relative| number.is_within(relative, Wide::from(number.leading().to_f64()));
     assert!(is_within(&third, unit) && !is_within(&third, unit / 4.0));
     assert!(is_within(&long(1.5), 0.0) && is_within(&Long::zero(), 0.0));
-    // Three quarters of the least float are rounded to the least float.
+    // Three quarters of the least float round to the least float.
     let few = long(f64::from_bits(1)) * long(0.75);
     assert!(is_within(&few, 0.25) && !is_within(&few, 0.24));
-    // 0, or what was cut off of two products.
+    // The digits cut off in two products are all that remains.
     let divisor = long(1e300) + long(3e-300);
     let near_one = Long::one() / divisor.clone() * divisor;
     let lost = near_one.clone() - near_one;

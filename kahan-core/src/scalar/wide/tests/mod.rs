@@ -1,7 +1,6 @@
-//! [`Wide`] against exact numbers: n·2^k with big integers n, so that nothing is rounded on the
-//! side that judges.
+//! [`Wide`] against exact numbers n·2^k with big integers n.
 //!
-//! Operands are seeded: mantissas at random, of all ones, of single bits, of long runs; exponents
+//! Operands are seeded. Mantissas are random, all ones, single bits or long runs. Exponents are
 //! from −5000 to 5000, or close together, so that sums cancel.
 
 mod conversions;
@@ -17,10 +16,8 @@ use num_traits::Zero;
 use super::rows::DigitRow;
 use super::{FARTHEST, Size, Wide};
 
-/// Limbs of a dense operand.
 const LIMBS: usize = 16;
 
-/// integer·2^exponent.
 #[derive(Clone, Debug)]
 struct Dyadic {
     integer: BigInt,
@@ -28,13 +25,12 @@ struct Dyadic {
 }
 
 impl Dyadic {
-    /// A number without a denominator.
     fn of(number: Wide) -> Self {
         assert_eq!(number.denominator, 1, "{number:?}");
         Self::numerator(&number)
     }
 
-    /// The number times its denominator.
+    /// Returns the number times its denominator.
     fn numerator(number: &Wide) -> Self {
         assert!(number.is_defined(), "an undefined number has no value");
         let digits = number.digits.iter().zip(&number.below).take(number.count.into());
@@ -45,12 +41,11 @@ impl Dyadic {
         })
     }
 
-    /// The float of a size times its power of two.
     fn size(size: Size) -> Self {
         Self::of(Wide::from(size.mantissa).scaled(size.exponent))
     }
 
-    /// The integers of both over the smaller exponent, which is the third.
+    /// Returns the integers of both over the smaller exponent, and this exponent.
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
         let shifted = |dyadic: &Self| &dyadic.integer << (dyadic.exponent - exponent) as u64;
@@ -58,7 +53,7 @@ impl Dyadic {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        // A zero has no scale to align to.
+        // Zero has no scale to align to.
         if self.integer.is_zero() {
             return other.clone();
         }
@@ -79,13 +74,12 @@ impl Dyadic {
         Self { integer: self.integer.clone(), exponent: self.exponent + power }
     }
 
-    /// Whether |self| ≤ |other|.
     fn is_within(&self, other: &Self) -> bool {
         let (a, b, _) = self.aligned(other);
         a.magnitude() <= b.magnitude()
     }
 
-    /// A little more: what a radius that is rounded itself may lack.
+    /// Returns a slightly larger number, to cover the rounding of a radius.
     fn scaled_up(&self) -> Self {
         self.plus(&self.scaled(-40))
     }
@@ -96,7 +90,6 @@ impl Dyadic {
 }
 
 impl Wide {
-    /// self·2^power
     fn scaled(self, power: i64) -> Self {
         if !self.is_defined() || power.unsigned_abs() > 64 * FARTHEST {
             return Self::UNDEFINED;
@@ -109,7 +102,6 @@ impl Wide {
     }
 }
 
-/// SplitMix64.
 struct Random(u64);
 
 impl Random {
@@ -120,12 +112,11 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// An integer from −limit to limit.
     fn within(&mut self, limit: i64) -> i64 {
         (self.bits() % (2 * limit as u64 + 1)) as i64 - limit
     }
 
-    /// Limbs of one of the shapes that carries and borrows run through.
+    /// Returns limbs through which carries and borrows run.
     fn limbs(&mut self) -> [u64; LIMBS] {
         let mut limbs = match self.bits() % 5 {
             0 => [u64::MAX; LIMBS],
@@ -133,7 +124,7 @@ impl Random {
             2 => core::array::from_fn(|_| if self.bits() & 1 == 0 { 0 } else { u64::MAX }),
             _ => core::array::from_fn(|_| self.bits()),
         };
-        // A bit or two of a regular mantissa changed.
+        // Flip up to two bits of a regular mantissa.
         for _ in 0..self.bits() % 3 {
             let place = self.bits() % (64 * LIMBS as u64);
             limbs[(place / 64) as usize] ^= 1 << (place % 64);
@@ -142,12 +133,12 @@ impl Random {
         limbs
     }
 
-    /// A dense number of some 1024 bits, its leading one at 2^exponent.
+    /// Returns a dense number of about 1024 bits with its leading bit at 2^exponent.
     fn wide(&mut self, exponent: i64) -> Wide {
         Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }
 
-    /// A number of few digits, far apart.
+    /// Returns a number of few, distant digits.
     fn sparse(&mut self, exponent: i64) -> Wide {
         let parts = 1 + self.bits() % 6;
         (0..parts).fold(Wide::zero(), |sum, _| {
@@ -156,7 +147,7 @@ impl Random {
         })
     }
 
-    /// Two numbers: far apart, within each other's bits, nearly opposite, or of few digits.
+    /// Returns two numbers: far apart, overlapping, nearly opposite, or of few digits.
     fn pair(&mut self) -> [Wide; 2] {
         let exponent = self.within(5000);
         let a = self.wide(exponent);
@@ -174,7 +165,7 @@ impl Random {
                 self.wide(exponent + distance)
             }
             3 => {
-                // −a but for its lowest digits.
+                // −a except for its lowest digits.
                 let low = self.wide(exponent - 640);
                 low - a
             }

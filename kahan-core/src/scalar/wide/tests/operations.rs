@@ -1,4 +1,4 @@
-//! The error of each operation, and what has no value.
+//! Errors of the operations, and undefined results.
 
 use num_traits::{One, Zero};
 
@@ -8,14 +8,13 @@ use crate::Scalar;
 
 const TRIALS: usize = 2_000;
 
-/// Asserts that exact operands gave a number within its radius, and a radius within the unit.
+/// Asserts that a result of exact operands is within its radius, and the radius within the unit.
 fn assert_close(computed: Wide, exact: &Dyadic, what: &str, operands: [Wide; 2]) {
     let (error, radius) = (Dyadic::of(computed).minus(exact), Dyadic::size(computed.radius()));
     assert!(error.is_within(&radius.scaled_up()), "{what} of {operands:?} is {computed:?}");
     assert!(radius.is_within(&exact.scaled(Wide::UNIT_EXPONENT)), "{what} of {operands:?} is {computed:?}");
 }
 
-/// Operands that are exact themselves.
 fn exact_pair(random: &mut Random) -> [Wide; 2] {
     let pair = random.pair();
     if pair.iter().all(|number| number.radius().is_zero()) { pair } else { exact_pair(random) }
@@ -41,7 +40,6 @@ fn a_product_is_within_the_unit() {
     }
 }
 
-/// Where all places of a product have room it is made in place, with the digits that it has anyway.
 #[test]
 fn both_ways_to_multiply_agree() {
     let mut random = Random(10);
@@ -72,8 +70,7 @@ fn a_quotient_is_within_the_unit() {
     }
 }
 
-/// Digits are cut off where there is no room, and there alone: sums of up to 17 of them are exact,
-/// wherever they lie.
+/// Digits are cut off only for lack of room: sums of up to 17 digits at any places are exact.
 #[test]
 fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
@@ -86,20 +83,18 @@ fn digits_lie_where_they_are_needed() {
         assert!(rest.radius().is_zero() && rest == parts[0]);
         let longer = sum + part(20, random.bits());
         let cut = longer.radius();
-        // The lowest digit, and no more than one of its units beyond.
+        // The lowest digit is cut off, with at most one of its units.
         assert!(Dyadic::of(parts[0]).is_within(&Dyadic::size(cut)));
         assert!(Dyadic::size(cut).is_within(&Dyadic::of(parts[0] + Wide::one().scaled(-64 * 50 + 14))));
     }
     let (one, huge) = (Wide::one(), Wide::one().scaled(100_000));
     let square = (huge + one) * (huge + one) - huge * huge;
     assert!(square == huge + huge + one && square.radius().is_zero());
-    // Beyond 2¹⁶ places below the leading one nothing is kept.
+    // Digits more than 2¹⁶ places below the leading one are dropped.
     let huge = one.scaled(64 << 16);
     assert!(!(huge + one).radius().is_zero() && (huge.scaled(-64) + one).radius().is_zero());
 }
 
-/// Fractions as fields are written with are exact, and stay so as long as their denominators have
-/// room.
 #[test]
 fn short_fractions_are_exact() {
     let whole = |n: i64| Wide::from(n);
@@ -116,7 +111,7 @@ fn short_fractions_are_exact() {
         assert_eq!(p / q * whole(b * c), whole(-a * d));
         assert_eq!(p.is_better_pivot(&q), a * d > b * c);
     }
-    // Without room they are divided out, and the radius says by how much they are off.
+    // Denominators that do not fit are divided out, with the error in the radius.
     let large = whole((1 << 61) - 1);
     let (p, q) = (whole(1) / large, whole(1) / whole((1 << 60) + 33));
     for (number, exact) in [(p + q, whole((1 << 61) - 1) + whole((1 << 60) + 33)), (p * q, whole(1))] {
@@ -127,7 +122,7 @@ fn short_fractions_are_exact() {
     }
 }
 
-/// Operands that are somewhere within their radii: so is the result, at each end.
+/// Results for operands at the ends of their radii lie within the radius of the result.
 #[test]
 fn a_radius_holds_whatever_the_operands_stand_for() {
     let mut random = Random(9);
@@ -159,7 +154,6 @@ fn a_radius_holds_whatever_the_operands_stand_for() {
     assert!((Wide::one() / doubtful).radius() > Size::from(1e300));
 }
 
-/// A product divided by a factor gives the other one back, also where digits are all ones.
 #[test]
 fn dividing_an_exact_product_gives_the_factor_back() {
     let mut random = Random(10);

@@ -1,5 +1,4 @@
-//! Sizes: near what they are the size of, rounded by at most 2⁻⁵² in each operation, and unknown
-//! beyond their range.
+//! Magnitudes: rounded by at most 2⁻⁵² in each operation, and NaN beyond their range.
 
 use core::cmp::Ordering;
 
@@ -12,7 +11,7 @@ fn dyadic(size: Size) -> Dyadic {
     Dyadic::size(size)
 }
 
-/// Whether computed and exact differ by at most 2^−bits of the exact one.
+/// Returns whether computed and exact differ by at most 2^−bits of the exact number.
 fn is_near(computed: &Dyadic, exact: &Dyadic, bits: i64) -> bool {
     computed.minus(exact).scaled(bits).is_within(exact)
 }
@@ -66,7 +65,7 @@ fn beyond_the_doubles_a_size_goes_on_and_beyond_its_range_nothing_is_known() {
     assert!(tiny * tiny > Size::zero() && huge * huge > huge);
     assert_eq!((f64::from(tiny * tiny), f64::from(huge * huge)), (0.0, f64::INFINITY));
     assert_eq!(f64::from(huge * huge * tiny * tiny).round(), 1.0);
-    // A sum of numbers so far apart that their exponents' difference leaves 64 bits.
+    // The difference of the exponents exceeds 64 bits.
     let edge = |exponent| Size::from(1.5).scaled(exponent);
     assert_eq!(edge(i64::MAX - 1) + edge(i64::MIN + 1), edge(i64::MAX - 1));
     let unknown = edge(i64::MAX - 1) * edge(i64::MAX - 1);
