@@ -22,14 +22,11 @@ pub(crate) struct Denominator {
     t: Variable,
     exact: Polynomial,
     terms: Vec<Term>,
-    /// The degree in t.
     degree: usize,
 }
 
-/// A term with a rounded coefficient.
 #[derive(Clone, Debug)]
 struct Term {
-    /// The exponent of t.
     power: usize,
     coefficient: f64,
     /// The states of the product, each repeated by its exponent.

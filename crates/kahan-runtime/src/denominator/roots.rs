@@ -80,7 +80,6 @@ pub(super) fn exactly(coefficients: Vec<Rational>) -> bool {
     changes(&|own| own[0].clone()) > changes(&sum)
 }
 
-/// Removes leading coefficients that are zero.
 fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     while polynomial.last().is_some_and(Rational::is_zero) {
         polynomial.pop();
@@ -88,7 +87,6 @@ fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     polynomial
 }
 
-/// Returns −r, where r is the remainder of the division by `divisor`.
 fn opposite_of_remainder(mut polynomial: Vec<Rational>, divisor: &[Rational]) -> Vec<Rational> {
     let leading = &divisor[divisor.len() - 1];
     while let Some(shift) = polynomial.len().checked_sub(divisor.len()) {

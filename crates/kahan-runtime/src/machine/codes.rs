@@ -56,7 +56,6 @@ pub struct CodesOf<T> {
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
-/// The compiled code of a field.
 #[derive(Debug, Default)]
 pub struct Codes {
     pub(crate) single: CodesOf<f32>,
@@ -179,12 +178,10 @@ impl Codes {
 }
 
 impl<T: MachineFloat> OrbitCode<T> {
-    /// Wraps the loops of a dense field.
     pub(crate) fn loops(kind: StepKind) -> Self {
         OrbitCode { step: StepCode::Loops(kind), is_guarded: true }
     }
 
-    /// Returns whether these are the loops of a dense field.
     pub(crate) fn has_loops(&self) -> bool {
         matches!(self.step, StepCode::Loops(_))
     }
@@ -243,7 +240,6 @@ impl<T: MachineFloat> ColumnsCode<T> {
         self.is_guarded
     }
 
-    /// Returns the number of trajectories in one register.
     pub(crate) fn width(&self) -> usize {
         self.shared.width()
     }

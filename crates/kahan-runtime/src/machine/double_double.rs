@@ -14,7 +14,6 @@ use kahan_jit::{Input, Program};
 
 use super::traced::{self, Traced};
 
-/// A double of the written program.
 type Double = Traced<f64>;
 
 /// A number as the unevaluated sum of two doubles.
@@ -29,7 +28,6 @@ pub(super) struct Pair {
 struct Notes {
     /// Whether multiply-adds are fused, which decides how the error of a product is computed.
     fuses: bool,
-    /// The summands of the guard.
     of_sizes: Vec<Double>,
     /// High parts known to be moderate.
     moderate: Vec<Double>,
@@ -56,7 +54,6 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
     })
 }
 
-/// 2^exponent
 fn power_of_two(exponent: i32) -> f64 {
     f64::exp2(f64::from(exponent))
 }
@@ -115,7 +112,6 @@ fn split(a: Double) -> (Double, Double) {
     (high, a - high)
 }
 
-/// Returns whole − a·b where this is a float.
 fn remainder(whole: Double, a: Double, b: Double) -> Double {
     if fuses() {
         return whole.subtract_product(a, b);

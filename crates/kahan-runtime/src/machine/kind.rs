@@ -18,22 +18,18 @@ pub(crate) struct StepKind {
     /// Whether an increment is rounded before its addition, as in the general form of a step that
     /// has a second form for ordinary ε.
     pub(crate) rounds_increments: bool,
-    /// Whether multiply-adds are fused.
     pub(crate) fuses: bool,
 }
 
 /// Work on points side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum SideBySide {
-    /// Steps of the points.
     Steps(StepKind),
-    /// Steps of the points with tangent vectors.
     Carrying(Carrying),
     /// Integrals, written behind the points; the constants are the parameters and ε.
     Integrals,
 }
 
-/// A step that carries tangent vectors along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Carrying {
     /// The step of the point, or of the variational field.
@@ -42,9 +38,7 @@ pub(crate) struct Carrying {
     /// [`Object::Tangent`](crate::engine::Object) carries the vectors. Its constants, the
     /// parameters and ε, follow those of the step.
     pub(crate) is_variational: bool,
-    /// The number of vectors.
     pub(crate) vectors: usize,
-    /// Whether the squared lengths follow the vectors.
     pub(crate) has_squares: bool,
 }
 
@@ -59,7 +53,6 @@ impl StepKind {
         self.stored(self.stored(T::constant(gamma)) * eps)
     }
 
-    /// Rounds a number to the precision of states.
     pub(crate) fn stored<T: RuntimeFloat>(self, x: T) -> T {
         match self.precision {
             Precision::SingleThroughDouble => T::from(x.approximate() as f32),

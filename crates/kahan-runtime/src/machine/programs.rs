@@ -14,7 +14,6 @@ use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
 use super::{Carrying, InstructionSet, StepKind};
 
-/// The most operations of an elimination that is compiled.
 const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
@@ -213,7 +212,6 @@ pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Op
     })
 }
 
-/// Returns the parameters followed by ε.
 fn constants<T: MachineFloat>(engine: &Engine) -> Vec<Traced<T>> {
     (0..=engine.derived.system.field.symbols.parameters.len())
         .map(|k| Traced::input(Input::Constant(k)))

@@ -43,7 +43,6 @@ pub(super) struct Traced<T> {
 }
 
 impl<T> Traced<T> {
-    /// Records an operation.
     fn of(operation: Instruction) -> Self {
         let place = OPERATIONS.with_borrow_mut(|operations| {
             operations.push(operation);
@@ -52,22 +51,18 @@ impl<T> Traced<T> {
         Traced { place, float: PhantomData }
     }
 
-    /// Records a constant.
     pub(super) fn number(value: f64) -> Self {
         Self::of(Constant(Float::of(value)))
     }
 
-    /// Records the reading of an input.
     pub(super) fn input(entry: Input) -> Self {
         Self::of(Instruction::Input(entry))
     }
 
-    /// Records the reading of entries of the state.
     pub(super) fn states(places: impl IntoIterator<Item = usize>) -> Vec<Self> {
         places.into_iter().map(|place| Self::input(Input::State(place))).collect()
     }
 
-    /// Records the rounding to single precision.
     pub(super) fn rounded_to_single(self) -> Self {
         Self::of(Call(Called::RoundToSingle, self.place, self.place))
     }
@@ -77,17 +72,14 @@ impl<T> Traced<T> {
         Self::of(Call(Called::Maximum, self.place, self.neg().place))
     }
 
-    /// Records the maximum of two numbers.
     pub(super) fn larger(self, other: Self) -> Self {
         Self::of(Call(Called::Maximum, self.place, other.place))
     }
 
-    /// Records the minimum of two numbers.
     pub(super) fn smaller(self, other: Self) -> Self {
         Self::of(Call(Called::Minimum, self.place, other.place))
     }
 
-    /// Returns the value of a recorded constant.
     pub(super) fn literal(self) -> Option<f64> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }

@@ -108,7 +108,6 @@ fn resume<T: MachineFloat, O: Observer<T>>(
     }
 }
 
-/// Returns for each lane whether its point is finite.
 fn are_finite<T: MachineFloat>(points: &[Group<T>]) -> [bool; GROUP] {
     let mut all = [true; GROUP];
     for column in points {
@@ -117,7 +116,6 @@ fn are_finite<T: MachineFloat>(points: &[Group<T>]) -> [bool; GROUP] {
     all
 }
 
-/// Returns whether the length of every vector is moderate.
 fn have_moderate<T: MachineFloat>(vectors: &[Group<T>], variables: usize) -> bool {
     vectors.chunks_exact(variables).all(|vector| {
         let mut squares = [T::zero(); GROUP];

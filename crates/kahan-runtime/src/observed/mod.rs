@@ -41,7 +41,6 @@ impl Observing<'_> {
     /// The bound of [`Observable::Escape`] where [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
-    /// Returns the bound on |xᵢ| beyond which orbits end.
     fn bound(&self) -> f64 {
         self.escape.unwrap_or(f64::MAX)
     }

@@ -8,7 +8,6 @@ use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
 use super::running::Observable;
 use crate::Passed;
 
-/// The description of an observable.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct About {
     pub(super) name: &'static str,
@@ -25,11 +24,8 @@ pub(super) struct About {
 /// The parts of an orbit for which an observable has columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Of {
-    /// The whole orbit: one set of columns.
     Orbit,
-    /// A set for each variable.
     Variables,
-    /// A set for each integral.
     Integrals,
     /// A set for each number from 1 to the number of variables.
     Numbers,
@@ -44,7 +40,6 @@ enum Follows {
 }
 
 impl About {
-    /// Describes an observable of points by its name and its columns.
     pub(super) const fn new(
         name: &'static str,
         of: Of,
@@ -54,17 +49,14 @@ impl About {
         About { name, of, columns, follows, is_usual, label, is_logarithmic }
     }
 
-    /// Marks the observable as one that follows tangent vectors.
     pub(super) const fn of_tangent_vectors(self) -> Self {
         About { follows: Follows::TangentVectors, ..self }
     }
 
-    /// Marks the observable as one that evaluates the map at each point.
     pub(super) const fn of_the_map(self) -> Self {
         About { follows: Follows::Map, ..self }
     }
 
-    /// Marks the observable as one of the default list.
     pub(super) const fn usual(self) -> Self {
         About { is_usual: true, ..self }
     }
@@ -74,7 +66,6 @@ impl About {
         About { label: Some(label), ..self }
     }
 
-    /// Charts the logarithm.
     pub(super) const fn logarithmic(self) -> Self {
         About { is_logarithmic: true, ..self }
     }

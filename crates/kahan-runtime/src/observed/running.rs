@@ -25,7 +25,6 @@ use crate::{
 
 /// The extremes of each variable and of each rate of change, about whose middles orbits turn.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
-/// A function of the state.
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
 macro_rules! observables {
@@ -269,7 +268,6 @@ where
     }
 }
 
-/// The vectors of all observers, concatenated.
 impl<T: MachineFloat + EmbedScalar, M, B> Resumed<T> for All<'_, T, M, B>
 where
     T: PartialOrd,
@@ -360,12 +358,10 @@ pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     Ok(seen.collect())
 }
 
-/// Replaces the placeholder of the turns.
 fn put(seen: &mut [Seen], turns: Seen) {
     seen.iter_mut().filter(|seen| matches!(seen, Seen::Turns(_))).for_each(|seen| seen.clone_from(&turns));
 }
 
-/// Borrows each column mutably.
 fn slices<T>(columns: &mut [Vec<T>]) -> Vec<&mut [T]> {
     columns.iter_mut().map(Vec::as_mut_slice).collect()
 }

@@ -32,7 +32,6 @@ pub trait Relations: fmt::Debug + Sync {
 /// order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
-/// The map along which tangent vectors are carried.
 #[derive(Clone, Debug)]
 pub(super) struct Carrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
@@ -76,7 +75,6 @@ impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
         }
     }
 
-    /// Returns the entries of a point that belong to the original variables.
     pub(super) fn seen<'x>(&self, x: &'x [T]) -> &'x [T] {
         &x[..Step::dimension(self)]
     }
@@ -169,7 +167,6 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
         Step::eps(self.map)
     }
 
-    /// Advances all variables of the map.
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         Step::advance(self.map, x, steps, workspace)
     }
