@@ -56,6 +56,7 @@ pub struct CodesOf<T> {
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
+/// The compiled code of a field.
 #[derive(Debug, Default)]
 pub struct Codes {
     pub(crate) single: CodesOf<f32>,
