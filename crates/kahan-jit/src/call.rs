@@ -1,8 +1,7 @@
 //! The calls into machine code.
 //!
 //! In: code of this crate, and slices. Out: the computed numbers. Each call checks the lengths of
-//! its slices against the extent of the code, which otherwise uses only its own stack. No other
-//! module enters machine code.
+//! its slices against the extent of the code. No other module enters machine code.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
 use std::marker::PhantomData;
@@ -116,8 +115,7 @@ impl<T: 'static> Code<T> {
     /// Runs `steps` rounds of a [`Sweep`](crate::Sweep) over columns. Constants are shared by all
     /// registers of trajectories, or each register's `own`.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// The columns of nearly every field; clearing a larger table takes longer than such a
-        /// step.
+        /// The columns of nearly every field; a larger table takes longer to clear than their step.
         const FEW: usize = 32;
         /// The most columns; fields of more variables are stepped by the interpreter.
         const MOST: usize = 256;

@@ -46,9 +46,8 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that the rules for making and entering code on this system are known. On 64-bit Arm
-    /// they are known for Linux; elsewhere pages need other calls (`MAP_JIT` on macOS), or are
-    /// untried.
+    /// Checks that this system's rules for making and entering code are known. On 64-bit Arm only
+    /// Linux's are; elsewhere pages need other calls (`MAP_JIT` on macOS), or are untried.
     ///
     /// # Errors
     /// [`Refusal::System`].
@@ -171,8 +170,7 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Checks availability against the processor's own report, because tests of code skip sets that
-    /// a processor lacks.
+    /// Checks availability against the processor's report; tests of code skip unavailable sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {

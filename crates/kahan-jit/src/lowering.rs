@@ -25,8 +25,7 @@ pub(crate) enum Ends {
 /// The number −0, whose only bit is the sign: flipping this bit negates a number.
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program. If it negates a number, [`SIGN`] is one of its operations, though not an
-/// operand.
+/// Lowers a program; if it negates a number, [`SIGN`] is an operation, though not an operand.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
     // Operations that no result needs are left out, and have no place.

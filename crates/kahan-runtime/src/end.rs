@@ -63,8 +63,7 @@ impl End {
         }
     }
 
-    /// Returns whether the orbit ended before its last step without being stopped. An answer about
-    /// the whole orbit then has no value.
+    /// Returns whether the orbit ended early without being stopped; answers then have no value.
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

@@ -36,8 +36,7 @@ impl Field {
         Self::read(&FieldText::new(text.to_owned(), "field".to_owned()))
     }
 
-    /// Reads a field from a text with a name of its own, or from a part of a text, and proves its
-    /// claims.
+    /// Reads a field from a text with a name, or from a part of a text, and proves its claims.
     ///
     /// # Errors
     /// [`Diagnostics`], like [`parse`](Self::parse).
@@ -53,8 +52,7 @@ impl Field {
 
     /// Returns the map at values of the parameters: pairs of names and numbers, in any order.
     ///
-    /// Values may be `f64`, `f32`, integers or rationals. Each is exact, and is rounded once for
-    /// each scalar.
+    /// Values may be `f64`, `f32`, integers or rationals; each is rounded once for each scalar.
     ///
     /// # Errors
     /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is

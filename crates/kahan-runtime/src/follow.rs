@@ -2,8 +2,7 @@
 //!
 //! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
 //! how the orbit ended, and the report: nothing, that of observers, or the number of rows of
-//! points. The loop is generic over [`Step`]: chains, maps of texts and compiled maps all run in
-//! it.
+//! points. The loop is generic over [`Step`], and so over chains, read maps and compiled maps.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;

@@ -118,8 +118,7 @@ impl Line {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// Prepares the kernel of a step with `prepared` constants; a division by zero may have no
-    /// value.
+    /// Prepares the kernel of a step; a division by zero may have no value.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }
@@ -271,8 +270,7 @@ impl<'a, V: Clone> Results<'a, V> {
     }
 }
 
-/// Unwraps a value that exists over floats always, and over exact scalars where the field is
-/// defined.
+/// Unwraps a value, which exists over floats, and over exact scalars where the field is defined.
 ///
 /// # Panics
 /// If the value is `None`.

@@ -52,7 +52,7 @@ impl Map {
     }
 
     /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step. States,
-    /// ε and parameters are `f32` numbers held in `f64`; each step is computed in `f64` and rounded
+    /// ε and parameters are `f32` numbers in `f64`; each step is computed in `f64` and rounded
     /// once.
     #[must_use]
     pub fn through_f64(&self, eps: f32) -> MapAt<f64> {
@@ -79,8 +79,7 @@ impl Map {
     }
 
     /// Writes x̃ to `next`, with the promise and the bits of [`KahanMap::try_step`]: for a float,
-    /// an error of at most 64 u relative to the largest component. The inner error says why there
-    /// is no such x̃.
+    /// an error of at most 64 u relative to the largest component, or else an inner error.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
@@ -93,8 +92,8 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The size of the type changes nothing, except that `f32` tries its own precision first in
-        // at most four variables.
+        // The size matters only for `f32`, which tries its own precision first in up to four
+        // variables.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

@@ -96,8 +96,7 @@ impl FieldText {
         })
     }
 
-    /// Returns the tokens of the block, which are not stored: they take several times the memory of
-    /// the text.
+    /// Returns the tokens of the block, which are not stored: they are larger than the text.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }
@@ -129,8 +128,7 @@ impl FieldText {
         if self.is_made() { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
     }
 
-    /// Returns the family, after proving its claims for every number of sites; `None` where the
-    /// block has plain equations.
+    /// Returns the family, after proving its claims for every number of sites; `None` for a system.
     ///
     /// # Errors
     /// [`Diagnostics`] with the mistakes of the text.
@@ -171,8 +169,7 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// Returns the free names of a block without a header, which are its parameters. Works despite
-    /// mistakes in the text.
+    /// Returns the free names of a block without a header, its parameters, despite mistakes.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {

@@ -1,5 +1,4 @@
-//! A system read at run time agrees with the macro's code: equal bits in floats, equal numbers over
-//! ℚ.
+//! Systems read at run time agree with the macro's code, by bits in floats and exactly over ℚ.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;

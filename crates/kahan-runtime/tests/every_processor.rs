@@ -1,6 +1,5 @@
 //! Steps and orbits have equal bits on every processor; the expected bits were found on x86-64.
-//! Each turn of Lorenz's orbit doubles a difference, so that an error in the last bit of any step
-//! shows.
+//! Each turn of Lorenz's orbit doubles a difference, so that one wrong last bit shows.
 #![cfg(not(target_feature = "fma"))]
 
 use kahan_core::prelude::*;
@@ -18,8 +17,7 @@ fn read(text: &str) -> Field {
     Field::parse(text).expect("a field")
 }
 
-/// Returns the bits of the point after 5000 steps, by a single orbit and as the last of nine
-/// columns.
+/// Returns the bits of the point after 5000 steps, by a single orbit and by nine columns.
 fn bits(map: &MapAt<f64>, start: &[f64]) -> Vec<u64> {
     let mut alone = start.to_vec();
     map.advance(&mut alone, 5000).expect("finite");

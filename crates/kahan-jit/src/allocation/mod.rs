@@ -4,8 +4,7 @@
 //! memory. A value stays in a register until its last use. If no register is free, the one with the
 //! farthest next use is spilled, which gives a straight line the fewest loads (L. A. Belady, IBM
 //! Systems J. 5 (1966) 78). Spilled values without a place in memory are stored in a slot.
-//! Constants are read from memory at each use; in a loop the most used ones stay in spare
-//! registers.
+//! Constants are read from memory, except the most used ones of a loop, kept in spare registers.
 
 mod allocator;
 mod carried;

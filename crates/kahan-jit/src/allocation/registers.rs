@@ -55,8 +55,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value: the one of its result, if carried and free, or a
-    /// fresh one.
+    /// Returns a register for the current value, if possible the one where it is carried.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == Ends::Carried);
         match carried {
@@ -100,8 +99,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// Ends the uses of these operands by the current value, and frees the registers of dead
-    /// values.
+    /// Ends the uses of these operands by the current value, and frees registers of dead values.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);

@@ -44,8 +44,7 @@ impl<T: Float> Function<T> {
         results
     }
 
-    /// Computes the results. Each entry of the three arrays is as many numbers as an instruction
-    /// works on.
+    /// Computes the results; each entry of the arrays is as many numbers as an instruction takes.
     ///
     /// # Panics
     /// If an array is too short.

@@ -10,8 +10,8 @@ use crate::{Program, Refusal};
 
 use super::Frame;
 
-/// Code that runs a program many times: results are the states of the next round, and constants
-/// stay.
+/// Code that runs a program many times, each time on the results of the last, with one set of
+/// constants.
 #[derive(Debug)]
 pub struct Orbit<T> {
     code: Code<T>,
@@ -67,8 +67,7 @@ impl<T: Float> Orbit<T> {
     }
 
     /// Writes the state one step later to `next`. The code itself copies the entries: a copy before
-    /// it would load several entries at once that were just stored singly, and wait for these
-    /// stores.
+    /// it would have to wait for entries that were just stored one by one.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.

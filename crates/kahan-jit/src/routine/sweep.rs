@@ -87,9 +87,8 @@ impl<T: Float> Sweep<T> {
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant is a register of numbers; if
-    /// registers of trajectories have their own constants, those of one register precede those of
-    /// the next.
+    /// Advances all trajectories by `steps` rounds. Each constant is a register of numbers; own
+    /// constants of one register of trajectories precede those of the next.
     ///
     /// # Panics
     /// If the columns differ in length, the length is not a multiple of [`width`](Self::width),

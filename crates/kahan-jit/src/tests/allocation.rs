@@ -144,8 +144,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     }
 }
 
-/// An operand read once stays in memory or gives its register to the result: no copy, no third
-/// load.
+/// An operand read once stays in memory or gives its register to the result.
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();

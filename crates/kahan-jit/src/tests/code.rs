@@ -1,5 +1,4 @@
-//! Machine code computes the results of the program bit for bit, on every available instruction
-//! set.
+//! Machine code computes the program's results bit for bit, on every available instruction set.
 
 use crate::program::Program;
 use crate::{ComposedOrbit, Constants, Float, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};

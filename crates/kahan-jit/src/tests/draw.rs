@@ -51,8 +51,7 @@ pub(crate) fn literal(value: f64) -> Instruction {
     Instruction::Constant(Float::of(value))
 }
 
-/// Draws a program of about `operations` operations with a result for each state. Most values are
-/// used soon, and some much later.
+/// Draws a program with a result for each state. Most values are used soon, some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {

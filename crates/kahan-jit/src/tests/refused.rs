@@ -96,8 +96,7 @@ fn a_round_has_a_result_for_each_state() {
     let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
-/// Returns a program that keeps `values` values at once: each waits for the end, where an
-/// instruction takes two.
+/// Returns a program that keeps `values` values until the end, where an instruction takes two.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
     let mut last = push(&mut program, state(0));

@@ -1,8 +1,7 @@
 //! Many trajectories as columns, one for each variable.
 //!
 //! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
-//! some steps later with the end of each trajectory, or the map of each. The bits of a trajectory
-//! do not depend on its neighbours.
+//! some steps later, and the end of each trajectory. Trajectories do not influence one another.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -222,8 +221,7 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
     ) -> Vec<u64> {
         let mut taken = vec![0; starts.first().map_or(0, Vec::len)];
-        // A point stays nonfinite once it is. The steps to the last finite point are a sum of
-        // powers of 2.
+        // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
         for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
             let mut ahead = starts.clone();
             let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
@@ -238,8 +236,7 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time: some have an ε near zero, and therefore another form of
-    /// the step.
+    /// Follows trajectories one at a time, where some ε near zero takes another form of the step.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],
@@ -264,8 +261,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// [`advance_columns`](Self::advance_columns); one map if all values are shared. The result is
     /// the input of [`observe_columns`](Self::observe_columns).
     ///
-    /// If the field divides by zero at a map's parameters, that map takes every point to NaN. Cost:
-    /// some microseconds for each map.
+    /// A map at whose parameters the field divides by zero takes every point to NaN. Cost:
+    /// microseconds.
     ///
     /// # Errors
     /// [`DimensionError`] for `eps` or `parameters` of a wrong length.

@@ -38,8 +38,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// Returns ∂x̃/∂p for the parameter p with index `place`; the number of parameters stands for
-    /// ε.
+    /// Returns ∂x̃/∂p for the parameter p of index `place`; the number of parameters stands for ε.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension.
@@ -104,8 +103,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Expands the entries above the diagonal of an antisymmetric matrix, row by row at the beginning
-/// of `entries`, to the whole matrix.
+/// Expands the entries above the diagonal of an antisymmetric matrix, row by row, in place.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
     // Backwards, so that no entry is overwritten before it has been moved.

@@ -22,8 +22,7 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each. The
     /// function `observers` makes the observers of an orbit, which see its first point as step 0.
-    /// Points and reports have the bits of single orbits by [`advance`](Self::advance). Orbits that
-    /// become NaN stay NaN.
+    /// Points and reports have the bits of single orbits by [`advance`](Self::advance).
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -160,8 +159,7 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// Returns the code that steps the orbits of these maps side by side; `None` if they share no
-    /// code.
+    /// Returns code that steps the orbits of these maps side by side; `None` if they share no code.
     pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
@@ -213,8 +211,7 @@ impl<T: MachineFloat> MapAt<T> {
 /// ended. With [`MapAt::observe_columns`] they do what
 /// [`Follow::observe`](crate::Follow::observe) does for one orbit.
 ///
-/// The start is always seen. After the end of the orbit, or once the observers are done, the
-/// columns continue unobserved.
+/// The start is always seen. Columns continue unobserved after the end.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,

@@ -91,8 +91,8 @@ pub(super) struct StagePoles<T: RuntimeFloat> {
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns whether the step from `x` passes over a pole; overwrites `x`. Sets `is_lower_bound`
-    /// if the sign of det A decided.
+    /// Returns whether the step from `x`, which is overwritten, passes over a pole. The flag
+    /// `is_lower_bound` is set if the sign of det A decided.
     fn passes_a_pole(&self, x: &mut [T], is_lower_bound: &mut bool) -> bool {
         let stages = self.poles.get_or_init(|| self.stage_poles());
         let last = 2 * stages.len() - 2;

@@ -21,8 +21,7 @@ impl<T: MachineFloat> MapAt<T> {
         Tangent::new(self.clone(), 1)
     }
 
-    /// Returns whether the line for a known x̃ carries vectors, instead of the variational field's
-    /// map.
+    /// Returns whether the line for a known x̃ carries vectors, not the variational field's map.
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;
@@ -84,8 +83,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Cost: the first vector of a field plans the variational field, of twice the variables, in some
-/// tens of milliseconds.
+/// Cost: a field's first vector plans the variational field, in some tens of milliseconds.
 ///
 /// ```
 /// use kahan_core::Orbit;

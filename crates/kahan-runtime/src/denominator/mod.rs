@@ -2,8 +2,7 @@
 //!
 //! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root in (0, ε],
 //! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats decide where their
-//! error bound allows it, which is nearly everywhere. Exact numbers decide the rest, such as double
-//! roots.
+//! error bound allows it. Exact numbers decide the rest, such as double roots.
 
 mod roots;
 
@@ -34,8 +33,7 @@ struct Term {
 }
 
 impl Denominator {
-    /// Substitutes the parameters and ε into the denominator; `None` where one of them is not
-    /// finite.
+    /// Substitutes parameters and ε into the denominator; `None` if one of them is not finite.
     pub(crate) fn of(
         symbols: &Symbols,
         denominator: &Polynomial,
@@ -70,8 +68,7 @@ impl Denominator {
         Some(Denominator { states, t, exact, terms, degree })
     }
 
-    /// Returns whether d(x, ·) has a root on the way to ε, including the end. Points that are not
-    /// finite give `false`.
+    /// Returns whether d(x, ·) has a root up to and including ε; `false` for nonfinite points.
     pub(crate) fn has_root(&self, x: &[f64]) -> bool {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
@@ -101,8 +98,7 @@ impl Denominator {
             }
         }
         // Rounding errors: at most nine for the factors of a term, one for each term of the sum,
-        // and some two hundred for the Bernstein form and its halves. The count is in EPSILON, two
-        // roundings.
+        // some two hundred for the Bernstein form and its halves. EPSILON is two roundings.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

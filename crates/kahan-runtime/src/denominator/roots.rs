@@ -12,8 +12,7 @@ pub(super) const MOST: usize = MOST_EXPANDED + 1;
 /// How often the interval is halved before the answer is left open.
 const HALVINGS: u32 = 12;
 
-/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` where errors of size `error` leave that
-/// open.
+/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of this size leave that open.
 ///
 /// The first and last Bernstein coefficients are the values at the ends; all values lie between the
 /// least and the greatest Bernstein coefficient.
@@ -35,8 +34,7 @@ pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     of_form(form, error, HALVINGS)
 }
 
-/// Returns whether a polynomial in Bernstein form has a root in its interval, without the first
-/// end.
+/// Returns whether a polynomial in Bernstein form has a root in (0, 1].
 fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     let sign = |value: f64| i8::from(value > error) - i8::from(value < -error);
     let first = sign(form[0]);

@@ -67,8 +67,7 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes integrals behind the points, from the parameters and ε of each
-    /// orbit.
+    /// Returns code that writes integrals behind points, from the parameters and ε of each orbit.
     pub(crate) fn integrals_abreast<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],

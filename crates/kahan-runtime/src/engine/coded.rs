@@ -57,8 +57,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field; `alone` makes the steps that the loops
-    /// refuse.
+    /// Advances columns by the loops of a dense field; `alone` makes steps that the loops refuse.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],
@@ -84,8 +83,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 
     /// Advances a state by `steps` steps of `code`. A nonempty `carry` holds the rounding errors of
-    /// the state, and is advanced too. `interpret` repeats the steps that the guard of `code`
-    /// refuses.
+    /// the state, and is advanced too. `interpret` repeats refused steps.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -138,8 +136,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         true
     }
 
-    /// Advances a state and its `carry` by `code`. Returns `false`, with nothing changed, where the
-    /// guard refuses the steps.
+    /// Advances a state and its `carry` by `code`; returns `false`, with no change, if refused.
     fn has_advanced(&self, code: &OrbitCode<T::Word>, [state, carry]: [&mut [T]; 2], steps: u64) -> bool {
         if carry.is_empty()
             && !code.is_guarded()

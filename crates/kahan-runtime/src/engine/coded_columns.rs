@@ -1,9 +1,8 @@
 //! Many trajectories by machine code, in tiles of whole registers.
 //!
 //! In: columns, with ε and parameters. Out: the columns some steps later. A tile stays in the
-//! nearest cache while all of its steps run. Trajectories behind the last whole register share one
-//! more register with copies of the last. Each trajectory has the same operations however columns
-//! are divided.
+//! nearest cache while all of its steps run. The last register of trajectories is filled up with
+//! copies. The operations of a trajectory do not depend on the division into tiles.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -49,8 +48,7 @@ impl Engine {
         true
     }
 
-    /// Advances every trajectory by guarded code; the interpreter repeats the steps that the guard
-    /// refuses.
+    /// Advances every trajectory by guarded code; the interpreter repeats the refused steps.
     fn advance_guarded<T: MachineFloat>(
         &self,
         code: &ColumnsCode<T>,
@@ -145,8 +143,7 @@ fn run<T: MachineFloat>(
     });
 }
 
-/// Runs a tile on a copy in `workspace` whose columns begin at cache lines, and copies the results
-/// back.
+/// Runs a tile on a copy in `workspace`, with columns aligned to cache lines.
 fn run_in_lines<T: MachineFloat>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,

@@ -88,8 +88,7 @@ impl Engine {
         }
     }
 
-    /// Returns the kind of step that single orbits take; `None` where the ε of orbits or stages
-    /// require different forms.
+    /// Returns the kind of step of single orbits; `None` where they need different forms.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,
@@ -103,8 +102,7 @@ impl Engine {
         self.kind_at(kind, eps.iter().flat_map(each))
     }
 
-    /// Returns the kind of step at these ε; `None` where only some of them require the general
-    /// form.
+    /// Returns the kind of step at these ε; `None` where they need different forms.
     pub(super) fn kind_at<T: RuntimeFloat>(
         &self,
         kind: StepKind,

@@ -1,8 +1,7 @@
 //! The elimination of `kahan-core` for fields of many variables, over slices.
 //!
 //! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) along the couplings, and
-//! solutions. Where a pivot is too small, a second elimination chooses its pivots among sparse
-//! rows.
+//! solutions. Where a pivot is too small, another elimination chooses pivots among sparse rows.
 
 use std::sync::OnceLock;
 
@@ -13,8 +12,7 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The number of entries of A(x,ε) from which panels of rows are eliminated. Eliminations that are
-/// compiled are smaller.
+/// The entries of A(x,ε) from which panels of rows are eliminated; compiled code has fewer.
 const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
@@ -85,9 +83,8 @@ impl Tables {
     }
 
     /// Returns whether the matrix is sparse and large: entries of A that are negligible in their
-    /// row count as 0, and pivots are chosen among sparse rows. Blocks for the macro have fewer
-    /// variables, so that no generated code steps these fields; entries of dense fields do not
-    /// decay.
+    /// row count as 0, and pivots are chosen among sparse rows. No generated code has as many
+    /// variables; entries of dense fields do not decay.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables

@@ -21,8 +21,7 @@ use super::scratch::{Scratch, with_scratch};
 use super::step::add_quotient;
 use super::{Engine, in_turn};
 
-/// Steps of many trajectories between two checks of their pivots; a refusal repeats one
-/// trajectory's steps.
+/// Steps between two checks of pivots; a refusal repeats the steps of one trajectory.
 const TOGETHER: u64 = 8;
 
 impl Engine {

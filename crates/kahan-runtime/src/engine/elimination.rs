@@ -36,12 +36,10 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     is_singular
 }
 
-/// Replaces `b` by the solution x of A·x = b for a sparse A, and returns whether A is singular; x
-/// is then not finite.
+/// Replaces `b` by the solution x of A·x = b; returns whether A is singular, with nonfinite x.
 ///
-/// A row is a nonempty list of its entries with their columns, in ascending order. In each column
-/// the shortest row becomes the pivot's, among those with a leading entry at most `most` times
-/// smaller than the largest.
+/// A row is a nonempty list of its entries with their columns, in ascending order. The pivot is in
+/// the shortest row with a leading entry at most `most` times smaller than the largest.
 pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
     // For each column the rows whose first entry it has.
     let mut beginning = vec![Vec::new(); rows.len()];
@@ -114,8 +112,8 @@ pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     is_negative && !is_zero
 }
 
-/// Eliminates below the diagonal. `see` receives each pivot, up to the first that is 0, and whether
-/// rows were exchanged for it.
+/// Eliminates below the diagonal. `see` receives each pivot, up to the first 0, and whether rows
+/// were exchanged.
 fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);

@@ -186,8 +186,7 @@ impl Engine {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// Returns the line of an object; `None` where the field lacks the object, and for objects
-    /// computed from others.
+    /// Returns the line of an object; `None` if missing in the field, or computed from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
@@ -225,8 +224,7 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by `steps` interpreted steps. A nonempty `carry` holds the rounding errors
-    /// of the state, and is advanced too.
+    /// Advances a state by interpreted steps; a nonempty `carry` holds its rounding errors.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,

@@ -61,8 +61,7 @@ impl Steps {
 pub(crate) struct Step {
     /// The line of a straight-line step's constants; `None` where the step eliminates.
     prepared: Option<Line>,
-    /// The lines that read the state: the kernel of a straight-line step, or else the entries of f′
-    /// and the field.
+    /// The lines that read the state: the kernel, or else the entries of f′ and the field.
     lines: Vec<Line>,
     couplings: Option<Tables>,
     /// For each component the indices of its numerator and its reciprocal in the outcome.
@@ -181,8 +180,7 @@ impl Step {
         true
     }
 
-    /// Returns whether det A(x,ε) < 0, along the couplings; `None` without couplings, or where a
-    /// pivot is too small.
+    /// Returns whether det A(x,ε) < 0; `None` without couplings, or where a pivot is too small.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
@@ -227,8 +225,7 @@ impl Step {
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
         if !tables.are_sparse() {
-            // Reserves memory for partial pivoting now: a later step may need it and must not
-            // allocate.
+            // Reserves memory for partial pivoting, since later steps must not allocate.
             matrix.reserve(state.len() * state.len());
         }
         entries.clear();
@@ -288,8 +285,7 @@ fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: 
     (*x, *carry) = (next, rest + lacks);
 }
 
-/// Adds an increment, computed in double, to an x of single precision. If there is a `carry`, it
-/// receives the rounding error.
+/// Adds an increment, computed in double, to a single-precision x; `carry` gets the rounding error.
 #[inline(always)]
 fn add_through_double<V: Scalar + Copy>(
     quotient: (V, Option<V>),

@@ -50,8 +50,7 @@ pub(crate) struct Content {
     behind: VecDeque<UBig>,
     /// The lag that predicts, once known.
     lag: Option<usize>,
-    /// The number of long steps still to pass without prediction or learning, and the number after
-    /// the next failure.
+    /// Long steps still to pass without prediction, and their number after the next failure.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
@@ -125,8 +124,8 @@ impl Content {
     }
 }
 
-/// Returns γ, the last coordinate of the step back divided by the W of the point before. `None` if a
-/// remainder is left, because the point before had a content of its own.
+/// Returns γ, the last coordinate of the step back divided by the W of the point before. `None` if
+/// a remainder is left, because the point before had a content of its own.
 fn factor_behind((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -155,8 +154,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients by a common divisor, or a remainder if it does not divide. Long divisions
-/// run in two threads.
+/// Returns the quotients by a common divisor, or a remainder; long divisions use two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

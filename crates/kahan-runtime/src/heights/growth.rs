@@ -35,8 +35,7 @@ pub enum Growth {
 }
 
 impl Growth {
-    /// Returns the class of h₁, h₂, … by the [rule](Growth). Leave h₀ out: initial data may be
-    /// arbitrarily large.
+    /// Returns the class of h₁, h₂, … by the [rule](Growth), without h₀, which may be arbitrary.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();

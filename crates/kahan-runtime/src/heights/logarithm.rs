@@ -9,8 +9,7 @@ use std::f64::consts::{LN_2, LN_10};
 use dashu_int::ops::BitTest;
 use dashu_int::{UBig, Word};
 
-/// The leading 32 bits of log 2. Products with numbers below 2²¹ are exact, and others within an
-/// ulp.
+/// The leading 32 bits of log 2. Products with numbers below 2²¹ are exact.
 const LN_2_HIGH: f64 = f64::from_bits(LN_2.to_bits() & !0x1f_ffff);
 /// log 2 − [`LN_2_HIGH`], including the rounding error of the double `LN_2`.
 const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;

@@ -33,8 +33,8 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// N₁ … N_n and D/m of the reduced map, homogeneous, for the monomial m in D; then D of the
-    /// inverse map.
+    /// N₁ … N_n and D/m of the reduced map as forms, for the monomial m in D; then D of the
+    /// inverse.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
     /// The n×n entries of A and the n entries of b, homogeneous of degree one.
     Elimination(Plan),
@@ -195,8 +195,7 @@ impl Values<'_> {
         entries
     }
 
-    /// Returns the polynomials as forms of this degree in the states and W, scaled to coprime
-    /// integer coefficients.
+    /// Returns the polynomials as forms in the states and W, scaled to coprime integers.
     fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
         let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
         let multiple = IBig::from(common_denominator(coefficients()));

@@ -153,8 +153,7 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next step is expected to exceed the bound on digits, by growing as
-    /// the last step did.
+    /// Returns an error if the next step, growing like the last, would exceed the bound on digits.
     pub(super) fn foresee(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -163,8 +162,7 @@ impl HeightsOrbit {
         }
     }
 
-    /// Estimates the time of the next step relative to the last: the square of the growth of
-    /// digits, as for the longest gcds.
+    /// Estimates the time of the next step relative to the last, as the squared growth of digits.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)
     }
@@ -193,8 +191,7 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // For X/W in lowest terms and σ = s/t, the fraction σX/W still has gcd(s, W)·gcd(t, X) in
-        // common.
+        // For X/W in lowest terms and σ = s/t, σX/W still shares gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);

@@ -12,8 +12,7 @@ use dashu_int::{IBig, UBig};
 use super::integers::{bits, short_gcd};
 use crate::threads;
 
-/// The number of bits of W from which the gcds of several coordinates, taking milliseconds, are
-/// worth a thread.
+/// The bits of W from which the gcds of several coordinates are worth a thread.
 const LONG: usize = 1 << 16;
 /// The number of bits of W from which long factors are guessed.
 const WORTH_GUESSING: usize = 1 << 10;
@@ -24,9 +23,8 @@ const MUCH: usize = 8;
 /// Returns gcd(Xᵢ, W) for each i, for W ≠ 0.
 ///
 /// `parts` are factors of W with product W, or none. `before` are the gcds of the last point, or
-/// none; from them it is guessed which gcds are long. Cost: one gcd of long numbers where all
-/// results are short, several shorter ones if there are parts, and a further one for each long
-/// result.
+/// none; from them it is guessed which gcds are long. Cost: one long gcd where all results are
+/// short, several shorter ones if there are parts, and a further one for each long result.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {

@@ -5,8 +5,7 @@
 pub struct Heights {
     /// The number n of steps from the initial point.
     pub step: usize,
-    /// h(xᵢ) = log max(|p|, |q|) of each component p/q in lowest terms: natural logarithms,
-    /// accurate to 15 digits; h(0) = 0.
+    /// h(xᵢ) = log max(|p|, |q|) of each component p/q in lowest terms, to 15 digits; h(0) = 0.
     pub logarithms: Vec<f64>,
     /// The number of decimal digits of max(|p|, |q|) of each component.
     pub digits: Vec<u64>,
@@ -23,8 +22,7 @@ impl Heights {
 /// The reason why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole: the reduced map has no value (W = 0), or without a reduced map
-    /// det A = 0.
+    /// The last point is a pole: W = 0 in the reduced map, or det A = 0 without one.
     Pole,
     /// The next point exceeds the bound of [`within_digits`], or would have more than twice as many
     /// digits if it grew like the last.

@@ -1,11 +1,10 @@
 //! A faster step from points of which some coordinates share most of W.
 //!
 //! If a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand),
-//! its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N of degree d is then Σ gʲ
-//! Nⱼ(a, b, others), with Nⱼ the part of degree j in the short coordinates. Few long products
-//! remain, and the least j of all forms is divided out at no cost. The gcd of g with the parts of
-//! degree 0 is content too. For dE7 it is g up to a few digits; Euclid's algorithm finds it fast,
-//! since the quotients are short.
+//! its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of gʲ Nⱼ,
+//! with Nⱼ the part of degree j in the short coordinates. Few long products remain, and the least j
+//! of all forms is divided out at no cost. The gcd of g with the parts of degree 0 is content too:
+//! for dE7 it is g up to a few digits, and fast to find, since the quotients are short.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -31,8 +30,7 @@ struct Split {
     is_short: Vec<bool>,
     /// The nonzero parts of all forms, form by form.
     plan: Plan,
-    /// The degree of each part in the short coordinates, minus the least of all degrees; form by
-    /// form.
+    /// The degree of each part in the short coordinates, minus the least degree; form by form.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -41,8 +39,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, with part of its content divided out; `None` if no component
-    /// is short.
+    /// Returns the image of a point, with some content divided out; `None` without a short
+    /// component.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -85,8 +83,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // The quotients of the parts of degree 0 by g, with remainders; other parts count as
-        // remainders.
+        // Quotients and remainders of the parts of degree 0 by g; other parts count as remainders.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

@@ -44,8 +44,7 @@ impl Survey {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // A bound on digits is tested before the time, so that it ends an orbit alike on every
-            // machine.
+            // The bound on digits, equal on every machine, is tested before the time.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.foresee().is_ok();
             if step > 0 && (is_late || !goes_on) {
@@ -91,8 +90,7 @@ fn largest(heights: &[Heights]) -> usize {
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
 }
 
-/// Returns the component that rises most from h₁ on; a large height that hardly changes says
-/// nothing about growth.
+/// Returns the component that rises most from h₁ on, for the class of growth.
 fn steepest(heights: &[Heights]) -> usize {
     let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
     let rise = |i: usize| last.logarithms[i] - first.logarithms[i];

@@ -52,8 +52,7 @@ pub struct Interpreted<T, const N: usize> {
 }
 
 impl<const N: usize> Interpreted<BigRational, N> {
-    /// Returns the system over another scalar, with each parameter rounded once from its exact
-    /// value.
+    /// Returns the system over another scalar, with each parameter rounded once.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
         self.extend_scalars(|parameter: &BigRational| round(&Rational::from(parameter.clone())))
@@ -61,8 +60,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// Wraps the map at parameters where the field is defined; N is at least the number of
-    /// variables.
+    /// Wraps the map at parameters where the field is defined, in at least its number of variables.
     pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
@@ -156,8 +154,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 /// The registers of a run: up to 64 are on the stack; a line that needs more allocates once.
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Resizes the registers and returns them as a slice, so that the place of the memory is tested
-/// here instead of at each operand.
+/// Resizes the registers, and returns a slice: the place of the memory is tested only here.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

@@ -1,8 +1,7 @@
 //! A family at one ε, for chains of one length.
 //!
 //! In: a state, site by site, with the arrays interleaved. Out: the next state in its place, linear
-//! integrals and the modified energy. Memory for steps is allocated beforehand, or belongs to the
-//! caller.
+//! integrals and the modified energy. Steps use memory allocated beforehand, or the caller's.
 
 use std::sync::Arc;
 

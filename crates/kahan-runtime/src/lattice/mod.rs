@@ -2,9 +2,8 @@
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
 //! and parameters. Out: steps in `f64`. The lines of a site are interpreted for many sites at once;
-//! the solver is that of compiled families. The bits are those of the macro's code, except for long
-//! chains of a shape that the solver's [`Menu`] lacks: they are eliminated as a whole, not in
-//! parts.
+//! the solver is that of compiled families. Bits are those of the macro's code, except for long
+//! chains of a shape that the solver's [`Menu`] lacks, which are not eliminated in parts.
 
 mod at;
 mod error;
@@ -133,8 +132,7 @@ impl Lattice {
         self.code.family.hamiltonian.as_ref().map(|sum| sum.name.text.as_str())
     }
 
-    /// Prepares the map at ε, half the time step, for chains of `sites` sites, with the memory of
-    /// its steps.
+    /// Prepares the map at ε, half the time step, for chains of `sites` sites.
     ///
     /// `values` pairs each parameter's name with its numbers, in any order. A parameter of the
     /// chain has one number; a parameter of sites has one number, or one for each site.

@@ -2,8 +2,7 @@
 //!
 //! In: the plan of a line. Out: its results, in the first registers. The operations and their order
 //! are the plan's, so that bits equal those of a compiled family. Over lanes an instruction is
-//! decoded once for [`ROOM`] numbers of consecutive sites. That code is compiled once, not into
-//! each kernel.
+//! decoded once for [`ROOM`] numbers of consecutive sites.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -41,8 +40,7 @@ struct Instruction {
     places: [Place; 3],
 }
 
-/// The offset of an operand in memory: `numbers`, plus `registers` times the width of the lanes
-/// that sites are gathered in.
+/// The offset of an operand: `numbers`, plus `registers` times the width of the sites' lanes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     numbers: usize,
@@ -62,8 +60,7 @@ enum Kind {
     SubtractProduct,
 }
 
-/// An operand: a constant, an entry of `x` or of `c`, or a register. Sites count from the first one
-/// that the stencil reads.
+/// An operand; sites count from the first one that the stencil reads.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Constant(usize),
@@ -83,8 +80,7 @@ pub(super) struct Numbering<'a> {
 }
 
 impl Program {
-    /// Compiles a plan, whose results go to the registers `places`, all below `results`; appends
-    /// its literals.
+    /// Compiles a plan with results in the registers `places`, all below `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
@@ -211,8 +207,7 @@ impl Program {
         }
     }
 
-    /// Returns the line of the next gathered site; computes those of several sites when it runs
-    /// out.
+    /// Returns the line of the next gathered site, from lines computed for several sites at once.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -297,8 +292,7 @@ impl OverLanes<f64> for Run<'_> {
             for index in 0..count {
                 let to = &mut self.numbers[program.array(array + index)..];
                 let from = &gathered[(site - program.reach) * count * width..];
-                // The stencil of the last sites may reach beyond the end; no result of those sites
-                // is read.
+                // The last stencils may reach beyond the end; no result of those sites is read.
                 let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
                 for site in 0..seen {
                     for register in 0..width / L::WIDTH {

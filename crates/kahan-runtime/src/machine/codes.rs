@@ -99,8 +99,7 @@ impl Codes {
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Counts `steps` further steps, and returns whether compiling a step of `engine` pays. Code of
-    /// a straight-line step always does.
+    /// Counts further steps, and returns whether compiling pays; a straight-line step always does.
     pub(crate) fn pay_after(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
@@ -245,8 +244,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         self.shared.width()
     }
 
-    /// Appends the constants for one register of trajectories; `given` holds their parameters and
-    /// ε, each as a whole register.
+    /// Appends the constants for one register of trajectories, from registers of parameters and ε.
     pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>) {
         let start = constants.len();
         constants.resize(start + self.constants.results(), T::default());

@@ -120,8 +120,7 @@ impl StepKind {
 
 impl Carrying {
     /// Returns the program of a point with tangent vectors behind it; `None` where it is not a
-    /// straight line. Squared lengths are further entries of the state, which the program only
-    /// writes.
+    /// straight line. Squared lengths are further states, which are only written.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };

@@ -84,8 +84,7 @@ impl<T> Traced<T> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// Returns the operand if this is a negation. A subtraction of that operand has the same bits
-    /// as the addition of the negation.
+    /// Returns a such that self = −a, if known: b − a has the bits of b + self.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }

@@ -28,8 +28,7 @@ pub struct Observing<'a> {
     pub steps: u64,
     /// Steps between two orthonormalizations of the tangent vectors, at least 1.
     pub renormalize: u64,
-    /// The number of exponents in the spectrum, the largest ones: from 1 to the number of
-    /// variables.
+    /// The number of exponents in the spectrum, the largest ones, from 1 to that of the variables.
     pub exponents: usize,
     /// The bound on |xᵢ| beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
@@ -66,8 +65,7 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// Observes many orbits, side by side where compiled code can do so.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// The numbers equal those of [`alone`](Self::alone). If `tell` stops the work, discard the
-    /// result.
+    /// Numbers equal those of [`alone`](Self::alone), but are useless if `tell` stops the work.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

@@ -12,8 +12,7 @@ use crate::Passed;
 pub(super) struct About {
     pub(super) name: &'static str,
     of: Of,
-    /// Column names, in which `{}` stands for the variable, integral or number, with their
-    /// meanings.
+    /// Column names, with `{}` for the variable, integral or number, and their meanings.
     columns: &'static [(&'static str, &'static str)],
     follows: Follows,
     is_usual: bool,
@@ -131,8 +130,8 @@ impl Observable {
         if of == Of::Orbit { columns[0].0 } else { name }
     }
 
-    /// Returns whether the observable follows tangent vectors. In a lifted field they are those of
-    /// the original variables.
+    /// Returns whether tangent vectors are followed; a lifted field has those of the original
+    /// variables.
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
         self.about().follows == Follows::TangentVectors

@@ -324,8 +324,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     Ok(Followed { report: seen, end })
 }
 
-/// Observes many orbits, side by side where compiled code can do so. Column c of `starts` holds
-/// variable c of all first points.
+/// Observes many orbits; column c of `starts` holds variable c of all first points.
 pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],

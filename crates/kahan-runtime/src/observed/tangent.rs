@@ -1,5 +1,4 @@
-//! The map that carries tangent vectors. In a lifted field it is restricted to the original
-//! variables.
+//! The map that carries tangent vectors, in a lifted field those of the original variables.
 //!
 //! Lifting adds variables w = g(x); a tangent vector e of x then belongs to (e, Dg·e). The map
 //! carries the plane of these vectors from point to point. The plane stays near the vectors
@@ -22,14 +21,12 @@ pub trait Relations: fmt::Debug + Sync {
     /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;
 
-    /// Returns the matrix ∂g/∂x by rows at a point of all variables, at these parameters of the
-    /// map.
+    /// Returns the matrix ∂g/∂x by rows at a point of all variables and these parameters.
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The largest relative error of a carried derivative before the plane is replaced. Its unit is the
-/// function's largest derivative along the orbit. A map that preserves the relations has errors of
-/// order ε².
+/// The largest error of a carried derivative before the plane is replaced, relative to the
+/// function's largest derivative. A map that preserves the relations has errors of order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
@@ -133,8 +130,7 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
     }
 }
 
-/// Brings rows to reduced row echelon form; returns `false` if the leading square block is
-/// singular.
+/// Brings rows to reduced row echelon form; returns `false` for a singular leading block.
 fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     for k in 0..rows.len() {
         let better =

@@ -1,8 +1,7 @@
 //! Exact orbits: projective integer coordinates between points, and fractions on demand.
 //!
 //! An integral is constant along the orbit. Products check that (N q = D p for N/D at the point and
-//! p/q at the first one), which costs far less than reducing N/D. Only where the check fails is N/D
-//! reduced.
+//! p/q at the first one), at far lower cost than the reduction of N/D, which is the last resort.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;

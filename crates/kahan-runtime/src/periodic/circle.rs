@@ -61,8 +61,8 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
     // Roots on the circle, and pairs m, 1/m, are also roots of the reversed polynomial: the
     // conjugate of a root on the circle is its reciprocal.
     let shared = gcd(polynomial, &reversed(polynomial));
-    // Cohn: a self-reciprocal polynomial has all roots on the circle exactly if its derivative has
-    // no root outside.
+    // Cohn: a self-reciprocal polynomial has all roots on the circle iff its derivative has none
+    // outside.
     if shared.as_constant().is_none() && has_root_outside(&shared.derivative(Z)) {
         return true;
     }

@@ -1,5 +1,4 @@
-//! Heights of any field: orbits against rational arithmetic, growth of linear and periodic orbits,
-//! poles, bounds.
+//! Heights of any field: orbits against rational arithmetic, growth, poles, bounds.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -203,8 +202,7 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Where noise hides the growth, `Undecided` is better than a wrong class; a large coordinate that
-/// hardly moves decides nothing.
+/// Where noise hides the growth, the class is `Undecided`; a constant large height decides nothing.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

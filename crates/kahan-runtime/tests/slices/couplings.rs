@@ -1,5 +1,4 @@
-//! Random fields of up to 200 variables with all kinds of couplings, against partial pivoting on
-//! the whole matrix.
+//! Random fields of up to 200 variables with all kinds of couplings, against partial pivoting.
 
 use kahan_runtime::Field;
 

@@ -82,8 +82,7 @@ fn gradients_are_those_carried_forward<T: RuntimeFloat>(
     }
 }
 
-/// The bounds are 8 to 100 times 39 steps of up to 17 stages, at 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴ for each
-/// stage.
+/// The bounds are 8 to 100 times 39 steps, up to 17 stages and 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴.
 #[test]
 fn gradients_are_those_of_derivatives_carried_forward() {
     let compositions = [Composition::KAHAN, Composition::SUZUKI_4, Composition::KAHAN_LI_8];
@@ -148,8 +147,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
     }
 }
 
-/// For ε = 1/2, det A vanishes at z = −2 and nearly beside z = −2, where the reduced map has a
-/// value.
+/// For ε = 1/2, det A vanishes at z = −2 and nearly near it; the reduced map has a value.
 #[test]
 fn gradients_near_removable_poles_are_those_of_the_reduced_map() {
     let map = super::support::catalog("e3").map().unwrap();

@@ -121,8 +121,7 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     }
     let (mut state, total) = (x.clone(), |x: &[f64]| x.iter().sum::<f64>());
     at.advance(&mut state, 1000).unwrap();
-    // The sum is a linear integral, which the map preserves; 60 numbers of size 1 are rounded 1000
-    // times.
+    // The map preserves the sum, a linear integral; 60 numbers of size 1 are rounded 1000 times.
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
@@ -184,8 +183,7 @@ fn the_jacobian_of_sixty_variables_is_that_of_differences() {
     }
 }
 
-/// Compares orbits in long calls, from tiny ε to ε whose pivots are refused, with single
-/// interpreted steps.
+/// Compares orbits in long calls, up to ε with refused pivots, with single interpreted steps.
 fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
     let large = map(text);
     let typed: Interpreted<T, N> = large.as_kahan_map().unwrap();

@@ -61,8 +61,7 @@ fn of_floats(x: &[f64]) -> Vec<Rational> {
     x.iter().map(|x| Rational::from_f64(*x).expect("finite")).collect()
 }
 
-/// Counts the steps of an orbit, while its points are finite, with a stage whose denominator has a
-/// root.
+/// Counts the steps of an orbit, up to its last finite point, over a root in some stage.
 fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: &[f64], steps: u64) -> u64 {
     let (mut x, mut count) = (start.to_vec(), 0);
     for _ in 0..steps {

@@ -1,5 +1,4 @@
-//! Answers do not depend on the units of length and time: floats in two units differ by a power of
-//! two.
+//! Answers do not depend on the units of length and time: they scale by exact powers of two.
 //!
 //! Twenty fields run in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of
 //! time in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16,

@@ -1,5 +1,4 @@
-//! Maps over points, compiled and read at run time: orbits of every kind, promises, ensembles, and
-//! the choice of a setting.
+//! Maps over points, compiled and read: orbits, promises, ensembles, and the choice of a setting.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;

@@ -1,8 +1,7 @@
 //! Hostile programs on slices between forbidden pages. Every program that a caller can build
 //! without `unsafe` is refused, or computes its results and touches no other memory.
 //!
-//! The fuzz target `program` compiles these files too, and therefore they use only public items of
-//! the crate.
+//! The fuzz target `program` compiles these files too, which therefore use only public items.
 
 mod guarded;
 #[cfg(test)]
@@ -68,8 +67,8 @@ impl Source<'_> {
         of[self.byte() % of.len()]
     }
 
-    /// Returns an index of an array: usually a small one, else one near the limits of bytes,
-    /// offsets and addresses.
+    /// Returns an index of an array, usually small, else near limits of bytes, offsets or
+    /// addresses.
     fn entry(&mut self) -> usize {
         let near = self.byte();
         if near < 240 {
@@ -114,8 +113,7 @@ impl Source<'_> {
         }
     }
 
-    /// Returns a program of arbitrary instructions, and whether nothing in it is a reason for
-    /// refusal.
+    /// Returns a program of arbitrary instructions, and whether nothing is a reason to refuse it.
     fn program(&mut self) -> (Program, bool) {
         /// A number of instructions beyond the limits of code.
         const MANY: usize = 25_000;

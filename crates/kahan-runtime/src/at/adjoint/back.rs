@@ -66,8 +66,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         }
     }
 
-    /// Carries the cotangent `gradient.start` back over the last step of `points`, and removes the
-    /// step from `points`.
+    /// Carries `gradient.start` back over the last step of `points`, and removes the step.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -103,8 +102,8 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Carries the cotangent back by the derivatives of the step, near a zero of det A or where
-    /// coefficients depend on ε.
+    /// Carries the cotangent back by derivatives of the step, which also exist near a zero of det
+    /// A.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -65,9 +65,8 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// orbit, including [compositions](Self::composed), not of the flow. The report is `None` if
     /// the orbit ends before its last row.
     ///
-    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first the
-    /// steps forward, then equally many of the reverse sweep. [`ControlFlow::Break`] stops the
-    /// work.
+    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first steps
+    /// forward, then equally many backward. [`ControlFlow::Break`] stops the work.
     ///
     /// Cost: two steps of the map and one factorisation of A(x,ε)ᵀ for each step of the orbit, and
     /// a multiplication for each parameter of each term. Memory: about 2√`steps` states.

@@ -92,8 +92,7 @@ fn coefficients(
 }
 
 impl<T: RuntimeFloat> Terms<T> {
-    /// Collects the terms of a map's field. `place` returns the index of ∂fᵢ/∂xⱼ among the `count`
-    /// entries of f′.
+    /// Collects the terms of a field; `place` returns the index of ∂fᵢ/∂xⱼ among `count` entries.
     pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
         let (field, values) = (&map.field().system().field, map.parameters());
         let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
