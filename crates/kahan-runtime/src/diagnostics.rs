@@ -19,7 +19,6 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     pub(crate) fn new(mistakes: Vec<Diagnostic>, text: &str, ranges: &[Range<usize>], origin: &str) -> Self {
-        /// The most mistakes that are shown.
         const MOST: usize = 8;
         let reports = mistakes.iter().take(MOST).map(|mistake| report(mistake, text, ranges, origin));
         let places = mistakes.iter().map(|mistake| place(mistake, text, ranges));

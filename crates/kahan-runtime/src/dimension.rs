@@ -10,7 +10,6 @@ pub struct DimensionError {
     expected: usize,
 }
 
-/// The argument with a wrong number of entries.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Argument {
     State,
@@ -19,7 +18,6 @@ pub(crate) enum Argument {
     Carry,
     /// The slice for points, one after the other.
     Rows,
-    /// The derivatives of a scalar by rows of points.
     Weights,
     Columns,
     Maps,

@@ -94,7 +94,6 @@ impl Field {
         &self.system().field.symbols.parameters
     }
 
-    /// Returns whether the field divides by an expression in parameters or ε.
     pub(crate) fn has_divisors(&self) -> bool {
         self.system().field.components.iter().any(|component| !component.denominator().is_one())
     }

@@ -149,7 +149,6 @@ pub(crate) fn pause(variables: usize) -> u64 {
     (MOST * FEW.pow(2) / (variables as u64).saturating_pow(2).max(1)).clamp(1, MOST)
 }
 
-/// Makes at most `steps` steps, and shows every `every`-th point until `is_done` returns `true`.
 fn run<S: Step<Scalar: FloatScalar>>(
     map: &S,
     x: &mut [S::Scalar],

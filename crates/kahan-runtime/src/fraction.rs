@@ -24,12 +24,10 @@ impl Fraction {
         Fraction { above: &self.above * above, below: &self.below * below }
     }
 
-    /// Returns whether the fractions are equal, by two products.
     pub(crate) fn equals(&self, other: &Fraction) -> bool {
         &self.above * &other.below == &self.below * &other.above
     }
 
-    /// Reduces to lowest terms with a positive denominator.
     pub(crate) fn reduced(self) -> Fraction {
         let common = IBig::from((&self.above).gcd(&self.below));
         let common = if self.below < IBig::ZERO { -common } else { common };

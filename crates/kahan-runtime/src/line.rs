@@ -12,7 +12,6 @@ use kahan_program::{Arithmetic, Calls, Function, Node, Program};
 
 use crate::literal::Literal;
 
-/// An operation of a line; inputs are registers that the caller fills.
 type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
 /// A straight-line program with several results.
@@ -31,7 +30,6 @@ pub(crate) struct Line {
     has_poles: bool,
 }
 
-/// The operation 1/a in a line whose divisions may have no value.
 #[derive(Clone, Copy, Debug)]
 struct Reciprocal;
 
@@ -41,7 +39,6 @@ impl Function for Reciprocal {
     }
 }
 
-/// The operations of a scalar, as generated code calls them.
 struct Scalars<V> {
     has_poles: bool,
     scalar: PhantomData<V>,
@@ -216,7 +213,6 @@ impl Line {
         Some(Results { registers, places: &self.program.outputs })
     }
 
-    /// Returns whether the run that filled these registers divides by zero.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V]) -> bool {
         self.program.operations.iter().any(|operation| match *operation {
             Instruction::Divide(_, divisor) | Instruction::Call(Reciprocal, divisor, _) => {

@@ -48,7 +48,6 @@ impl From<&Rational> for Literal {
 }
 
 impl Literal {
-    /// Returns the constant that every scalar rounds once.
     pub(crate) fn as_constant(&self) -> Constant<'_> {
         match self {
             Self::Short(constant) => *constant,

@@ -32,7 +32,6 @@ struct Shared {
     text: OnceLock<String>,
     /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
-    /// The name of the text in reports.
     origin: String,
     said: OnceLock<Said>,
     unproved: OnceLock<Checked>,
@@ -46,7 +45,6 @@ struct Said {
     reading: Reading,
 }
 
-/// Compares text, range and name.
 impl PartialEq for FieldText {
     fn eq(&self, other: &Self) -> bool {
         let of = |of: &FieldText| of.shared.body.clone();
@@ -107,7 +105,6 @@ impl FieldText {
         ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
     }
 
-    /// Returns the block, read once, with its claims unproved.
     fn unproved(&self) -> &Checked {
         self.shared.unproved.get_or_init(|| read_unproved_text(self.given()))
     }

@@ -56,7 +56,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances columns of checked lengths.
     fn advance_in(
         &self,
         kind: StepKind,
@@ -86,7 +85,6 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Advances trajectories one after another, each by the map at its constants.
     fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, steps: u64) {
         let Columns { columns, eps, parameters } = all;
         // Steps do not use this list of the scratch.
@@ -143,7 +141,6 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) -> Result<Vec<End>, DimensionError> {
-        /// Trajectories followed at once; their copies stay in a near cache.
         const TOGETHER: usize = 1024;
 
         let trajectories = self.check_columns(columns)?;
@@ -166,7 +163,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(ends)
     }
 
-    /// Follows trajectories that take one form of the step; `before` is workspace.
     fn follow_piece(
         &self,
         kind: StepKind,

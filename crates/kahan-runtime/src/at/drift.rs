@@ -16,7 +16,6 @@ pub struct IntegralDrift<'a, T: MachineFloat> {
     drifts: Vec<Drift<Itself<T>, T, 1>>,
 }
 
-/// The identity on one number, as a function of a slice.
 type Itself<T> = fn(&[T]) -> [T; 1];
 
 impl<'a, T: MachineFloat> IntegralDrift<'a, T> {
@@ -60,7 +59,6 @@ impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     }
 }
 
-/// Computes the integrals of all trajectories at once; returns `false` without code for that.
 fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
     group: &mut Observers<'_, IntegralDrift<'_, T>>,
     burst: &Burst<'_, P>,

@@ -17,10 +17,8 @@ impl<T: MachineFloat, const N: usize> Aligned<T, N> {
     }
 }
 
-/// The most variables of a straight-line step.
 pub(crate) const MOST: usize = 8;
 
-/// The points of a group, one column for each variable.
 #[derive(Debug)]
 pub(crate) struct RuntimeGroup<T> {
     columns: Aligned<T, MOST>,

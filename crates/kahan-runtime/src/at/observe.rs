@@ -121,7 +121,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(reports)
     }
 
-    /// Observes orbits side by side; returns `false` without code for that.
     pub(crate) fn has_observed_group<O: Observer<T>>(
         maps: [&Self; GROUP],
         points: &mut RuntimeGroup<T>,
@@ -159,7 +158,6 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// Returns code that steps the orbits of these maps side by side; `None` if they share no code.
     pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
@@ -191,7 +189,6 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast_with_vectors(stages, None, (vectors, true), first.set, workspace)
     }
 
-    /// Returns the coded stages of the maps if all are alike.
     fn coded_group(maps: [&Self; GROUP]) -> Option<[&CodedStages<T>; GROUP]> {
         let [first, ..] = maps;
         let mut stages = [first.coded.as_ref()?; GROUP];
@@ -201,7 +198,6 @@ impl<T: MachineFloat> MapAt<T> {
         Some(stages)
     }
 
-    /// Returns whether the maps have one field, one kind of step and one set of instructions.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         core::ptr::eq(self.engine(), other.engine()) && self.set == other.set && self.kind == other.kind
     }
@@ -215,7 +211,6 @@ impl<T: MachineFloat> MapAt<T> {
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,
-    /// The bound on |xᵢ| beyond which the orbit has escaped.
     pub(crate) bound: f64,
     pub(crate) end: End,
 }

@@ -51,7 +51,6 @@ pub struct Passed {
 #[derive(Clone, Debug)]
 pub struct PassedPoles<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
-    /// The last point seen, and workspace for the points of stages.
     place: RuntimePoint<T>,
     passed: Passed,
 }

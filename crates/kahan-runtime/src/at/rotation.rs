@@ -7,7 +7,6 @@ use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, Turns};
 
 use super::{MachineFloat, MapAt};
 
-/// Shows observers each point followed by its rate of change f(x).
 struct WithRates<'a, T: MachineFloat, O> {
     at: &'a MapAt<T>,
     both: Vec<T>,

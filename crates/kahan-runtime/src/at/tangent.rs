@@ -11,7 +11,6 @@ use super::group::{Aligned, MOST};
 use crate::engine::{Object, Scratch, determinant, with_scratch};
 use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint};
 
-/// The most columns of a group: points, two vectors, and their squared lengths.
 const MOST_COLUMNS: usize = 3 * MOST + 2;
 
 impl<T: MachineFloat> MapAt<T> {
@@ -130,7 +129,6 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
                 true => MapAt::abreast_with_vectors(maps, (count, true), workspace)?,
                 false => MapAt::variational_abreast(maps, count, workspace)?,
             };
-            // The point, the vectors, their squared lengths.
             let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
             let columns = columns.0.get_mut(..variables * (1 + count) + count)?;
             let (_, carried) = columns.split_at_mut(variables);

@@ -101,7 +101,6 @@ fn opposite_of_remainder(mut polynomial: Vec<Rational>, divisor: &[Rational]) ->
 mod tests {
     use super::*;
 
-    /// Returns ∏(t − root), and whether it has a root in (0, 1].
     fn product(roots: &[(i64, i64)]) -> (Vec<Rational>, bool) {
         let mut product = vec![Rational::ONE];
         for (above, below) in roots {

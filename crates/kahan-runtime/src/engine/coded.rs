@@ -19,7 +19,6 @@ use super::distinct;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Scratch, with_scratch};
 
-/// Steps between two checks of the guard of code.
 pub(super) const GUARDED: u64 = 64;
 
 /// Code, compiled at its first use; `None` inside if it cannot be compiled.
@@ -48,7 +47,6 @@ impl<T: RuntimeFloat> CodedStages<T> {
         all.iter().all(is_like).then_some(count)
     }
 
-    /// Returns whether the code is the loops of a dense field, which step one state at a time.
     pub(crate) fn has_loops(&self) -> bool {
         self.compiled().is_some_and(OrbitCode::has_loops)
     }
@@ -136,7 +134,6 @@ impl<T: RuntimeFloat> CodedStages<T> {
         true
     }
 
-    /// Advances a state and its `carry` by `code`; returns `false`, with no change, if refused.
     fn has_advanced(&self, code: &OrbitCode<T::Word>, [state, carry]: [&mut [T]; 2], steps: u64) -> bool {
         if carry.is_empty()
             && !code.is_guarded()
@@ -168,7 +165,6 @@ impl<T: RuntimeFloat> CodedStages<T> {
 }
 
 impl<T: MachineFloat> CodedStages<T> {
-    /// Writes the next state; returns `false` where there is no code, or guarded code.
     pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
         let Some(code) = self.compiled().filter(|code| !code.is_guarded()) else { return false };
         code.step(state, &self.constants, next);
@@ -205,7 +201,6 @@ impl Engine {
         };
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),
-            // Elimination reads the parameters and ε themselves.
             None => own.iter().flat_map(|number| number.words()).collect(),
         };
         let constants = own.iter().map(&mut prepared).collect();

@@ -48,7 +48,6 @@ impl Engine {
         true
     }
 
-    /// Advances every trajectory by guarded code; the interpreter repeats the refused steps.
     fn advance_guarded<T: MachineFloat>(
         &self,
         code: &ColumnsCode<T>,
@@ -88,7 +87,6 @@ impl Engine {
     }
 }
 
-/// Advances every trajectory by code; the columns include the code's guard, if any.
 fn run<T: MachineFloat>(
     code: &ColumnsCode<T>,
     columns: &mut Columns<'_, '_, T>,
@@ -170,7 +168,6 @@ fn run_in_lines<T: MachineFloat>(
     tile.iter_mut().zip(columns()).for_each(|(column, place)| column.copy_from_slice(&moved[place]));
 }
 
-/// The constants of the distinct stages, one stage after the other.
 struct Prepared<'a, T> {
     code: &'a ColumnsCode<T>,
     kind: StepKind,

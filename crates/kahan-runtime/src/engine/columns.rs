@@ -32,7 +32,6 @@ pub(crate) struct Columns<'a, 'b, T> {
 pub(super) type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
 
 impl<T> Columns<'_, '_, T> {
-    /// Calls `run` with some trajectories of all columns, and `guard` as a further column.
     pub(super) fn with_part(
         &mut self,
         trajectories: &Range<usize>,

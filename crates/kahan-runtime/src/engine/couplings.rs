@@ -30,7 +30,6 @@ pub struct Tables {
 #[derive(Clone, Debug)]
 pub struct Factors<V> {
     values: Vec<V>,
-    /// A row, or a right-hand side in the order of elimination.
     row: Vec<V>,
     panels: PanelWorkspace<V>,
 }
@@ -177,7 +176,6 @@ impl Tables {
         }
     }
 
-    /// Returns the rows and columns of the entries of f′, in their order.
     pub(super) fn entries(&self) -> Vec<(usize, usize)> {
         self.couplings().pairs().collect()
     }
@@ -215,7 +213,6 @@ impl Tables {
         is_singular
     }
 
-    /// Writes f′(x) row by row from its entries.
     pub(super) fn spread<V: Scalar + Copy>(&self, slopes: &[V], matrix: &mut Vec<V>) {
         let n = self.order.len();
         matrix.clear();

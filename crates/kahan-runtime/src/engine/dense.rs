@@ -38,7 +38,6 @@ impl Engine {
             && self.derived.is_dense()
     }
 
-    /// Returns the packed coefficients of a dense field followed by ε, from the parameters and ε.
     pub(super) fn packed<T: MachineFloat>(&self, constants: &[T]) -> Option<Vec<T>> {
         let pack = |field: &[T]| {
             let mut packed = Vec::with_capacity(field.len() + field.len() / 4);

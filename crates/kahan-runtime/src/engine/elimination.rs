@@ -95,14 +95,12 @@ fn reduced<V: Scalar + Copy>(row: &[(usize, V)], upper: &[(usize, V)], factor: V
     reduced
 }
 
-/// Returns the determinant of an n×n matrix, row by row; overwrites the matrix.
 pub(crate) fn determinant<V: Scalar + Copy>(a: &mut [V], n: usize) -> V {
     let mut determinant = V::one();
     eliminate(a, n, |pivot, flips| determinant = if flips { -determinant } else { determinant } * pivot);
     determinant
 }
 
-/// Returns whether the determinant of an n×n matrix is negative; overwrites the matrix.
 pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     let (mut is_negative, mut is_zero) = (false, false);
     eliminate(a, n, |pivot, flips| {
@@ -143,7 +141,6 @@ fn swap_rows<V>(matrix: &mut [V], width: usize, k: usize, row: usize) {
     }
 }
 
-/// Subtracts factor · row k from row i > k, from column `from` on.
 fn subtract_row<V: Scalar + Copy>(
     matrix: &mut [V],
     width: usize,

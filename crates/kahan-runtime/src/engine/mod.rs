@@ -110,12 +110,10 @@ impl Object {
 pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
-    /// The line of each object, by the index of [`Object::entry`].
     lines: Vec<OnceLock<Option<Line>>>,
     /// A line for each integral, in which a division by zero has no value.
     single_integrals: OnceLock<Vec<Line>>,
     sensitivities: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
-    /// The line from the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,
     /// The packed coefficients of a dense field without parameters, in `f32` and in `f64`.
     packed: [OnceLock<Box<dyn Any + Send + Sync>>; 2],
@@ -161,7 +159,6 @@ impl Engine {
         self.derived.system.field.dimension()
     }
 
-    /// Returns the engine of the field extended by derivatives, one vector for each entry of `by`.
     pub(crate) fn sensitivities(&self, by: &[By]) -> Arc<Engine> {
         let mut known = self.sensitivities.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, engine)) = known.iter().find(|(own, _)| own == by) {
@@ -205,7 +202,6 @@ impl Engine {
         self.line(object).unwrap_or_else(|| unreachable!("every field has it"))
     }
 
-    /// Returns a line for each integral, in which a division by zero has no value.
     pub(crate) fn single_integrals(&self) -> &[Line] {
         let Derived { integrals, integral_names, system, .. } = &self.derived;
         let line = |k| Line::with_poles(&integrals.part(k..k + 1), &system.field.symbols);
@@ -216,7 +212,6 @@ impl Engine {
         with_scratch(T::single(), |scratch| constants.iter().map(|own| self.stage(own, scratch)).collect())
     }
 
-    /// Prepares a stage from its parameters and ε.
     pub(crate) fn stage<V: Scalar + Copy>(&self, constants: &[V], scratch: &mut Scratch<V>) -> Stage<V> {
         let is_general = self.steps().are_general(&split(constants).1);
         let mut given = Vec::new();
@@ -251,7 +246,6 @@ impl Engine {
         divides
     }
 
-    /// Runs `steps` steps of all stages, each with its own registers.
     #[inline(always)]
     pub(crate) fn run<V: Scalar + Copy>(
         &self,
@@ -325,7 +319,6 @@ impl Engine {
         }
     }
 
-    /// Returns whether det A(x,ε) < 0, by elimination; `constants` are the parameters and ε.
     pub(crate) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> bool {
         let along_couplings = self.steps().form(false).has_negative_determinant(constants, state);
         along_couplings.unwrap_or_else(|| {
@@ -376,7 +369,6 @@ pub(crate) fn stage_constants<T: RuntimeFloat>(
     distinct(&composition).map(stage).collect()
 }
 
-/// Writes ∂x̃/∂x of a straight-line step, row by row, one direction after the other.
 pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     step: &Step,
     constants: &[V],

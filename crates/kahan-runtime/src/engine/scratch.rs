@@ -20,7 +20,6 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
-    /// The constants of each stage of a step at another ε.
     pub(super) stages: Vec<Vec<V>>,
     /// Columns before steps that a guard may refuse, followed by the guard.
     pub(super) guarded: Vec<V>,
@@ -30,9 +29,7 @@ pub struct Scratch<V> {
 /// The increments of a step, and the matrix they come from.
 #[derive(Clone, Debug)]
 pub(crate) struct Workspace<V> {
-    /// Numerators, then reciprocals.
     pub(super) outcome: Vec<V>,
-    /// A(x,ε), row by row.
     pub(super) matrix: Vec<V>,
     /// The entries of f′ in many variables.
     pub(super) slopes: Vec<V>,

@@ -37,7 +37,6 @@ impl Steps {
         }
     }
 
-    /// Returns whether single steps over V at this ε take the general form.
     pub(crate) fn are_general<V: Scalar>(&self, eps: &V) -> bool {
         self.divides_by_eps && !may_divide_by(eps)
     }
@@ -94,12 +93,10 @@ impl Step {
         }
     }
 
-    /// Returns the lines of the constants and of the kernel of a straight-line step.
     pub(crate) fn lines(&self) -> Option<[&Line; 2]> {
         Some([self.prepared.as_ref()?, &self.lines[0]])
     }
 
-    /// Returns the line of the entries of f′, and their positions, where the step eliminates.
     pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
@@ -126,7 +123,6 @@ impl Step {
         self.lines.iter().map(Line::registers).sum()
     }
 
-    /// Appends the registers of the step, with its prepared constants.
     pub(crate) fn open<V: Scalar + Copy>(&self, mut given: &[V], registers: &mut Vec<V>) {
         for line in &self.lines {
             let (own, rest) = given.split_at(line.given());
@@ -159,12 +155,10 @@ impl Step {
         }
     }
 
-    /// Returns whether the step just computed divides by exactly 0.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], workspace: &Workspace<V>) -> bool {
         if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { workspace.is_singular }
     }
 
-    /// Returns the constants that the kernel of a straight-line step reads.
     pub(crate) fn prepared<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
@@ -256,7 +250,6 @@ impl Step {
     }
 }
 
-/// Appends the registers of a line that are independent of the state.
 fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, given: &mut Vec<V>) {
     let start = given.len();
     given.resize(start + line.given(), V::zero());

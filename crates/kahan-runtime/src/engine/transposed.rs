@@ -7,7 +7,6 @@ use super::couplings::{Factors, Tables};
 use super::elimination::solve;
 use super::floats::RuntimeFloat;
 
-/// A solver of A(x,ε)ᵀy = b for one field.
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,

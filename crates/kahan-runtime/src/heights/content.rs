@@ -25,7 +25,6 @@ const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;
 
-/// A point with almost no content.
 #[derive(Clone, Debug)]
 pub(crate) struct Primitive {
     pub(crate) point: Vec<IBig>,
@@ -104,7 +103,6 @@ impl Content {
         self.lag = best.filter(|(_, share)| 2 * share > content.bit_len().max(64)).map(|(lag, _)| lag);
     }
 
-    /// Notes the content that was left in a point of `size` bits.
     pub(crate) fn left(&mut self, content: &UBig, size: usize) {
         if !is_negligible(content, size) {
             self.misses = 0;

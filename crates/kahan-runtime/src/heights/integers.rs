@@ -52,12 +52,10 @@ pub(crate) fn values(plan: &Plan, point: &[IBig]) -> Vec<IBig> {
     values.into_iter().map(|value| value.expect("a polynomial divides by nothing")).collect()
 }
 
-/// Returns the numerator in lowest terms, with its sign.
 pub(crate) fn numerator(value: &Rational) -> IBig {
     IBig::from_le_bytes(&value.numerator().to_signed_bytes_le())
 }
 
-/// Returns the denominator in lowest terms.
 pub(crate) fn denominator(value: &Rational) -> UBig {
     UBig::from_le_bytes(&value.denominator().magnitude().to_bytes_le())
 }
@@ -108,7 +106,6 @@ pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
     if rest.is_zero() { a.clone() } else { a.gcd(rest) }
 }
 
-/// Returns the number of bits of |value|; 0 for 0.
 pub(crate) fn bits(value: &IBig) -> usize {
     let words = value.as_sign_words().1;
     words.last().map_or(0, |top| words.len() * Word::BITS as usize - top.leading_zeros() as usize)

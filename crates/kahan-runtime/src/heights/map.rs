@@ -43,7 +43,6 @@ enum Formula {
 /// The result of a step before its content is divided out.
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
-    /// X̃₁ … X̃_n and W̃; W̃ = 0 at a pole.
     pub(crate) point: Vec<IBig>,
     /// Factors of W̃, as far as they are known.
     pub(crate) weight_parts: Vec<IBig>,
@@ -66,7 +65,6 @@ impl ProjectiveMap {
         Self::of(system, RationalMap::of(&system.field).as_ref(), parameters, eps)
     }
 
-    /// Prepares the map from its polynomials if they are within the budget of terms.
     pub(crate) fn of(
         system: &System,
         map: Option<&RationalMap>,
@@ -106,7 +104,6 @@ impl ProjectiveMap {
         &self.unit
     }
 
-    /// Returns the projective integers of a point, without a common factor.
     pub(crate) fn point(&self, x: &[Rational]) -> Vec<IBig> {
         let scale = self.unit.recip().expect("1/ε or 1 is not zero");
         let scaled: Vec<Rational> = x.iter().map(|x| x * &scale).collect();
@@ -116,7 +113,6 @@ impl ProjectiveMap {
         point
     }
 
-    /// Returns the coordinates of a point with W ≠ 0, in lowest terms.
     pub(crate) fn coordinates(&self, point: &[IBig]) -> Vec<Rational> {
         let Some((weight, x)) = point.split_last() else { return Vec::new() };
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()

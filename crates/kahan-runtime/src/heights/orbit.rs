@@ -185,7 +185,6 @@ impl Iterator for HeightsOrbit {
     }
 }
 
-/// Returns the heights of a point with W ≠ 0, from the gcd(Xᵢ, W).
 fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -> Heights {
     let weight = point.last().map(UnsignedAbs::unsigned_abs).expect("W stands last");
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));

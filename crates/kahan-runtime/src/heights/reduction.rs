@@ -54,7 +54,6 @@ pub(super) fn in_halves<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R 
     threads::map(2, None, |half| work([left, right][half]))
 }
 
-/// Returns gcd(B, ∏Xᵢ) over the i with Xᵢ ≠ 0.
 fn shared_with_product(x: &[IBig], part: &UBig) -> UBig {
     let residues = x.iter().filter(|x| !x.is_zero()).map(|x| residue(x, part));
     match residues.reduce(|product, residue| product * residue % part) {
@@ -78,7 +77,6 @@ fn factor_of(x: &IBig, weight: &UBig, shared: &UBig) -> UBig {
     }
 }
 
-/// Returns |x|, reduced modulo W if it is longer.
 fn residue(x: &IBig, weight: &UBig) -> UBig {
     if bits(x) > weight.bit_len() { x.unsigned_abs() % weight } else { x.unsigned_abs() }
 }

@@ -18,7 +18,6 @@ const LONG: usize = 1 << 12;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
-    /// N₁ … N_n, D.
     forms: Vec<Polynomial>,
     /// The split used last; an orbit seldom changes it.
     last: Option<Split>,

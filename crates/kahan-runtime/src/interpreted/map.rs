@@ -24,7 +24,6 @@ fn vector<T: Scalar, const N: usize>(mut values: impl Iterator<Item = T>) -> SVe
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// Runs a line whose results are numerators followed by their denominator.
     fn fraction(&self, line: &Line, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
         self.run(line, x.as_slice(), eps, |results| {
             let numerators = results.iter().len() - 1;

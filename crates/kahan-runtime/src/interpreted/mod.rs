@@ -125,7 +125,6 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())
     }
 
-    /// Factors A(x,ε) along the couplings; `None` without couplings, or where a pivot is too small.
     fn factors(&self, state: &[T], eps: &T) -> Option<(&Tables, Factors<T>)> {
         let (slopes, tables) = self.engine.steps().form(false).couplings()?;
         let mut factors = Factors::default();

@@ -16,7 +16,6 @@ use crate::literal::Literal;
 /// level. Decoding then costs little, and the registers fit into the nearest cache.
 const ROOM: usize = 128;
 
-/// A straight-line program with fixed registers for its results.
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
@@ -69,7 +68,6 @@ enum Operand {
     Register(usize),
 }
 
-/// The inputs and constants shared by the programs of a family.
 pub(super) struct Numbering<'a> {
     pub(super) symbols: &'a Symbols,
     pub(super) block: usize,
@@ -236,7 +234,6 @@ impl Program {
         line
     }
 
-    /// Computes the lines of the next `ROOM / width` sites.
     fn compute<L, const C: usize>(&self, gathered: &mut Gathered<'_, f64, L, C>, width: usize) {
         let Gathered { constants, x, c, level, site, .. } = *gathered;
         let numbers = &mut *gathered.registers;

@@ -11,9 +11,7 @@ use super::Code;
 #[derive(Clone, Debug)]
 pub(super) struct Read {
     pub(super) code: Arc<Code>,
-    /// One number for each parameter of the chain.
     pub(super) parameters: Arc<[f64]>,
-    /// For each parameter of sites, one number for each site.
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 

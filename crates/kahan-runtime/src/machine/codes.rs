@@ -50,7 +50,6 @@ impl<K: Eq + Hash, C> Table<K, C> {
 #[derive(Debug, Default)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
-    /// The code of each object, indexed by [`Object::entry`].
     functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
     columns: Table<(StepKind, Shape), ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
@@ -81,7 +80,6 @@ enum StepCode<T> {
     Loops(StepKind),
 }
 
-/// The code of trajectories in columns.
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
     /// From parameters and ε of one register of trajectories to the constants of their step.
@@ -111,7 +109,6 @@ impl Codes {
         after >= needed
     }
 
-    /// Returns the code of an orbit, or `None` where none can be compiled.
     pub(crate) fn orbit<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -165,7 +162,6 @@ impl Codes {
         functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
-    /// Returns the code of columns, or `None`.
     pub(crate) fn columns<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -234,8 +230,6 @@ impl<T: MachineFloat> ColumnsCode<T> {
         })
     }
 
-    /// Returns whether a guard follows the columns of a state, with the meaning of
-    /// [`OrbitCode::is_guarded`].
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
     }
@@ -244,7 +238,6 @@ impl<T: MachineFloat> ColumnsCode<T> {
         self.shared.width()
     }
 
-    /// Appends the constants for one register of trajectories, from registers of parameters and ε.
     pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>) {
         let start = constants.len();
         constants.resize(start + self.constants.results(), T::default());

@@ -23,7 +23,6 @@ pub(super) struct Pair {
     low: Double,
 }
 
-/// Facts about the program being written.
 #[derive(Debug, Default)]
 struct Notes {
     /// Whether multiply-adds are fused, which decides how the error of a product is computed.
@@ -121,7 +120,6 @@ fn remainder(whole: Double, a: Double, b: Double) -> Double {
 }
 
 impl Pair {
-    /// Returns an input; `entry` makes an input of the state or of the constants.
     pub(super) fn of(entry: fn(usize) -> Input, place: usize) -> Self {
         Pair { high: Double::input(entry(2 * place)), low: Double::input(entry(2 * place + 1)) }
     }

@@ -5,12 +5,10 @@ use kahan_dynamics::Precision;
 
 use crate::engine::RuntimeFloat;
 
-/// The form and arithmetic of a compiled step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepKind {
     /// The precision in which the state is kept and the step computed.
     pub(crate) precision: Precision,
-    /// Whether each variable carries its rounding error.
     pub(crate) compensated: bool,
     /// Whether the step has the form for every scalar and every ε. Otherwise it has the form for
     /// the orbit of one point at an ordinary ε.
@@ -20,7 +18,6 @@ pub(crate) struct StepKind {
     pub(crate) fuses: bool,
 }
 
-/// Work on points side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum SideBySide {
     Steps(StepKind),
@@ -42,7 +39,6 @@ pub(crate) struct Carrying {
 }
 
 impl StepKind {
-    /// Returns the plain step of states in this precision.
     pub(crate) fn of(precision: Precision, fuses: bool) -> Self {
         StepKind { precision, compensated: false, is_general: false, rounds_increments: false, fuses }
     }

@@ -38,7 +38,6 @@ impl StepKind {
         traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
-    /// Returns the program of a step, and whether it has a guard as its last number.
     pub(super) fn guarded_program<T: MachineFloat>(self, engine: &Engine) -> Option<(Program, bool)> {
         match self.program::<T>(engine) {
             Some(program) => Some((program, self.precision == Precision::DoubleDouble)),
@@ -202,7 +201,6 @@ pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Op
     })
 }
 
-/// Returns the program that copies a state and appends its integrals.
 pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let state = Traced::<T>::states(0..engine.dimension());

@@ -35,7 +35,6 @@ pub(super) fn program<T>(compute: impl FnOnce() -> Option<Vec<Traced<T>>>) -> Op
     Some(Program { operations: OPERATIONS.take(), outputs })
 }
 
-/// The result of a recorded operation over the float T.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Traced<T> {
     place: Node,

@@ -77,7 +77,6 @@ pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     true
 }
 
-/// Copies the tangent vectors of the orbits that go on into columns.
 fn take_vectors<T: MachineFloat, O: Observer<T>>(
     observers: &mut [WhileFinite<O>],
     columns: &mut [Group<T>],
@@ -93,7 +92,6 @@ fn take_vectors<T: MachineFloat, O: Observer<T>>(
     }
 }
 
-/// Hands an observer its point and its vectors from one lane of the columns.
 fn resume<T: MachineFloat, O: Observer<T>>(
     own: &mut WhileFinite<O>,
     step: u64,

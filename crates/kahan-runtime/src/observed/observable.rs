@@ -30,7 +30,6 @@ pub(super) enum Of {
     Numbers,
 }
 
-/// The input that an observer needs in addition to the points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Follows {
     Points,

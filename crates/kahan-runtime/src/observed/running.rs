@@ -206,7 +206,6 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
 
 /// The observers of one orbit. The report is the values seen, and the extremes for a second pass.
 struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
-    /// The carrier of tangent vectors, shared by all observers.
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
 }
@@ -324,7 +323,6 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     Ok(Followed { report: seen, end })
 }
 
-/// Observes many orbits; column c of `starts` holds variable c of all first points.
 pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],

@@ -36,7 +36,6 @@ pub(super) struct Carrier<'a, T: MachineFloat> {
     pub(super) plane: Option<Rc<RefCell<Plane<'a, T>>>>,
 }
 
-/// The tangent plane of the original variables at a point of an orbit.
 #[derive(Clone, Debug)]
 pub(super) struct Plane<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
@@ -65,7 +64,6 @@ impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
         Carrier { map, plane: relations.map(|relations| Rc::new(RefCell::new(plane(relations)))) }
     }
 
-    /// Carries the plane to the next point, before observers see it.
     pub(super) fn follow(&self, step: u64, x: &[T]) {
         if let Some(plane) = &self.plane {
             plane.borrow_mut().follow(step, x);
@@ -149,7 +147,6 @@ fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     rows.iter().flatten().all(|entry| entry.approximate().is_finite())
 }
 
-/// Gives ε and the number of entries of a tangent vector.
 impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
     type Scalar = T;
     type State = Vec<T>;

@@ -81,7 +81,6 @@ impl ExactOrbit {
         self.orbit.point()
     }
 
-    /// Returns σX/W, not reduced.
     fn state(&self) -> Vec<Fraction> {
         let unit = Fraction::from(self.orbit.projective_map().unit());
         let (weight, x) = self.orbit.projective_point().split_last().expect("W stands last");

@@ -86,7 +86,6 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
 mod tests {
     use super::*;
 
-    /// Returns Σ cₖ zᵏ, lowest coefficient first.
     fn polynomial(coefficients: &[Rational]) -> Polynomial {
         let powers = (0..).map(|k| Monomial::power(Z, k));
         Polynomial::from_terms(powers.zip(coefficients.iter().cloned()))
@@ -107,7 +106,6 @@ mod tests {
             (of(&[-1, 1], 1), [false, true, false]),
             (of(&[1, 1], 1), [false, true, false]),
             (of(&[5, -6, 5], 5), [false, true, false]),
-            // z⁴ + … + 1, roots of unity of order 5.
             (of(&[1, 1, 1, 1, 1], 1), [false, true, false]),
             (of(&[-3, 1], 1), [false, false, true]),
             (of(&[2, 1], 1), [false, false, true]),

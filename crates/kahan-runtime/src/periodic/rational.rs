@@ -77,7 +77,6 @@ impl Map {
         jacobians.reduce(|before, here| Some(product(&here?, &before?)))?
     }
 
-    /// Returns the orbit of a point if it closes after `period` steps.
     fn closed(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
         let orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
         let mut orbit = orbit.within_digits(MOST_DIGITS);
@@ -109,7 +108,6 @@ fn simplest(x: f64, near: f64) -> Option<Rational> {
 /// Returns the simplest fraction in [low, high], both positive, by continued fractions.
 fn between(low: &Rational, high: &Rational) -> Option<Rational> {
     let (mut low, mut high) = (low.clone(), high.clone());
-    // The integer parts taken off, outermost first.
     let mut taken = Vec::new();
     let last = loop {
         let floor = Rational::from_f64(low.to_f64().floor()).filter(|floor| *floor <= low)?;

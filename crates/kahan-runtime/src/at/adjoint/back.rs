@@ -13,7 +13,6 @@ use super::terms::Terms;
 /// growth indicates a zero of det A: a pole of the map, or a removable singularity.
 const LARGEST_GROWTH: f64 = 1024.0;
 
-/// A reverse sweep of cotangents over steps of a map.
 pub(super) struct Back<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
@@ -49,7 +48,6 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         k.min(self.stages() - 1 - k)
     }
 
-    /// Begins the sweep at the last state of the orbit.
     pub(super) fn begin(&mut self, x: &[T]) {
         if let Some(terms) = &self.terms {
             terms.slopes(x, &mut self.slopes[1]);

@@ -14,7 +14,6 @@ use crate::{Map, RuntimeFloat};
 /// The states of a term: none for an entry of c, one for an entry of B, two for an entry of Q.
 type States = [Option<usize>; 2];
 
-/// The terms of a field.
 #[derive(Debug)]
 pub(super) struct Terms<T> {
     /// For each entry of f′ its constant term, and the end of its terms in `slopes`.
@@ -38,7 +37,6 @@ struct Coefficient {
 }
 
 impl Coefficient {
-    /// Adds `number` times a product of powers of parameters.
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
         // The product, with the exponent of the factor `lowered` reduced by 1.
         let product = |lowered: Option<usize>| {
@@ -92,7 +90,6 @@ fn coefficients(
 }
 
 impl<T: RuntimeFloat> Terms<T> {
-    /// Collects the terms of a field; `place` returns the index of ∂fᵢ/∂xⱼ among `count` entries.
     pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
         let (field, values) = (&map.field().system().field, map.parameters());
         let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
