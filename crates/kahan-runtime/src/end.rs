@@ -1,6 +1,6 @@
 //! The reasons why an orbit ends, with the number of steps made.
 
-/// How an orbit ended. The number counts the steps from its start to its last point.
+/// The way in which an orbit ended. The number counts the steps from its start to its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// All steps were made.

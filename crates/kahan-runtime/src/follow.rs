@@ -18,7 +18,7 @@ use crate::{DimensionError, End};
 pub struct Followed<R> {
     /// The report of the observers, the number of rows filled, or `()`.
     pub report: R,
-    /// How the orbit ended, and after how many steps.
+    /// The way in which the orbit ended, with the number of steps.
     pub end: End,
 }
 
@@ -213,8 +213,7 @@ pub(crate) fn advance_while_finite<T: Scalar + Copy>(
 ) -> u64 {
     let mut before = x.to_vec();
     let powers = (0..=steps.checked_ilog2().unwrap_or(0)).rev();
-    // A point stays nonfinite once it is. The steps to the last finite point are a sum of powers of
-    // 2.
+    // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
     powers.fold(0, |taken, power| {
         before.copy_from_slice(x);
         advance(x, 1 << power);

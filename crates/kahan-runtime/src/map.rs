@@ -92,7 +92,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The size matters only for `f32`, which tries its own precision first in up to four
+        // The size matters only for `f32`, which begins in its own precision in up to four
         // variables.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),

@@ -227,7 +227,7 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// Where the field divides by zero at its parameters and the reduced map has no value, `try_step`
+/// At parameters where the field divides by zero and the reduced map has no value, `try_step`
 /// returns an error and does not panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {

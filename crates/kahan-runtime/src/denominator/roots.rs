@@ -9,7 +9,7 @@ use kahan_algebra::rational::Rational;
 /// The largest number of coefficients: the degree in ε is at most the number of variables.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// How often the interval is halved before the answer is left open.
+/// The most halvings of the interval before the answer is left open.
 const HALVINGS: u32 = 12;
 
 /// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of this size leave that open.

@@ -44,7 +44,7 @@ enum Formula {
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
-    /// Factors of W̃, as far as they are known.
+    /// Factors of W̃; none if they are unknown.
     pub(crate) weight_parts: Vec<IBig>,
     /// The last coordinate of the inverse map at the stepped point, where the map is reduced.
     pub(crate) weight_behind: Option<IBig>,

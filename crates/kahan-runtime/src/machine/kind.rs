@@ -13,7 +13,7 @@ pub(crate) struct StepKind {
     /// Whether the step has the form for every scalar and every ε. Otherwise it has the form for
     /// the orbit of one point at an ordinary ε.
     pub(crate) is_general: bool,
-    /// Whether an increment is rounded before its addition, as in general forms beside another.
+    /// Whether increments are rounded before their addition, as in a rarely taken general form.
     pub(crate) rounds_increments: bool,
     pub(crate) fuses: bool,
 }

@@ -311,7 +311,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
-    // Where the observers ended the run, their reason counts.
+    // The observers' end, if any, replaces the run's.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
         // A stopped first pass gets no second one.

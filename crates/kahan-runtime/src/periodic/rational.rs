@@ -48,7 +48,7 @@ impl Map {
     ///
     /// Returns `None` where no fractions with small denominators form a cycle. The proof also gives
     /// up on numbers of more than 200 digits, and on more than 200 000 products, as for a fixed
-    /// point in more than 20 variables. Cost: an exact orbit over the period for each of four
+    /// point in more than 20 variables. Cost: an exact orbit over the period for each of up to four
     /// guesses, and the exact derivative at each point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {

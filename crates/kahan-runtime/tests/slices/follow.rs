@@ -131,7 +131,7 @@ fn chains_are_followed_by_the_same_calls() {
         assert_eq!(agree(&chain(sites), &start, 50), End::Complete);
     }
     let mut x = vec![1.0; 200];
-    // Where steps take longer, the watch is called after fewer of them.
+    // In many variables the watch is called after fewer steps.
     let stopped = chain(200).follow(&mut x, 1000, |_| ControlFlow::Break(())).unwrap();
     assert!(matches!(stopped.end, End::Stopped(steps) if steps < 100), "{stopped:?}");
 }

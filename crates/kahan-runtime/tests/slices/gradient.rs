@@ -147,7 +147,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
     }
 }
 
-/// For ε = 1/2, det A vanishes at z = −2 and nearly near it; the reduced map has a value.
+/// For ε = 1/2, det A vanishes at z = −2 and is small nearby; the reduced map has values there.
 #[test]
 fn gradients_near_removable_poles_are_those_of_the_reduced_map() {
     let map = super::support::catalog("e3").map().unwrap();
