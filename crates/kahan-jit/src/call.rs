@@ -20,13 +20,11 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// Returns the numbers in the states, the constants and the results.
     pub(crate) fn numbers(self) -> [usize; 3] {
         [self.states * self.width, self.constants * self.width, self.results * self.width]
     }
 }
 
-/// Executable code with its extent.
 #[derive(Debug)]
 pub(crate) struct Code<T> {
     pages: Pages,
@@ -51,7 +49,6 @@ impl<T: 'static> Code<T> {
         self.extent
     }
 
-    /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
@@ -61,7 +58,6 @@ impl<T: 'static> Code<T> {
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
-    /// Runs `steps` rounds of the code of an [`Orbit`](crate::Orbit).
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check(state, constants);
         let state = written(state);
@@ -79,7 +75,6 @@ impl<T: 'static> Code<T> {
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
-    /// Runs `steps` rounds of all stages of a [`ComposedOrbit`](crate::ComposedOrbit).
     pub(crate) fn composed_orbit<'a>(
         &self,
         state: &mut [T],

@@ -182,7 +182,6 @@ mod tests {
             all
         });
         assert_eq!(available[0], std::arch::is_x86_feature_detected!("avx"));
-        // A larger set includes the smaller ones.
         assert!(available.is_sorted_by(|smaller, larger| smaller >= larger), "{available:?}");
         let count = available.iter().filter(|&&is_available| is_available).count();
         assert_eq!(InstructionSet::best(), count.checked_sub(1).map(|last| OWN[last]));

@@ -40,7 +40,6 @@ pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
     Program { operations: lowering.lowered.operations().to_vec(), outputs }
 }
 
-/// A lowered program under construction, with each operation once.
 struct Lowering {
     lowered: Builder<Input, Float, Called>,
     fuses: bool,

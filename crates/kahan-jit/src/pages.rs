@@ -48,7 +48,6 @@ impl Pages {
         self.start()
     }
 
-    /// Returns the address of the first byte, which begins a page.
     pub(crate) fn start(&self) -> *const u8 {
         self.0.as_ptr()
     }

@@ -10,16 +10,13 @@ use super::carried::carry;
 use super::uses::Uses;
 use super::{Allocation, MachineInstruction, Place};
 
-/// The state of the pass.
 pub(super) struct Allocator<'a> {
     pub(super) program: &'a Program,
     pub(super) ends: Ends,
-    /// The index of the current value.
     pub(super) time: usize,
     pub(super) uses: Uses,
     /// The value in each register, without the registers of kept constants.
     pub(super) registers: Vec<Option<usize>>,
-    /// Registers that hold an operand of the current value.
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
     /// The place of each value in memory.

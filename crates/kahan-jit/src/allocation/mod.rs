@@ -19,7 +19,6 @@ use crate::program::{Input, Instruction, Program};
 use allocator::Allocator;
 use uses::Uses;
 
-/// A number in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Place {
     State(usize),
@@ -31,7 +30,6 @@ pub(crate) enum Place {
     Result(usize),
 }
 
-/// A machine instruction on registers and memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MachineInstruction {
     Load(Vector, Place),
@@ -44,21 +42,16 @@ pub(crate) enum MachineInstruction {
     RoundToSingle(Vector, Vector),
 }
 
-/// Straight-line code after register allocation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Allocation {
-    /// Instructions before the first round.
     pub(crate) before: Vec<MachineInstruction>,
     pub(crate) round: Vec<MachineInstruction>,
-    /// Instructions after the last round.
     pub(crate) after: Vec<MachineInstruction>,
-    /// The number of slots.
     pub(crate) slots: usize,
     /// The most registers in use at once, without those of kept constants.
     most_taken: u8,
 }
 
-/// The use of a program's results and constants by a routine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
     /// The destination of the results.
@@ -90,7 +83,6 @@ impl MachineInstruction {
         }
     }
 
-    /// Returns the register that the instruction writes.
     fn written(&self) -> Option<Vector> {
         match *self {
             Self::Store(..) => None,

@@ -3,7 +3,6 @@
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};
 
-/// The uses of every value, in order.
 pub(super) struct Uses {
     /// The uses of one value after another, with room for one more each.
     times: Vec<u32>,
@@ -14,7 +13,6 @@ pub(super) struct Uses {
 }
 
 impl Uses {
-    /// Collects the uses as operands.
     pub(super) fn of(program: &Program) -> Self {
         let sign = program.operations.iter().position(|instruction| *instruction == SIGN);
         let operands = |instruction: &Instruction| {
@@ -47,7 +45,6 @@ impl Uses {
         self.times[first..end].iter().map(|time| *time as usize)
     }
 
-    /// Returns the index of [`SIGN`].
     pub(super) fn sign(&self) -> usize {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
@@ -63,7 +60,6 @@ impl Uses {
         self.left(value).next_back()
     }
 
-    /// Returns the number of remaining uses.
     pub(super) fn count(&self, value: usize) -> usize {
         self.left(value).len()
     }

@@ -25,7 +25,6 @@ const MOST_STACK: usize = 1 << 20;
 /// Returns the address of a place, after an instruction that loads it if necessary.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
 
-/// A function under construction, with its stack frame.
 struct Frame {
     assembler: Assembler,
     code: Allocation,
@@ -78,7 +77,6 @@ impl Frame {
         Ok(Frame { assembler, code, extent, needs })
     }
 
-    /// Ends the function, and returns its bytes and its extent.
     fn close(mut self) -> (Vec<u8>, Extent) {
         self.assembler.close(&self.needs);
         (self.assembler.finish(), self.extent)

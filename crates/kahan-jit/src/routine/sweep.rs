@@ -98,7 +98,6 @@ impl<T: Float> Sweep<T> {
     }
 }
 
-/// Returns the offset of a column's address in the table.
 fn place_of(column: usize) -> i32 {
     i32::try_from(8 * column).expect("there are fewer columns than instructions")
 }

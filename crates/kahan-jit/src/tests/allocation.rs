@@ -10,7 +10,6 @@ use crate::program::{Instruction, Program};
 use super::draw::{push, state};
 use super::{Draw, random_program, run, same, subtract_product};
 
-/// An interpreter of machine instructions on registers and memory.
 struct Machine {
     registers: Vec<Option<f64>>,
     memory: HashMap<Place, f64>,

@@ -19,7 +19,6 @@ fn shapes(lanes: LaneCount) -> impl Iterator<Item = Shape> {
     })
 }
 
-/// A float that programs are run in.
 trait Tested: Float + num_traits::Float + core::fmt::Debug {
     fn of(value: f64) -> Self;
 }
@@ -197,7 +196,6 @@ fn long_code_computes_its_results() {
     }
 }
 
-/// Returns a small program with three states, for tests that do not depend on the program.
 fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)
 }

@@ -50,7 +50,6 @@ pub(crate) fn run_by<T: Float>(
     program.outputs.iter().map(|result| values[result.0]).collect()
 }
 
-/// Returns the least numbers of states and of constants that a program reads.
 pub(crate) fn read(program: &Program) -> [usize; 2] {
     let end = |of: fn(crate::Input) -> Option<usize>| {
         let ends = program.inputs().into_iter().filter_map(of).map(|entry| entry.saturating_add(1));

@@ -9,7 +9,6 @@ use std::slice;
 
 use rustix::mm::{MapFlags, MprotectFlags, ProtFlags, mmap_anonymous, mprotect, munmap};
 
-/// The size of a page on x86-64.
 const PAGE: usize = 4096;
 
 /// The end of a slice that borders on forbidden memory; the other end is part of a page away.

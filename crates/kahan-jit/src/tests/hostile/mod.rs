@@ -20,7 +20,6 @@ use super::draw::{Draw, constant, literal, push, state};
 use super::run::{read, run_by, same};
 use guarded::{Edge, Guarded};
 
-/// The routine that runs a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Routine {
     Function,
@@ -39,7 +38,6 @@ impl Routine {
     ];
 }
 
-/// A program with a way to run it.
 #[derive(Debug)]
 pub(crate) struct Case {
     program: Program,
@@ -115,7 +113,6 @@ impl Source<'_> {
 
     /// Returns a program of arbitrary instructions, and whether nothing is a reason to refuse it.
     fn program(&mut self) -> (Program, bool) {
-        /// A number of instructions beyond the limits of code.
         const MANY: usize = 25_000;
 
         let mut program = Program::default();
@@ -159,7 +156,6 @@ impl Source<'_> {
 }
 
 impl Case {
-    /// Decodes a case from bytes.
     pub(crate) fn of(bytes: &[u8]) -> Self {
         let mut source = Source(bytes);
         let routine = source.choice(&Routine::ALL);
@@ -182,7 +178,6 @@ impl Case {
         read(&self.program)[1]
     }
 
-    /// Runs the case, and returns whether there was code.
     pub(crate) fn has_run(&self) -> bool {
         if self.routine != Routine::Function && self.states() > self.program.outputs.len() {
             // `compile` panics if a state has no result.
@@ -217,7 +212,6 @@ impl Case {
         numbers
     }
 
-    /// Returns the results of a round in one lane.
     fn expected<T: num_traits::Float>(
         &self,
         state: impl Fn(usize) -> T,
