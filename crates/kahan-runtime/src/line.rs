@@ -198,8 +198,7 @@ impl Line {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the line in its registers; `None` where a division by zero has no value. The given
-    /// registers stay, so that the line can be run again.
+    /// Runs the line in its registers; `None` where a division by zero has no value.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,

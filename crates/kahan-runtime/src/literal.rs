@@ -8,8 +8,7 @@ use smallvec::{SmallVec, smallvec};
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),
-    /// The limbs of 64 bits in little-endian order, the nearest floats, and the rest behind
-    /// `double`.
+    /// The 64-bit limbs in little-endian order, the nearest floats, and the rest behind `double`.
     Long {
         negative: bool,
         numerator: SmallVec<[u64; 2]>,

@@ -209,7 +209,6 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     map.advance(&mut x, 1000).unwrap();
     let last = own.orbit(SVector::from(start), eps).nth(1000).unwrap();
     assert_eq!(x, last.as_slice());
-    // Each column has its own ε.
     let (mut columns, all) =
         (start.map(|entry| vec![entry; 9]), [0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09]);
     let mut parts: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
@@ -256,7 +255,6 @@ fn derivatives_are_those_of_the_step() {
         true => Dual::<f64, 1>::coordinate(value, 0),
         false => Dual::from_value(value),
     };
-    // Derivatives by the coordinates of the start, the two parameters, and ε.
     let slopes = |composition: Composition| -> Vec<Vec<f64>> {
         let by = |k: usize| {
             let map = Curved { a: dual(1.5, 3, k), b: dual(-0.75, 4, k) };

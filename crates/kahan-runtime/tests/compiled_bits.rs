@@ -11,7 +11,6 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 mod support;
 use support::{q, read, samples};
 
-/// Returns whether two numbers are equal or both NaN.
 fn same<T: Scalar>(a: &T, b: &T) -> bool {
     let is_number = |value: &T| *value == value.clone();
     a == b || (!is_number(a) && !is_number(b))
@@ -63,7 +62,6 @@ where
     assert!(compared > 50, "{name}: {compared} steps");
 }
 
-/// Compares over ℚ, `f64` and `f32`.
 fn agree_everywhere<C, const N: usize>(command: &str, parameters: &[&str], exact: &C)
 where
     C: ExtendScalars<BigRational, N>,

@@ -17,7 +17,6 @@ fn read(text: &str) -> Field {
     Field::parse(text).expect("a field")
 }
 
-/// Returns the bits of the point after 5000 steps, by a single orbit and by nine columns.
 fn bits(map: &MapAt<f64>, start: &[f64]) -> Vec<u64> {
     let mut alone = start.to_vec();
     map.advance(&mut alone, 5000).expect("finite");

@@ -17,7 +17,6 @@ fn exact() -> Interpreted<BigRational, 2> {
     map.as_kahan_map().unwrap()
 }
 
-/// Reads the field, and follows an orbit of its map over three scalars.
 fn follow() {
     let number = |text| Rational::parse(text).unwrap();
     let exact = exact();

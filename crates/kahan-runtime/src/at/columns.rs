@@ -101,8 +101,7 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Sets trajectories to NaN at whose parameters and ε the field divides by zero. Machine code,
-    /// in which the divisor has cancelled, would still compute numbers.
+    /// Sets trajectories to NaN where the field divides by zero: code would still give numbers.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
@@ -206,8 +205,7 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns for each trajectory the number of steps to its last finite point, given that `steps`
-    /// steps lead all trajectories out of the range.
+    /// Returns the numbers of steps to last finite points, which all come within `steps` steps.
     fn finite_steps(
         &self,
         kind: StepKind,

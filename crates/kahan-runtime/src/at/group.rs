@@ -26,8 +26,7 @@ pub(crate) struct RuntimeGroup<T> {
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
-    /// Gathers the trajectories from `first` on; copies of the last one fill the group. `None` if
-    /// there are more than [`MOST`] variables.
+    /// Gathers a group, filled up with its last orbit; `None` beyond [`MOST`] variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {

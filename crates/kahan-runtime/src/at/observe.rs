@@ -63,8 +63,7 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits like [`observe_columns_while`](Self::observe_columns_while), except that
-    /// groups are first offered to `has_observed`, which returns `false` if it has done nothing.
+    /// Observes orbits; groups for which `has_observed` returns `false` take the usual way.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],

@@ -26,8 +26,7 @@ pub(crate) struct Abreast<T> {
 }
 
 impl Engine {
-    /// Returns the steps of orbits with these stages; `None` where they share no code. Reuses the
-    /// memory of `workspace` for the constants.
+    /// Returns the steps of orbits, if they share code; `workspace` gives memory to constants.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],

@@ -182,8 +182,7 @@ impl Engine {
         Some(CodedStages::new(loops, kind, constants))
     }
 
-    /// Returns the stages of a composition as code, from the parameters and ε of each distinct
-    /// stage. `None` where no code can be compiled, or stages differ in form.
+    /// Returns the stages of a composition as code; `None` without code, or if their forms differ.
     pub(crate) fn coded_stages<T: RuntimeFloat>(
         &self,
         kind: StepKind,

@@ -177,8 +177,7 @@ struct Prepared<'a, T> {
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Prepares the constants of `registers` registers of trajectories, beginning with trajectory
-    /// `first`.
+    /// Prepares the constants of registers of trajectories from `first` on.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

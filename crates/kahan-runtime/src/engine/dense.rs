@@ -30,8 +30,7 @@ impl Engine {
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Returns whether loops serve steps of this kind: in a dense field, for floats of one word and
-    /// with the multiply-adds of this build.
+    /// Returns whether loops serve these steps: dense field, one-word floats, this build's FMA.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")

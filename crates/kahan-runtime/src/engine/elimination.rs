@@ -110,8 +110,7 @@ pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     is_negative && !is_zero
 }
 
-/// Eliminates below the diagonal. `see` receives each pivot, up to the first 0, and whether rows
-/// were exchanged.
+/// Eliminates below the diagonal; `see` receives pivots, up to the first 0, and exchanges.
 fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);

@@ -294,8 +294,7 @@ fn add_through_double<V: Scalar + Copy>(
     }
 }
 
-/// Adds an increment, given by its factors, to x in the arithmetic of `kind`. If there is a
-/// `carry`, it receives the rounding error.
+/// Adds an increment to x in the arithmetic of `kind`; `carry` receives the rounding error.
 #[inline(always)]
 pub(super) fn add_quotient<V: Scalar + Copy>(
     kind: StepKind,

@@ -56,8 +56,7 @@ pub(crate) struct Content {
 }
 
 impl Content {
-    /// Divides out the content found by prediction or search; the caller reports the rest to
-    /// [`left`](Self::left). `before` is the point before the one that was stepped, if any.
+    /// Divides out what is predicted or found; the caller reports the rest to [`left`](Self::left).
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;

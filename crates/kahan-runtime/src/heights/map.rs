@@ -177,8 +177,7 @@ impl Values<'_> {
         self.homogeneous(&forms, degree)
     }
 
-    /// Returns the entries of A, row by row, and those of b, as forms of degree one. The
-    /// coefficients of each row are coprime integers.
+    /// Returns the entries of A, row by row, and of b as forms of degree one, each row coprime.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {

@@ -38,8 +38,7 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, with some content divided out; `None` without a short
-    /// component.
+    /// Returns the image of a point, partly without content; `None` without a short component.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

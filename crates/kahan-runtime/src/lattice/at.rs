@@ -130,8 +130,7 @@ impl ChainAt {
     }
 }
 
-/// Steps in the memory of the workspace, so that threads can share a chain. A state of another
-/// length panics here, as a wrong dimension does in nalgebra.
+/// Steps in the workspace's memory, for threads that share a chain; panics for a wrong length.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

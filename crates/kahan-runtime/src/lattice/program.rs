@@ -12,8 +12,7 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The count of numbers for which an instruction is decoded once, a multiple of the lanes of every
-/// level. Decoding then costs little, and the registers fit into the nearest cache.
+/// The numbers for which an instruction is decoded once, a multiple of the lanes of every level.
 const ROOM: usize = 128;
 
 #[derive(Debug)]

@@ -244,8 +244,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         self.constants.run(&[], given, &mut constants[start..]);
     }
 
-    /// Advances columns of whole registers. All share one set of constants if `are_shared`;
-    /// otherwise each register has its own.
+    /// Advances columns of whole registers, with shared or own constants.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T]],

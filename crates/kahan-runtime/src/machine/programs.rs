@@ -162,8 +162,7 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program of an object from a state, with the parameters and ε as constants. `None`
-/// where the field lacks the object, or a straight line for it.
+/// Returns the program of an object from a state, if the field has a straight line for it.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
@@ -188,8 +187,7 @@ pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option
     })
 }
 
-/// Returns the program of the constants that a step of columns is prepared with. A step that
-/// eliminates takes the parameters and ε directly.
+/// Returns the program of the constants of a step of columns.
 pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Option<Program> {
     let lines = engine.steps().form(is_general).lines();
     traced::program(|| {

@@ -16,8 +16,7 @@ use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 /// The largest number of columns of a group: points, and three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits for `steps` steps. Returns `false`, with nothing done, where the
-/// observers or the map do not allow that.
+/// Follows a group of orbits by code; returns `false`, with nothing done, where it cannot.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,

@@ -298,8 +298,7 @@ where
     }
 }
 
-/// Observes the orbit of `start` under `step` while its points are finite and within the bound.
-/// A second pass counts turns, if asked for. The callback `tell` may stop the orbit.
+/// Observes the orbit of `start` under `step`; a second pass counts turns, if asked for.
 pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,

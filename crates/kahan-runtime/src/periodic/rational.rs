@@ -89,8 +89,7 @@ impl Map {
     }
 }
 
-/// Counts products of fractions: one product of matrices for each point (derivative along the
-/// cycle), and one for each variable (characteristic polynomial).
+/// Counts the products of fractions for the derivative and its characteristic polynomial.
 fn products(variables: usize, period: usize) -> usize {
     variables.saturating_pow(3).saturating_mul(variables.saturating_add(period))
 }

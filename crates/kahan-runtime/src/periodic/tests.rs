@@ -11,7 +11,6 @@ use kahan_dynamics::periodic::{
 
 use crate::Field;
 
-/// Returns Σ cₖ zᵏ, lowest coefficient first.
 fn polynomial(coefficients: &[(i64, i64)]) -> Polynomial {
     let term = |(power, &(above, below)): (u32, &(i64, i64))| {
         (Monomial::power(Variable(0), power), Rational::new(above, below))

@@ -25,7 +25,6 @@ pub(crate) fn catalog(name: &str) -> System {
     field(find(name).unwrap_or_else(|| panic!("no system {name}")).text())
 }
 
-/// Begins an orbit from numbers as text, separated by commas.
 pub(crate) fn orbit(system: &System, parameters: &str, eps: &str, start: &str) -> HeightsOrbit {
     HeightsOrbit::new(system, &numbers(parameters), &number(eps), &numbers(start)).expect("a defined field")
 }

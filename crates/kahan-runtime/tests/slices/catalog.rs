@@ -9,7 +9,6 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 
 use super::support::{Random, assert_same, catalog, number, steps};
 
-/// Returns the entries row by row, the order of slices.
 fn rows<T: Scalar + Copy, const N: usize>(matrix: &SMatrix<T, N, N>) -> Vec<T> {
     (0..N).flat_map(|i| (0..N).map(move |j| matrix[(i, j)])).collect()
 }

@@ -4,7 +4,6 @@ use kahan_runtime::Field;
 
 use super::support::Random;
 
-/// A pattern of couplings between variables.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// Each variable depends on this number of others, anywhere.
@@ -18,7 +17,6 @@ enum Kind {
     All,
 }
 
-/// Returns a random field whose equations have products with the coupled variables.
 fn field(kind: Kind, n: usize, random: &mut Random) -> String {
     let mut below = |modulus: usize| random.below(u32::try_from(modulus).expect("small")) as usize;
     let mut text = String::new();
@@ -45,7 +43,6 @@ fn field(kind: Kind, n: usize, random: &mut Random) -> String {
     text
 }
 
-/// Returns A⁻¹f by partial pivoting on the whole matrix.
 fn pivoted(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for k in 0..n {

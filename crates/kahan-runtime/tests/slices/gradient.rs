@@ -27,7 +27,6 @@ fn number<T: RuntimeFloat>(value: f64) -> T {
     kahan_runtime::interpreted::round(&Rational::from_f64(value).unwrap())
 }
 
-/// Returns the gradient by derivatives carried forward.
 fn carried<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], every: u64, weights: &[T]) -> Gradient<T> {
     let (n, parameters) = (start.len(), at.map().parameters().len());
     let by: Vec<By> =
@@ -113,7 +112,6 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
         let at = map.at(eps);
         let every = NonZeroU64::new(2).unwrap();
         let own = at.gradient(&start, every, &weights, GO_ON).unwrap().report.unwrap();
-        // The loss at another value of `a`, of ε, or along a direction of starts.
         let tiny = 2.0_f64.powi(-40);
         let direction: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i % 3 == 0))).collect();
         let loss = |by: usize, sign: f64| {

@@ -29,12 +29,10 @@ pub(crate) fn two_to(exponent: i32) -> f64 {
 }
 
 impl Unit {
-    /// Converts a length to this unit.
     pub(crate) fn length(self, ordinary: f64) -> f64 {
         ordinary * two_to(-self.length)
     }
 
-    /// Converts a time to this unit.
     pub(crate) fn time(self, ordinary: f64) -> f64 {
         ordinary * two_to(-self.time)
     }
@@ -56,7 +54,6 @@ impl Case {
     }
 }
 
-/// Returns the map of a field in a unit.
 pub(crate) fn map(field: &Field, unit: Unit) -> Map {
     let values = [("q", two_to(unit.length)), ("nu", two_to(unit.time))];
     let known = |name: &&str| field.parameters().iter().any(|known| known == *name);

@@ -24,7 +24,5 @@ const fn units<const K: usize>(lengths_and_times: [[i32; 2]; K]) -> [Unit; K] {
     units
 }
 
-/// Units for `f64`.
 const UNITS: [Unit; 5] = units([[300, 0], [-300, 0], [0, 56], [0, -59], [-111, 17]]);
-/// Units for `f32`.
 const SHORT_UNITS: [Unit; 5] = units([[40, 0], [-40, 0], [0, 8], [0, -8], [-11, 5]]);

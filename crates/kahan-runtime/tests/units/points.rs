@@ -9,7 +9,6 @@ use crate::answers::{Answers, NUMBER, RATE, SPEED, TIME, check_units};
 use crate::fields::{CASES, Case, Unit, map, two_to};
 use crate::{SHORT_UNITS, UNITS};
 
-/// The map of a case in a unit, over a scalar; `to` converts from `f64`.
 struct Subject<'a, M, T, const N: usize> {
     case: &'a Case,
     unit: Unit,
@@ -94,7 +93,6 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Subject<'_, M, f64, N> {
     }
 }
 
-/// Evaluates an expression with the map of a case over points.
 macro_rules! over_points {
     ($case:expr, $map:expr, $scalar:ty, |$points:ident| $body:expr) => {
         over_points!($case, $map, $scalar, |$points| $body; 1 2 3 4 5 6 8 10)

@@ -11,7 +11,6 @@ use crate::answers::{AREA, Answers, Dimension, LENGTH, NUMBER, RATE, SPEED, chec
 use crate::fields::{CASES, Case, Unit, map};
 use crate::{SHORT_UNITS, UNITS};
 
-/// A case in a unit, over a scalar; `to` converts from `f64`.
 struct Subject<'a, T: MachineFloat> {
     case: &'a Case,
     unit: Unit,

@@ -100,8 +100,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Carries the cotangent back by derivatives of the step, which also exist near a zero of det
-    /// A.
+    /// Carries the cotangent back by derivatives of the stage, near a zero of det A too.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();
