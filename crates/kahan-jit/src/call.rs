@@ -1,7 +1,7 @@
-//! The calls into machine code: the only place where it is entered.
+//! The calls into machine code.
 //!
-//! In: code of this crate, and slices. Out: what it computed. Each call checks that its slices are
-//! as long as the code needs them; what code reads and writes beside them is its own stack.
+//! In: code of this crate, and slices. Out: the computed numbers. Each call checks the lengths of
+//! its slices against the extent of the code. No other module enters machine code.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
 use std::marker::PhantomData;
@@ -9,10 +9,10 @@ use std::marker::PhantomData;
 use crate::Refusal;
 use crate::pages::Pages;
 
-/// How much code reads and writes at least.
+/// The least extent of the memory that code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// How many numbers a register holds; the others are so many registers.
+    /// The numbers in a register; the other fields count registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -20,13 +20,11 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// How many numbers the states, the constants and the results are.
     pub(crate) fn numbers(self) -> [usize; 3] {
         [self.states * self.width, self.constants * self.width, self.results * self.width]
     }
 }
 
-/// Code in memory, and what it needs.
 #[derive(Debug)]
 pub(crate) struct Code<T> {
     pages: Pages,
@@ -35,58 +33,55 @@ pub(crate) struct Code<T> {
 }
 
 impl<T: 'static> Code<T> {
-    /// Puts code where it may run.
+    /// Copies code into executable memory.
     ///
     /// # Safety
-    /// The bytes begin with a function on numbers of type `T`, of the calling convention of System
-    /// V on x86-64 and of the C language on 64-bit Arm, in instructions that this processor has. It
-    /// is entered by that method below which passes the arguments that it takes, and no other. Given
-    /// these, and slices as long as `extent` says, it reads and writes nothing else but its own
-    /// stack.
+    /// The bytes must begin with a function on numbers of type `T`, with the calling convention of
+    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. The function
+    /// may be entered only by the method below that passes the function's arguments. With these
+    /// arguments, and slices of the lengths in `extent`, it must read and write nothing else but
+    /// its own stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
 
-    /// How much it reads and writes.
     pub(crate) fn extent(&self) -> Extent {
         self.extent
     }
 
-    /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
         assert!(results.len() >= r, "room for {r} results, not {}", results.len());
-        // SAFETY: the slices are as long as the code needs them, and `results` is borrowed alone.
+        // SAFETY: the slices are as long as the code needs them, and `results` is borrowed
+        // exclusively.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
-    /// Runs the code of an [`Orbit`](crate::Orbit), `steps` rounds.
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check(state, constants);
         let state = written(state);
-        // SAFETY: the slices are as long as the code needs them, and `state` is borrowed alone.
+        // SAFETY: the slices are as long as the code needs them, and `state` is borrowed
+        // exclusively.
         unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
     }
 
-    /// Runs one round of it from a state to another; it must be code that writes the last state
-    /// alone.
+    /// Runs one round from `state` to `next`, for code that writes only the last state.
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
-        // SAFETY: the slices are as long as the code needs them, and `next`, to which alone it
-        // writes, is borrowed alone.
+        // SAFETY: the slices are as long as the code needs them, and `next`, the only memory that
+        // it writes, is borrowed exclusively.
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
-    /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.
     pub(crate) fn composed_orbit<'a>(
         &self,
         state: &mut [T],
         stages: impl Iterator<Item = &'a [T]>,
         steps: u64,
     ) {
-        /// As many as the longest composition has, with room.
+        /// The most stages, with room beyond the longest composition.
         const MOST: usize = 64;
 
         let (mut table, mut count) = ([0; MOST], 0);
@@ -97,8 +92,8 @@ impl<T: 'static> Code<T> {
             count += 1;
         }
         assert!(count > 0, "at least one stage");
-        // SAFETY: the slices are as long as the code needs them, `state` is borrowed alone, and the
-        // table has an address for each stage.
+        // SAFETY: the slices are as long as the code needs them, `state` is borrowed exclusively,
+        // and the table has an address for each stage.
         unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
@@ -112,12 +107,12 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs the code of a [`Sweep`](crate::Sweep) over columns, `steps` times; constants are the same
-    /// for all registers, or each register's `own`.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep) over columns. Constants are shared by all
+    /// registers of trajectories, or each register's `own`.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// Columns of nearly every field: a larger table takes longer to clear than their step.
+        /// The columns of nearly every field; a larger table takes longer to clear than their step.
         const FEW: usize = 32;
-        /// More variables are stepped by other means.
+        /// The most columns; fields of more variables are stepped by the interpreter.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
@@ -127,7 +122,7 @@ impl<T: 'static> Code<T> {
         }
     }
 
-    /// The same by a table that has room for the addresses of the columns.
+    /// Runs a sweep with a table of `ROOM` addresses of columns.
     fn sweep_by<const ROOM: usize>(
         &self,
         mut table: [usize; ROOM],
@@ -153,17 +148,16 @@ impl<T: 'static> Code<T> {
         let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
-        // SAFETY: the columns are of one length, a multiple of what is read and written at once,
-        // and are borrowed alone; the table has their addresses. The constants reach as far as the
-        // last register needs them.
+        // SAFETY: the columns have one length, a multiple of the register's width, and are borrowed
+        // exclusively; the table has their addresses. The constants suffice for the last register.
         unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
     }
 
     /// Enters the code.
     ///
     /// # Safety
-    /// The arguments are what the routine takes: addresses of as many numbers as it reads and
-    /// writes, those that are written borrowed by the caller alone.
+    /// The arguments must be those of the routine: addresses of all the numbers that it reads and
+    /// writes, with the written ones borrowed exclusively by the caller.
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     unsafe fn enter(&self, [a, b, c, d, e]: [usize; 5]) {
         #[cfg(target_arch = "x86_64")]
@@ -171,17 +165,17 @@ impl<T: 'static> Code<T> {
         #[cfg(target_arch = "aarch64")]
         type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
         // SAFETY: the pages begin with the first instruction of a function of this calling
-        // convention, and stay as long as `self` does.
+        // convention, and live as long as `self`.
         let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
-        // SAFETY: the caller vouches for the arguments. The processor has the instructions, as no
-        // code is made where it lacks them.
+        // SAFETY: the caller vouches for the arguments. The processor has the instructions, since
+        // code is only made for sets that it has.
         unsafe { entry(a, b, c, d, e) }
     }
 
-    /// There is no code on other machines.
+    /// Panics: no code is made for other processors.
     ///
     /// # Safety
-    /// None is needed.
+    /// Every call is safe.
     #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     unsafe fn enter(&self, _: [usize; 5]) {
         unreachable!("code at {:p} was made for another processor", self.pages.entry())
@@ -196,7 +190,7 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// A number of steps; those beyond the address space are never run.
+/// Converts a number of steps; counts beyond the address space are never completed.
 fn counted(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

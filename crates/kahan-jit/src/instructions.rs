@@ -1,31 +1,30 @@
-//! The sets of instructions that code is made of, and the floats it is made for.
+//! Instruction sets of compiled code, and the floats that code computes with.
 
 use crate::Refusal;
 use crate::assembler::{Element, Form, Width};
 
-/// An extension by Intel's name, and whether this processor has it and its system keeps its
-/// registers.
+/// An extension by Intel's name, and a test whether the processor and the system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// A set of instructions; of one processor, a later one is larger.
+/// A set of instructions. Of one processor's sets, a later one includes the earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX: sixteen registers, used with 128 bits.
     Avx,
     /// AVX2 and FMA: sixteen registers of 256 bits, fused multiply-adds.
     Avx2,
-    /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer.
+    /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer bits.
     Avx512,
-    /// A64 with Advanced SIMD, which every 64-bit Arm has: thirty-two registers of 128 bits, fused
+    /// A64 with Advanced SIMD, part of every 64-bit Arm: thirty-two registers of 128 bits, fused
     /// multiply-adds.
     Neon,
 }
 
 impl InstructionSet {
-    /// All of them.
+    /// All instruction sets.
     pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
 
-    /// The smallest for this processor that has what one number at a time takes.
+    /// Returns the smallest set of this architecture for code on one number at a time.
     #[must_use]
     pub const fn least(fuses: bool) -> Self {
         match (cfg!(target_arch = "aarch64"), fuses) {
@@ -35,8 +34,7 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this processor can run it, its system keeps the registers, and there is memory for
-    /// code.
+    /// Returns whether the processor and the system support the set, and there is memory for code.
     #[must_use]
     pub fn is_available(self) -> bool {
         let is_of_this = match self {
@@ -48,11 +46,11 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Whether the rules of this system are known by which code is made and called. On 64-bit Arm
-    /// they are those of Linux: elsewhere pages want other calls before code may run in them
-    /// (`MAP_JIT` on macOS), or nobody has tried.
+    /// Checks that this system's rules for making and entering code are known. On 64-bit Arm only
+    /// Linux's are; elsewhere pages need other calls (`MAP_JIT` on macOS), or are untried.
     ///
     /// # Errors
+    /// [`Refusal::System`].
     /// [`Refusal::System`].
     pub(crate) fn may_run(self) -> Result<(), Refusal> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
@@ -62,8 +60,8 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// The extensions whose instructions code is made of. Code of a larger set also has
-    /// instructions of the smaller ones, wherever these are shorter.
+    /// Returns the extensions that code needs. Code of a larger set also has the instructions of
+    /// smaller sets, where these are shorter.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -78,20 +76,20 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // A register beyond the first sixteen takes the form of AVX-512 for any width, and
-            // forms of less than 512 bits are those of AVX-512VL.
+            // Registers beyond the first sixteen need the forms of AVX-512, which for less than 512
+            // bits are those of AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }
     }
 
-    /// Whether it has multiply-adds that are rounded once.
+    /// Returns whether the set has multiply-adds that are rounded once.
     #[must_use]
     pub fn has_fused(self) -> bool {
         self != Self::Avx
     }
 
-    /// The largest that this processor can run; `None` where it can run none.
+    /// Returns the largest set that is available here.
     #[must_use]
     pub fn best() -> Option<Self> {
         Self::ALL.into_iter().rev().find(|set| set.is_available())
@@ -101,34 +99,34 @@ impl InstructionSet {
         match self {
             Self::Avx | Self::Avx2 => 16,
             Self::Avx512 => 32,
-            // Two hold what an instruction needs on the way.
+            // Two registers are reserved for the intermediate steps of an instruction.
             Self::Neon => 30,
         }
     }
 }
 
-/// How many numbers an instruction works on.
+/// The number of numbers that an instruction works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LaneCount {
-    /// One.
+    /// One number.
     One,
-    /// As many as a register holds.
+    /// A register of numbers.
     All,
 }
 
-/// What code is made of.
+/// The form of compiled code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    /// Its instructions.
+    /// The instruction set.
     pub instructions: InstructionSet,
-    /// How many numbers each of them works on.
+    /// The numbers that each instruction works on.
     pub lanes: LaneCount,
     /// Whether multiply-adds are rounded once.
     pub fuses: bool,
 }
 
 impl Shape {
-    /// How many numbers of the type `T` an instruction works on.
+    /// Returns the number of numbers of type `T` that an instruction works on.
     #[must_use]
     pub fn width<T: Float>(self) -> usize {
         self.form::<T>().bytes() / size_of::<T>()
@@ -154,7 +152,7 @@ mod sealed {
 
 pub(crate) use sealed::Sealed;
 
-/// The machine's floats: `f32` and `f64`.
+/// A float of the machine: `f32` or `f64`.
 pub trait Float: Copy + Send + Sync + Sealed + 'static {}
 
 impl Sealed for f32 {
@@ -172,8 +170,7 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Tests of code pass over sets that a processor lacks, so that what is said of it is pinned
-    /// here, with the processor's own words.
+    /// Checks availability against the processor's report; tests of code skip unavailable sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {
@@ -185,7 +182,6 @@ mod tests {
             all
         });
         assert_eq!(available[0], std::arch::is_x86_feature_detected!("avx"));
-        // A larger set has all that a smaller one has.
         assert!(available.is_sorted_by(|smaller, larger| smaller >= larger), "{available:?}");
         let count = available.iter().filter(|&&is_available| is_available).count();
         assert_eq!(InstructionSet::best(), count.checked_sub(1).map(|last| OWN[last]));

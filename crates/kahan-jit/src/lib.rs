@@ -2,20 +2,16 @@
 //!
 //! In: a [`Program`] over two arrays. Out: code that runs it once ([`Function`]), many times on one
 //! state ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]), in `f64` or
-//! `f32`, one number or a register of them at a time. The operations and their order are
-//! the program's, so are the bits: those of generated Rust, without fused multiply-adds or with
-//! them. It must not know what the numbers mean. Without the feature `pages` every program is
+//! `f32`, on one number or on a register of numbers at a time. The code has the operations of the
+//! program in their order, and the bits of generated Rust with or without fused multiply-adds. The
+//! crate must not know the meaning of the numbers. Without the feature `pages` every program is
 //! refused.
 //!
-//! A program is one of `kahan-program`, whose operations name values; lowering leaves fewer kinds
-//! of them, and registers are allocated for these. Machine instructions name registers, and are
-//! what the assembler has bytes for, one for x86-64 and one for 64-bit Arm.
-//!
-//! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
-//! `call`. All `unsafe` code is in five files: `call.rs` enters machine code, `function.rs`,
-//! `orbit.rs` and `sweep.rs` of `routine` each state why the code that they write is sound, and
-//! `cache.rs` of `pages` tells the caches of 64-bit Arm of it. Tests add one more, which puts
-//! inaccessible pages around slices.
+//! Modules in reading order: `program`, `lowering` (fewer kinds of operations), `allocation`
+//! (registers), `assembler` (bytes for x86-64 and 64-bit Arm), `routine`, `pages`, `call`. All
+//! `unsafe` code is in five files: `call.rs` enters machine code; `function.rs`, `orbit.rs` and
+//! `sweep.rs` of `routine` state why their code is sound; `cache.rs` of `pages` synchronises the
+//! caches of 64-bit Arm. Tests add one file, which puts inaccessible pages around slices.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

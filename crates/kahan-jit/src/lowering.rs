@@ -1,8 +1,8 @@
-//! A program in the terms of the machine: the same operations, of which fewer kinds are left.
+//! Lowering of programs to the operations of the machine.
 //!
-//! In: a program as its caller wrote it. Out: products and sums apart where multiply-adds are not
-//! fused, every value once, no operation that no result needs, and a copy where a result is a
-//! number that lies in another array.
+//! In: a caller's program. Out: an equivalent one with separate products and sums where
+//! multiply-adds are not fused, each value once, no unneeded operation, and a copy for each result
+//! that is an input or a constant elsewhere.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -11,25 +11,24 @@ use kahan_program::{Builder, Float, Node};
 
 use crate::program::{Called, Input, Instruction, Program};
 
-/// What becomes of the results of a program.
+/// The destination of a program's results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ends {
-    /// Result i is state i of the next round, in register i.
+    /// Result i becomes state i of the next round, in register i.
     Carried,
-    /// Result i is stored where state i was.
+    /// Result i is stored at the place of state i.
     InPlace,
     /// Results are stored in an array of their own.
     Elsewhere,
 }
 
-/// The number whose only bit is the sign: to change a sign is to flip that bit.
+/// The number −0, whose only bit is the sign: flipping this bit negates a number.
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
-/// Returns the program that the machine runs. Where it changes a sign, [`SIGN`] is one of its
-/// operations, though no operand.
+/// Lowers a program; if it negates a number, [`SIGN`] is an operation, though not an operand.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
-    // An operation that no result needs is not written, and has no place.
+    // Operations that no result needs are left out, and have no place.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
     for (index, operation) in program.operations.iter().enumerate() {
         if is_needed[index] {
@@ -41,15 +40,13 @@ pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
     Program { operations: lowering.lowered.operations().to_vec(), outputs }
 }
 
-/// A program that is being written for the machine, every operation once.
 struct Lowering {
     lowered: Builder<Input, Float, Called>,
     fuses: bool,
 }
 
 impl Lowering {
-    /// Writes an operation, and returns its place in the lowered program. Its operands must be such
-    /// places.
+    /// Writes an operation on places of the lowered program, and returns its place.
     fn write(&mut self, operation: Instruction) -> Node {
         let operation = match operation {
             Call(Called::Copy, a, _) => return a,
@@ -68,7 +65,7 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// The place of result `i`; of a number that lies somewhere else, that of a copy.
+    /// Returns the place of result `i`, which is a copy if the number lies elsewhere.
     fn result(&mut self, i: usize, place: Node, ends: Ends) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), Ends::Carried) => true,

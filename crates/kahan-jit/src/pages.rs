@@ -1,10 +1,8 @@
-//! Memory that code may run in.
+//! Executable memory.
 //!
-//! In: the bytes of code and its numbers. Out: pages that hold them, which can be read and run.
-//! They are writable before that, never both at once, and go back to the system when they are
-//! dropped. A system that gives no such memory answers with an error.
-//!
-//! Processors of 64-bit Arm fetch instructions through a cache of their own, which is told of them.
+//! In: the bytes of code and its constants. Out: pages that can be read and run, or the system's
+//! error. Pages are writable first and executable later, never both, and are unmapped when they are
+//! dropped. 64-bit Arm fetches instructions through a separate cache, which is synchronised here.
 
 #[cfg(all(target_arch = "aarch64", feature = "pages"))]
 mod cache;
@@ -13,11 +11,10 @@ use std::io;
 
 #[cfg(feature = "pages")]
 type Memory = memmap2::Mmap;
-/// Without the feature `pages` there is none.
+/// The empty memory without the feature `pages`.
 #[cfg(not(feature = "pages"))]
 type Memory = &'static [u8; 0];
 
-/// Code where it may run.
 #[derive(Debug)]
 pub(crate) struct Pages(Memory);
 
@@ -25,7 +22,7 @@ impl Pages {
     /// Copies code into pages of its own.
     ///
     /// # Errors
-    /// That of the system: it has no memory left, or forbids code that is made at run time.
+    /// The system's error, if it has no memory left or forbids code made at run time.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
@@ -36,14 +33,14 @@ impl Pages {
         Ok(Pages(pages))
     }
 
-    /// There are no pages.
+    /// Returns an error: without the feature `pages` code cannot run.
     #[cfg(not(feature = "pages"))]
     pub(crate) fn new(_: &[u8]) -> io::Result<Self> {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// The address of the first byte, for a thread that is about to run it; another one may have
-    /// made the pages.
+    /// Returns the address of the first byte, for a thread that is about to run the code. Another
+    /// thread may have made the pages.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]
@@ -51,7 +48,6 @@ impl Pages {
         self.start()
     }
 
-    /// The address of the first byte, which begins a page.
     pub(crate) fn start(&self) -> *const u8 {
         self.0.as_ptr()
     }

@@ -1,9 +1,8 @@
-//! The programs that become machine code: operations on the entries of two arrays, one of states
-//! and one of constants.
+//! Programs over two arrays, one of states and one of constants.
 
 use kahan_program::{Float, Function, Operation};
 
-/// An entry of one of the two arrays that a program reads.
+/// An entry of one of the two input arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// An entry of the states.
@@ -15,13 +14,13 @@ pub enum Input {
 /// A function that a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// The larger of a and b: b unless a > b
+    /// The larger of a and b: b unless a > b.
     Maximum,
-    /// The smaller of a and b: b unless a < b
+    /// The smaller of a and b: b unless a < b.
     Minimum,
-    /// The number of single precision nearest to a; a itself in a program of single precision.
+    /// The single-precision number nearest to a; a itself in a program of single precision.
     RoundToSingle,
-    /// a itself, in a place of its own: a result that no operation computes.
+    /// A copy of a, for a result that no operation computes.
     Copy,
 }
 
@@ -34,13 +33,13 @@ impl Function for Called {
     }
 }
 
-/// One operation. Single precision takes the number nearest to a constant of the program.
+/// One operation. In single precision, constants of the program are rounded.
 pub type Instruction = Operation<Input, Float, Called>;
 
 /// Straight-line operations with several results.
 pub type Program = kahan_program::Program<Vec<Instruction>>;
 
-/// Returns how many states and how many constants a program reads at least.
+/// Returns the least lengths of states and constants that a program reads.
 pub(crate) fn entries(program: &Program) -> [usize; 2] {
     let mut entries = [0; 2];
     for input in program.inputs() {
@@ -48,7 +47,7 @@ pub(crate) fn entries(program: &Program) -> [usize; 2] {
             Input::State(i) => (0, i),
             Input::Constant(k) => (1, k),
         };
-        // There may be one more than can be counted; no code reaches that far.
+        // Saturates for an index of `usize::MAX`, which no code can reach.
         entries[array] = index.saturating_add(1).max(entries[array]);
     }
     entries

@@ -1,28 +1,28 @@
-//! Why there is no code.
+//! Reasons for which a program is not compiled.
 
 use crate::Shape;
 
-/// Why there is no code; whoever asked computes in another way.
+/// The reason why a program is not compiled; the caller computes in another way.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// The processor lacks the instructions, or they do not fuse.
+    /// The processor lacks the instructions, or the set lacks fused multiply-adds.
     Unavailable(Shape),
-    /// The program is too long for a straight line, or keeps too many numbers at once.
+    /// The program is too long, or has too many live values.
     TooLong {
-        /// Its instructions, or its results where there are more of these.
+        /// The number of instructions, or of results if larger.
         instructions: usize,
     },
-    /// The states or the constants are more than an instruction can reach: 2 GiB of them.
+    /// The states or constants exceed the reach of an instruction, 2 GiB.
     OutOfReach {
-        /// How many the program reads from at least.
+        /// The length of the array that the program reads.
         entries: usize,
     },
-    /// An operation reads one that does not stand before it, or a result is no operation.
+    /// An operation reads one that is not before it, or a result is not an operation.
     Malformed,
-    /// Nobody has shown that code made at run time is entered as this system wants.
+    /// The rules for entering code made at run time are not known for this system.
     System,
-    /// The system gives no memory that code may run in.
+    /// The system gives no executable memory.
     Pages(std::io::Error),
 }
 

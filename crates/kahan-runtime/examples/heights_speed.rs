@@ -1,7 +1,7 @@
-//! How long the paper's Diophantine tests take: `cargo run --release -p kahan-runtime --example
-//! heights_speed`.
+//! Times the paper's Diophantine tests:
+//! `cargo run --release -p kahan-runtime --example heights_speed`.
 //!
-//! Each is run three times, heights of every component at every step included, and the best time is
+//! Each test, with the heights of every component at every step, runs three times; the best time is
 //! printed.
 
 use std::time::Instant;
@@ -11,7 +11,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::{read, system::System};
 use kahan_runtime::heights::{Heights, HeightsOrbit, Survey};
 
-/// A test of the paper: its system, its data, and the time that it may take.
+/// A test of the paper with its system, data, and time limit in seconds.
 struct Test {
     system: &'static str,
     parameters: &'static [&'static str],

@@ -1,10 +1,10 @@
-//! What a field does not claim.
+//! The error for claims that a field does not make.
 
 use core::fmt;
 
 use crate::DimensionError;
 
-/// Why a claim of a field has no value.
+/// The reason why a claim of a field has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ClaimError {
@@ -12,12 +12,12 @@ pub enum ClaimError {
     NoDensity,
     /// The field claims no bracket of this name.
     NoBracket {
-        /// The name that was asked for.
+        /// The requested name.
         name: String,
-        /// Those that there are.
+        /// The names of the field's brackets.
         brackets: Vec<String>,
     },
-    /// An argument does not fit.
+    /// An argument has a wrong number of entries.
     Dimension(DimensionError),
 }
 

@@ -1,4 +1,4 @@
-//! Fields that are given by their coefficients: arrays c, B and Q of ẋ = c + Bx + Q(x, x).
+//! Fields given by their coefficients: arrays c, B and Q of ẋ = c + Bx + Q(x, x).
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use kahan_core::nalgebra::{Dim, Matrix};
 
 use crate::{Diagnostics, Field, FieldText};
 
-/// The coefficients of a field, which is made of them without a text. Each float is taken exactly.
+/// The coefficients of a field, from which it is built without a text. Each float is taken exactly.
 ///
 /// ```
 /// use kahan_runtime::Coefficients;
@@ -24,17 +24,17 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    /// Of each component the numbers, with the places of what they multiply.
+    /// For each component its values, with the places of their monomials.
     components: Vec<Vec<(Place, f64)>>,
 }
 
-/// Two states in increasing order, then a parameter, with [`BITS`] bits each; a single state is the
+/// Two states in increasing order, then a parameter, with [`BITS`] bits each. A single state is the
 /// second. Places increase in the order of a polynomial's terms.
 type Place = u64;
 
-/// The bits of a state or a parameter in a place; an index of either has at most 16 bits.
+/// The bits of an index in a place; states and parameters have indices of at most 16 bits.
 const BITS: u32 = 20;
-/// Neither a state nor a parameter.
+/// The index that stands for an absent state or parameter.
 const NONE: Place = (1 << BITS) - 1;
 
 fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> Place {
@@ -47,7 +47,7 @@ fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> Place {
     (first << BITS | second) << BITS | parameter
 }
 
-/// The reason for which coefficients make no field.
+/// The reason why coefficients do not define a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CoefficientError {
@@ -55,9 +55,9 @@ pub enum CoefficientError {
     OutOfRange {
         /// One of `component`, `state` and `parameter`.
         what: &'static str,
-        /// Its index, from 0 on.
+        /// The index, from 0 on.
         index: usize,
-        /// How many there are.
+        /// The number of components, states or parameters.
         count: usize,
     },
     /// A coefficient is not finite.
@@ -65,11 +65,11 @@ pub enum CoefficientError {
         /// The index of the component.
         component: usize,
     },
-    /// An array has another length than the coefficients of the field.
+    /// An array has a wrong length.
     Length {
-        /// The array.
+        /// The array's name.
         array: &'static str,
-        /// Its length.
+        /// The array's length.
         found: usize,
         /// The lengths that fit.
         wanted: Vec<usize>,
@@ -96,10 +96,10 @@ impl fmt::Display for CoefficientError {
 impl std::error::Error for CoefficientError {}
 
 impl Coefficients {
-    /// The coefficients of the field ẋ = 0 in these states and parameters.
+    /// Returns the field ẋ = 0 in these states and parameters.
     ///
     /// # Errors
-    /// A name that no state or parameter can have, or that occurs twice.
+    /// [`Diagnostics`] for a name that is not allowed, or that occurs twice.
     pub fn new<N: Into<String>>(
         states: impl IntoIterator<Item = N>,
         parameters: impl IntoIterator<Item = N>,
@@ -109,7 +109,7 @@ impl Coefficients {
             states: own(states.into_iter().collect()),
             parameters: own(parameters.into_iter().collect()),
         };
-        // The rules for names are those of a text.
+        // Parses a text with these names, because the rules for names are the parser's.
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
@@ -121,7 +121,7 @@ impl Coefficients {
         Coefficients { symbols, components }
     }
 
-    /// Adds a coefficient: the entry of c with no state, of B with one, of Q with two.
+    /// Adds a coefficient: an entry of c with no state, of B with one state, of Q with two states.
     ///
     /// # Errors
     /// [`CoefficientError`] where the value is not finite, or an index is out of range.
@@ -148,18 +148,18 @@ impl Coefficients {
         Ok(())
     }
 
-    /// The field, with the text that says the same.
+    /// Returns the field with an equivalent text.
     #[must_use]
     pub fn text(self) -> FieldText {
         FieldText::of_system(self.system(), "field".to_owned())
     }
 
-    /// The field.
+    /// Returns the field.
     #[must_use]
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // Equal halves of a symmetric array have a float as their exact sum.
+            // The exact sum of equal halves of a symmetric array is a float, unless it overflows.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };
@@ -207,13 +207,14 @@ impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for E
 }
 
 impl Field {
-    /// The field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn, from slices row by row or
-    /// matrices of nalgebra. An empty array stands for 0; at least one array has numbers. Q has n³
-    /// numbers, or n²(n + 1)/2: then each row has the coefficients of xⱼxₖ with k ≤ j, as in
-    /// operator inference. Floats are taken exactly.
+    /// Builds the field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn.
+    ///
+    /// Arrays are slices, row by row, or matrices of nalgebra; floats are taken exactly. An empty
+    /// array stands for 0; at least one array has numbers. Q has n³ numbers, or n²(n + 1)/2: then
+    /// each row has the coefficients of xⱼxₖ with k ≤ j, as in operator inference.
     ///
     /// # Errors
-    /// [`CoefficientError`] for an array of another length, and a number that is not finite.
+    /// [`CoefficientError`] for an array of another length, and for a number that is not finite.
     ///
     /// ```
     /// use kahan_runtime::Field;

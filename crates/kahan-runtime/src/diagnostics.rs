@@ -1,4 +1,4 @@
-//! What is wrong with a text, as an error.
+//! The mistakes in a text, as an error.
 
 use core::fmt;
 use std::ops::Range;
@@ -6,11 +6,10 @@ use std::ops::Range;
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::render::{place, report};
 
-/// The mistakes of a text in the language of `kahan!`: those that the macro reports, at the same
-/// places and in the same words.
+/// The mistakes in a text in the language of `kahan!`, with the macro's places and words.
 ///
-/// As text each is a paragraph, with the source line and a caret under the place, and with what to
-/// write instead.
+/// The `Display` form has a paragraph for each of the first eight mistakes: the message, the source
+/// line with a caret under the place, and the correction to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     mistakes: Vec<Diagnostic>,
@@ -20,20 +19,19 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     pub(crate) fn new(mistakes: Vec<Diagnostic>, text: &str, ranges: &[Range<usize>], origin: &str) -> Self {
-        /// Nobody reads more at once.
         const MOST: usize = 8;
         let reports = mistakes.iter().take(MOST).map(|mistake| report(mistake, text, ranges, origin));
         let places = mistakes.iter().map(|mistake| place(mistake, text, ranges));
         Diagnostics { places: places.collect(), reports: reports.collect(), mistakes }
     }
 
-    /// The mistakes, in the order of their places.
+    /// Returns the mistakes, in the order of their places.
     #[must_use]
     pub fn mistakes(&self) -> &[Diagnostic] {
         &self.mistakes
     }
 
-    /// The line and the column where each of them begins, counted from 1.
+    /// Returns the line and column where each mistake begins, counted from 1.
     #[must_use]
     pub fn places(&self) -> &[[usize; 2]] {
         &self.places

@@ -1,8 +1,8 @@
-//! Numbers of numbers that do not fit.
+//! The error for arguments with a wrong number of entries.
 
 use core::fmt;
 
-/// An argument that has not as many entries as are needed.
+/// An argument with a wrong number of entries.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DimensionError {
     argument: Argument,
@@ -10,24 +10,20 @@ pub struct DimensionError {
     expected: usize,
 }
 
-/// What has the wrong number of entries.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Argument {
     State,
-    /// Where a result is to be written.
+    /// The slice for a result.
     Out,
     Carry,
-    /// Where points are to be written, one after the other.
+    /// The slice for points, one after the other.
     Rows,
-    /// The derivatives of a scalar by rows of points.
     Weights,
     Columns,
     Maps,
-    /// The column of a variable.
     Column(String),
     Eps,
     Parameters,
-    /// The values of a parameter.
     Parameter(String),
     Type,
     /// A step with a promise.
@@ -39,19 +35,18 @@ impl DimensionError {
         DimensionError { argument, found, expected }
     }
 
-    /// Refuses another number than is expected.
     pub(crate) fn check(argument: Argument, found: usize, expected: usize) -> Result<(), Self> {
         if found == expected { Ok(()) } else { Err(Self::new(argument, found, expected)) }
     }
 
-    /// How many there are.
+    /// Returns the number of entries found.
     #[must_use]
     pub fn found(&self) -> usize {
         self.found
     }
 
-    /// How many are needed; of what can be one for all trajectories, how many trajectories there
-    /// are; of rows, how many each has.
+    /// Returns the number of entries needed. For arguments that may be shared by all trajectories
+    /// it is the number of trajectories; for rows it is the length of each.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected

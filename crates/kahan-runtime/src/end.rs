@@ -1,27 +1,27 @@
-//! How an orbit ended, and after how many steps: the one definition, for all who follow orbits.
+//! The reasons why an orbit ends, with the number of steps made.
 
-/// How an orbit ended. The number is the steps from its start to its last point.
+/// The way in which an orbit ended. The number counts the steps from its start to its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// All steps were made.
     Complete,
-    /// In floats the next point is not finite: a pole, or numbers too large for the scalar. A start
-    /// that is not finite ends so after no step.
+    /// The next point is not finite in floats: a pole, or overflow. A start that is not finite ends
+    /// the orbit after 0 steps.
     Range(u64),
-    /// In exact numbers the next point has no value: det A = 0.
+    /// The next point does not exist in exact numbers: det A = 0.
     Pole(u64),
-    /// A variable of the last point is larger than the bound that was asked for.
+    /// A variable of the last point exceeds the bound asked for.
     Escaped(u64),
     /// Symmetric projection onto the relations of a lift did not converge.
     Reembed(u64),
-    /// The time was up.
+    /// The time limit was reached.
     Time(u64),
-    /// An observer had seen all that it wants, or a watch stopped the work.
+    /// Observers had seen enough, or the watch stopped the run.
     Stopped(u64),
 }
 
 impl End {
-    /// Its name in answers.
+    /// Returns the name in answers.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl End {
         }
     }
 
-    /// Returns the end of the whole orbit, where `before` steps were made before this part of it.
+    /// Returns the end of the whole orbit, where `before` steps were made before this part.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {
@@ -63,8 +63,7 @@ impl End {
         }
     }
 
-    /// Whether an answer about the whole orbit has no value: it neither went on to the last step,
-    /// nor stopped because somebody had seen enough.
+    /// Returns whether the orbit ended early without being stopped; answers then have no value.
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

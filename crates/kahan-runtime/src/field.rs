@@ -1,4 +1,4 @@
-//! A field that is read at run time.
+//! A field read at run time.
 
 use std::sync::Arc;
 
@@ -9,22 +9,22 @@ use crate::engine::Engine;
 use crate::parameters::values_of;
 use crate::{Diagnostics, FieldText, Map, ParameterError, ParameterValue};
 
-/// A quadratic vector field with its map derived.
-///
-/// Copies share all that is made of it, on whichever thread.
+/// A quadratic vector field with its derived map. Clones share everything derived, across threads.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(crate) engine: Arc<Engine>,
 }
 
 impl Field {
-    /// Reads a field in the language of `kahan!`, with or without a header, or as people write
-    /// equations, and proves its claims; without a header its free names are parameters.
+    /// Reads a field and proves its claims.
     ///
-    /// Cost: some milliseconds for a field of ordinary size.
+    /// The text is in the language of `kahan!`, with or without a header, or in common notations
+    /// for equations. Without a header, undeclared names are parameters. Cost: some milliseconds
+    /// for a field of ordinary size.
     ///
     /// # Errors
-    /// The mistakes of the text, false claims among them, as the macro reports them.
+    /// [`Diagnostics`] with the mistakes of the text, including false claims, as the macro reports
+    /// them.
     ///
     /// ```
     /// use kahan_runtime::Field;
@@ -36,28 +36,27 @@ impl Field {
         Self::read(&FieldText::new(text.to_owned(), "field".to_owned()))
     }
 
-    /// The same for a text with a name of its own, or a part of one.
+    /// Reads a field from a text with a name, or from a part of a text, and proves its claims.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// [`Diagnostics`], like [`parse`](Self::parse).
     pub fn read(text: &FieldText) -> Result<Self, Diagnostics> {
         text.system().map(|system| Self::of(&system))
     }
 
-    /// The field of a system, whose claims are taken as they are.
+    /// Derives the map of a system; the claims of the system are not proved again.
     #[must_use]
     pub fn of(system: &System) -> Self {
         Field { engine: Arc::new(Engine::new(system)) }
     }
 
-    /// The map at these values of the parameters: pairs of names and numbers, in any order.
+    /// Returns the map at values of the parameters: pairs of names and numbers, in any order.
     ///
-    /// Numbers are taken as they are, and rounded once for each scalar: `f64`, `f32`, integers,
-    /// rationals.
+    /// Values may be `f64`, `f32`, integers or rationals; each is rounded once for each scalar.
     ///
     /// # Errors
-    /// [`ParameterError`] for a name that is no parameter, or given twice, or not given, for a
-    /// value that is not finite, and where the field divides by zero.
+    /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is
+    /// not finite, and where the field divides by zero.
     ///
     /// ```
     /// use kahan_runtime::Field;
@@ -75,49 +74,48 @@ impl Field {
         Ok(Map::new(self.clone(), values_of(self.derived(), values)?))
     }
 
-    /// The map of a field without parameters.
+    /// Returns the map of a field without parameters.
     ///
     /// # Errors
-    /// [`ParameterError`] where it has some.
+    /// [`ParameterError`] if the field has parameters.
     pub fn map(&self) -> Result<Map, ParameterError> {
         self.with::<&str, f64>([])
     }
 
-    /// The state variables, in the order of a state's entries.
+    /// Returns the names of the state variables, in the order of a state's entries.
     #[must_use]
     pub fn variables(&self) -> &[String] {
         &self.system().field.symbols.states
     }
 
-    /// The parameters, in their order.
+    /// Returns the names of the parameters, in order.
     #[must_use]
     pub fn parameters(&self) -> &[String] {
         &self.system().field.symbols.parameters
     }
 
-    /// Whether the field divides by something that depends on parameters or ε.
     pub(crate) fn has_divisors(&self) -> bool {
         self.system().field.components.iter().any(|component| !component.denominator().is_one())
     }
 
-    /// The integrals that are claimed without `when`, in their order.
+    /// Returns the names of the integrals claimed without `when`, in order.
     #[must_use]
     pub fn integrals(&self) -> &[String] {
         &self.derived().integral_names
     }
 
-    /// The brackets that are claimed without `when`, in their order.
+    /// Returns the names of the brackets claimed without `when`, in order.
     pub fn brackets(&self) -> impl ExactSizeIterator<Item = &str> {
         self.derived().brackets.iter().map(|(name, _)| name.as_str())
     }
 
-    /// The system that was read.
+    /// Returns the system that the field was read from.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.derived().system
     }
 
-    /// Every plan of it.
+    /// Returns every plan of the field.
     #[must_use]
     pub fn derived(&self) -> &Derived {
         &self.engine.derived

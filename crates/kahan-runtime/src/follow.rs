@@ -1,9 +1,8 @@
-//! One orbit of any map over floats, followed as far as it goes.
+//! One orbit of any map over floats, followed while its points are finite.
 //!
-//! In: a map, a point, how many steps, and a watch that may stop the run. Out: the last point, how
-//! the orbit ended after how many steps, and what was asked on the way: nothing, observers, or rows
-//! of points. It must not know what a map is made of: chains, maps of
-//! texts and compiled ones are followed by the same loop.
+//! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
+//! how the orbit ended, and the report: nothing, that of observers, or the number of rows of
+//! points. The loop is generic over [`Step`], and so over chains, read maps and compiled maps.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
@@ -14,29 +13,29 @@ use kahan_core::{FloatScalar, Scalar, Step, Workspace};
 use crate::dimension::Argument;
 use crate::{DimensionError, End};
 
-/// How far an orbit was followed, and what came of it.
+/// The result of following an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Followed<R> {
-    /// What was asked on the way.
+    /// The report of the observers, the number of rows filled, or `()`.
     pub report: R,
-    /// How it ended, and after how many steps.
+    /// The way in which the orbit ended, with the number of steps.
     pub end: End,
 }
 
 /// Follows an orbit from `x`, step after step, while its points are finite.
 ///
-/// All calls replace `x` by the last point that is finite, so that a call can go on where another
-/// ended. Points have the bits that [`Step::advance`] gives them one by one. A start that is not
-/// finite is the last point, after no step: [`End::Range`]`(0)`.
+/// All methods replace `x` by the last finite point, so that the next call continues from there.
+/// Points have the bits of single calls of [`Step::advance`]. A start that is not finite ends the
+/// run after no step: [`End::Range`]`(0)`.
 ///
-/// `watch` is told of the steps made since it was asked last, and stops the run by
-/// [`ControlFlow::Break`]. It is asked every 4096 steps in up to eight variables, and after fewer
-/// steps in more, whose steps take longer; and after the last step. There it can show progress,
-/// read a clock or a flag: nothing else interrupts a run.
+/// The `watch` receives the number of steps since its last call, and may stop the run by
+/// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more
+/// variables, and after the last step. A watch can show progress, and read a clock or a flag;
+/// nothing else interrupts a run.
 ///
-/// Cost: that of the steps, a look at each point that is shown, and a copy of the point each time
-/// that the watch is asked. Where an orbit leaves the range, the steps since then are made up to
-/// three times.
+/// Cost: that of the steps, a test of each point that is shown, and a copy of the point for each
+/// call of the watch. Where an orbit leaves the range of floats, the steps since the last call are
+/// made up to three times.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -52,10 +51,10 @@ pub struct Followed<R> {
 /// assert!(x[0] > 5.0);
 /// ```
 pub trait Follow: Step<Scalar: FloatScalar> + Sized {
-    /// At most so many steps, of which nothing is asked.
+    /// Makes at most `steps` steps.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not as many entries as a state of the map.
+    /// [`DimensionError`] if the length of `x` is not the dimension of the map.
     fn follow(
         &self,
         x: &mut [Self::Scalar],
@@ -66,12 +65,12 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
         Ok(Followed { report: (), end: run(self, x, [steps, steps], watch, |_, _| false) })
     }
 
-    /// At most so many steps, shown to observers: `x` as it is, as the point of step 0, and the
-    /// points after it as far as they are finite. Observers that are
-    /// [done](Observer::is_done) end the run at that point.
+    /// Makes at most `steps` steps, and shows the points to observers: first `x` itself, as the
+    /// point of step 0, then each finite point. The run ends at a point after which the observers
+    /// are [done](Observer::is_done).
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not as many entries as a state of the map.
+    /// [`DimensionError`] if the length of `x` is not the dimension of the map.
     fn observe<O: Observer<Self::Scalar>>(
         &self,
         x: &mut [Self::Scalar],
@@ -92,14 +91,14 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
         Ok(Followed { report: observers.report(), end })
     }
 
-    /// Writes every `every`-th point that follows `x` into `rows`, one after the other: the first
-    /// row is the point after so many steps. The report is how many rows were filled, all of them
-    /// where the orbit is complete; the others stay as they are. The next call goes on behind the
-    /// last row.
+    /// Writes every `every`-th point after `x` into `rows`, one row after the other.
+    ///
+    /// The report is the number of rows filled: all of them if the orbit is complete. Other rows
+    /// are left unchanged. The next call continues from the point of the last row.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not as many entries as a state of the map, or `rows` is not a
-    /// whole number of states.
+    /// [`DimensionError`] if the length of `x` is not the dimension of the map, or the length of
+    /// `rows` is not a multiple of it.
     ///
     /// ```
     /// use std::num::NonZeroU64;
@@ -143,15 +142,13 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
     DimensionError::check(Argument::State, x.len(), map.dimension())
 }
 
-/// The steps between two looks of the watch: they take some milliseconds at most.
+/// Returns the number of steps between two calls of the watch; they take some milliseconds at most.
 pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;
     (MOST * FEW.pow(2) / (variables as u64).saturating_pow(2).max(1)).clamp(1, MOST)
 }
 
-/// Makes at most so many steps, and shows every `every`-th point until `is_done` says so: how it
-/// ended.
 fn run<S: Step<Scalar: FloatScalar>>(
     map: &S,
     x: &mut [S::Scalar],
@@ -163,7 +160,7 @@ fn run<S: Step<Scalar: FloatScalar>>(
         return End::Range(0);
     }
     let (pause, mut workspace) = (pause(x.len()), Workspace::new());
-    // Floats go on at poles.
+    // Floats continue past poles, so only finiteness ends the run.
     let mut advance = |x: &mut [S::Scalar], steps| {
         let _ = map.advance(x, steps, &mut workspace);
     };
@@ -195,21 +192,20 @@ fn run<S: Step<Scalar: FloatScalar>>(
     End::Complete
 }
 
-/// Whether no number of a point is larger than this, nor is one not a number.
+/// Returns whether all |xᵢ| ≤ size; `false` if one is NaN.
 #[inline]
 pub(crate) fn is_within<T: Scalar>(x: &[T], size: f64) -> bool {
-    // Without a way out in the middle, so that registers hold several numbers.
+    // Without an early exit, so that several numbers share a register.
     x.iter().fold(true, |all, x| all & (x.approximate().abs() <= size))
 }
 
-/// Whether all numbers of a point are finite.
 #[inline]
 pub(crate) fn is_finite<T: Scalar>(x: &[T]) -> bool {
     is_within(x, f64::MAX)
 }
 
-/// Replaces `x`, of which it is known that so many steps lead out of the range, by the last point
-/// that is finite: how many steps lead there.
+/// Replaces `x` by its last finite point, given that `steps` steps leave the range of floats.
+/// Returns the number of steps to that point.
 pub(crate) fn advance_while_finite<T: Scalar + Copy>(
     x: &mut [T],
     steps: u64,
@@ -217,7 +213,7 @@ pub(crate) fn advance_while_finite<T: Scalar + Copy>(
 ) -> u64 {
     let mut before = x.to_vec();
     let powers = (0..=steps.checked_ilog2().unwrap_or(0)).rev();
-    // What is not finite stays so: the steps that are left to take are a sum of powers of 2.
+    // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
     powers.fold(0, |taken, power| {
         before.copy_from_slice(x);
         advance(x, 1 << power);

@@ -1,5 +1,4 @@
-//! Quotients of big integers that text is made of quickly, and ℚ over them as an arithmetic that
-//! takes no gcd.
+//! Quotients of big integers, and ℚ over them as an arithmetic that takes no gcd.
 
 use core::fmt;
 
@@ -10,10 +9,10 @@ use kahan_algebra::rational::Rational;
 
 use crate::heights::{denominator, numerator, rational};
 
-/// A quotient of integers, not necessarily in lowest terms; the divisor is not zero.
+/// A quotient of integers with a nonzero divisor, not necessarily in lowest terms.
 ///
-/// In lowest terms, as [`ExactOrbit`](crate::orbit::ExactOrbit) hands it on, it is printed as
-/// `p/q` or `p`, in a time that hardly grows faster than the number of digits.
+/// [`ExactOrbit`](crate::orbit::ExactOrbit) returns fractions in lowest terms. `Display` writes
+/// `p/q` or `p`, in time hardly more than proportional to the number of digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
     above: IBig,
@@ -21,17 +20,14 @@ pub struct Fraction {
 }
 
 impl Fraction {
-    /// This times above/below, not reduced.
     pub(crate) fn times_quotient(&self, above: &IBig, below: &IBig) -> Self {
         Fraction { above: &self.above * above, below: &self.below * below }
     }
 
-    /// Whether two are one number, by two products.
     pub(crate) fn equals(&self, other: &Fraction) -> bool {
         &self.above * &other.below == &self.below * &other.above
     }
 
-    /// In lowest terms, the denominator positive.
     pub(crate) fn reduced(self) -> Fraction {
         let common = IBig::from((&self.above).gcd(&self.below));
         let common = if self.below < IBig::ZERO { -common } else { common };
@@ -39,7 +35,6 @@ impl Fraction {
     }
 }
 
-/// `p/q` or `p`
 impl fmt::Display for Fraction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.above.fmt(f)?;
@@ -47,7 +42,6 @@ impl fmt::Display for Fraction {
     }
 }
 
-/// In lowest terms.
 impl From<&Rational> for Fraction {
     fn from(value: &Rational) -> Self {
         Fraction { above: numerator(value), below: denominator(value).into() }
@@ -60,8 +54,8 @@ impl From<&Fraction> for Rational {
     }
 }
 
-/// ℚ without a gcd: values are [`Fraction`]s, and equal denominators are recognised, because all
-/// coordinates of a projective point have the same.
+/// The arithmetic of ℚ on [`Fraction`]s without a gcd. Operations recognise equal denominators,
+/// because all coordinates of a projective point share one.
 pub(crate) struct Fractions;
 
 impl Arithmetic for Fractions {

@@ -1,15 +1,13 @@
-//! Quadratic vector fields that are read at run time, as Kahan maps.
+//! Quadratic vector fields read at run time, as Kahan maps.
 //!
 //! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
 //! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
 //! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
-//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), of
-//! a family chains of any number of sites ([`Lattice`]), and orbits of any of them ([`Follow`]). It
-//! must not know the catalog: a field comes from its caller. Beside them, how work is spread over
-//! processors ([`threads`]).
+//! scalar ([`Map::as_kahan_map`]), exact orbits and their heights ([`heights`]), chains of a family
+//! ([`Lattice`]), and orbits ([`Follow`]). The crate must not know the catalog.
 //!
-//! Maps and chains of texts are [`Step`](kahan_core::Step)s, as compiled ones are, so a program can
-//! choose among all of them while it runs:
+//! Maps and chains of texts are [`Step`](kahan_core::Step)s like compiled maps, so that a program
+//! can choose among them at run time:
 //!
 //! ```
 //! use kahan_core::Step;

@@ -1,7 +1,7 @@
-//! A plan made ready to run over any scalar: its names are resolved, and its nodes are registers.
+//! A plan prepared for evaluation over any scalar, with names resolved and nodes as registers.
 //!
-//! The operations and their order are the plan's, and each is the call that generated code makes
-//! for it, so the bits are the same. Whoever runs a line brings its registers.
+//! In: a plan, then constants and a state in registers of the caller. Out: results. The operations,
+//! their order and therefore the bits are those of generated code.
 
 use std::marker::PhantomData;
 
@@ -12,27 +12,24 @@ use kahan_program::{Arithmetic, Calls, Function, Node, Program};
 
 use crate::literal::Literal;
 
-/// An operation of a line: inputs are the numbers of the registers that its caller fills.
 type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
-/// A straight line of operations with several results.
+/// A straight-line program with several results.
 ///
-/// Its workspace are registers, numbered as the operations are. The constants come first (the
-/// parameters and ε, or in a kernel what was prepared), then the numbers that the plan writes out,
-/// the states (those of a second point behind those of the first), and what is computed.
+/// Registers are numbered like operations. First come the constants (the parameters and ε, or in a
+/// kernel the prepared constants), then the numbers that the plan contains, the states (of one or
+/// two points), and the computed values.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
     constants: usize,
-    /// The number of constants and numbers of the plan.
+    /// The number of constants, including the numbers of the plan.
     given: usize,
-    /// The states of as many points as the line reads.
+    /// The number of states, over all points that the line reads.
     states: usize,
-    /// Whether a division may have no value.
     has_poles: bool,
 }
 
-/// 1/a, of a line in which a division may have no value.
 #[derive(Clone, Copy, Debug)]
 struct Reciprocal;
 
@@ -42,7 +39,6 @@ impl Function for Reciprocal {
     }
 }
 
-/// The operations of a scalar, as generated code calls them.
 struct Scalars<V> {
     has_poles: bool,
     scalar: PhantomData<V>,
@@ -109,18 +105,17 @@ impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
 }
 
 impl Line {
-    /// A plan of the states, the parameters and ε, whose divisions are written as quotients.
+    /// Prepares a plan of the states, the parameters and ε, with divisions as quotients.
     pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
-    /// The same where a division by zero may have no value.
+    /// Prepares a plan in which a division by zero may have no value.
     pub(crate) fn with_poles(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// The kernel of a step with so many prepared constants, where a division by zero may have no
-    /// value.
+    /// Prepares the kernel of a step; a division by zero may have no value.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }
@@ -186,28 +181,24 @@ impl Line {
         }
     }
 
-    /// How much is [given](Self::give).
     pub(crate) fn given(&self) -> usize {
         self.given
     }
 
-    /// The number of its results.
     pub(crate) fn outputs(&self) -> usize {
         self.program.outputs.len()
     }
 
-    /// How many registers it takes.
     pub(crate) fn registers(&self) -> usize {
         self.program.operations.len()
     }
 
-    /// ε, which is the last of the constants outside of kernels.
+    /// Returns ε, the last of the constants except in kernels.
     pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the line in its registers, and shows its results; `None` where a division by zero has
-    /// no value in this scalar. What was given stays, so that the line can be run again.
+    /// Runs the line in its registers; `None` where a division by zero has no value.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,
@@ -221,7 +212,6 @@ impl Line {
         Some(Results { registers, places: &self.program.outputs })
     }
 
-    /// Whether the run that has filled these registers divides by zero.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V]) -> bool {
         self.program.operations.iter().any(|operation| match *operation {
             Instruction::Divide(_, divisor) | Instruction::Call(Reciprocal, divisor, _) => {
@@ -231,7 +221,6 @@ impl Line {
         })
     }
 
-    /// The results of a single run.
     pub(crate) fn results<'a, V: Scalar>(
         &'a self,
         constants: impl IntoIterator<Item = V>,
@@ -242,7 +231,7 @@ impl Line {
         self.run(registers, state)
     }
 
-    /// The same in registers that are made as many as it takes.
+    /// Runs the line once in registers that are resized to fit.
     ///
     /// # Panics
     /// Where a division by zero has no value.
@@ -257,7 +246,6 @@ impl Line {
     }
 }
 
-/// The results of a run, in its registers.
 #[derive(Debug)]
 pub(crate) struct Results<'a, V> {
     registers: &'a [V],
@@ -265,13 +253,11 @@ pub(crate) struct Results<'a, V> {
 }
 
 impl<'a, V: Clone> Results<'a, V> {
-    /// The result with this index.
     #[inline]
     pub(crate) fn get(&self, index: usize) -> V {
         self.registers[self.places[index].0].clone()
     }
 
-    /// All of them, in order.
     #[inline(always)]
     pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
         let registers = self.registers;
@@ -279,10 +265,10 @@ impl<'a, V: Clone> Results<'a, V> {
     }
 }
 
-/// What has a value over floats at any place, and over exact scalars wherever the field is defined.
+/// Unwraps a value, which exists over floats, and over exact scalars where the field is defined.
 ///
 /// # Panics
-/// Where it has none.
+/// If the value is `None`.
 #[inline(always)]
 pub(crate) fn has_value<V>(value: Option<V>) -> V {
     value.unwrap_or_else(|| panic!("an exact number is divided by zero"))

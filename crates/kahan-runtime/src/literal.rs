@@ -1,4 +1,4 @@
-//! Exact numbers known at run time as the constants that every scalar can be built from.
+//! Exact numbers known at run time, as constants that every scalar can be built from.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Constant, Scalar};
@@ -8,7 +8,7 @@ use smallvec::{SmallVec, smallvec};
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),
-    /// Its limbs of 64 bits in little-endian order, its nearest floats, and what `double` leaves.
+    /// The 64-bit limbs in little-endian order, the nearest floats, and the rest behind `double`.
     Long {
         negative: bool,
         numerator: SmallVec<[u64; 2]>,
@@ -47,7 +47,6 @@ impl From<&Rational> for Literal {
 }
 
 impl Literal {
-    /// The constant that every scalar rounds once.
     pub(crate) fn as_constant(&self) -> Constant<'_> {
         match self {
             Self::Short(constant) => *constant,
@@ -58,7 +57,7 @@ impl Literal {
     }
 }
 
-/// The scalar nearest to a number, rounded once, as generated code rounds the numbers of a field.
+/// Returns the scalar nearest to a number, rounded once, as in generated code.
 #[must_use]
 pub fn round<T: Scalar>(value: &Rational) -> T {
     T::constant(&Literal::from(value).as_constant())

@@ -1,8 +1,7 @@
-//! The values of a field's parameters, by their names.
+//! The values of a field's parameters, given by name.
 //!
-//! In: pairs of names and numbers. Out: an exact number a parameter, in the order of the field, or
-//! what is wrong. A float is the number that it is: 0.1 is a tenth rounded to a double, as it is in
-//! Rust.
+//! In: pairs of names and numbers. Out: one exact number for each parameter, in the order of the
+//! field, or an error. A float stands for its exact value.
 
 use core::fmt;
 
@@ -12,9 +11,9 @@ use kahan_algebra::derived::Derived;
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 
-/// A number that a parameter can be.
+/// A type of numbers that a parameter can have.
 pub trait ParameterValue {
-    /// The number itself; `None` for what is not finite.
+    /// Returns the exact value; `None` if it is not finite.
     fn to_rational(&self) -> Option<Rational>;
 }
 
@@ -43,35 +42,35 @@ impl<V: ParameterValue> ParameterValue for &V {
     }
 }
 
-/// What is wrong with values for a field's parameters.
+/// An error in the values of a field's parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParameterError {
-    /// There is no such parameter.
+    /// The field has no parameter of this name.
     Unknown {
-        /// The name that was given.
+        /// The name given.
         name: String,
-        /// The parameter that it may be a slip of.
+        /// The parameter that was probably meant.
         nearest: Option<String>,
-        /// The parameters that there are.
+        /// The field's parameters.
         parameters: Vec<String>,
     },
-    /// These parameters have no value.
+    /// Parameters without a value.
     Missing(
-        /// Their names, in order.
+        /// The names, in order.
         Vec<String>,
     ),
-    /// A parameter has two values.
+    /// A parameter with two values.
     Twice(
-        /// Its name.
+        /// The name.
         String,
     ),
-    /// The value of a parameter is infinite, or not a number.
+    /// A parameter whose value is infinite or NaN.
     NotFinite(
-        /// Its name.
+        /// The name.
         String,
     ),
-    /// At these values the field divides by zero.
+    /// Values at which the field divides by zero.
     Undefined(
         /// Name and value of each parameter.
         Vec<(String, Rational)>,
@@ -111,7 +110,7 @@ fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The value of each parameter, in order, at which the field is defined.
+/// Returns the value of each parameter, in order, after checking that the field is defined there.
 pub(crate) fn values_of<N, V>(
     derived: &Derived,
     given: impl IntoIterator<Item = (N, V)>,
@@ -131,7 +130,7 @@ where
     }
 }
 
-/// What is read of that which is given for each name, in the order of the names.
+/// Reads the value of each name with `read`, and returns the results in the order of `names`.
 pub(crate) fn in_order<N, V, R>(
     names: &[String],
     given: impl IntoIterator<Item = (N, V)>,

@@ -1,5 +1,7 @@
-//! A text with a field, in the language of `kahan!` or as people write equations, as a checked
-//! system; what is wrong with it becomes [`Diagnostics`].
+//! A text that contains a field, read as a checked system.
+//!
+//! In: a text in the language of `kahan!` or in common notations for equations. Out: a [`System`]
+//! or [`Family`] with its claims, or [`Diagnostics`].
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -18,7 +20,7 @@ use kahan_algebra::{read, read_unproved_text};
 
 use crate::diagnostics::Diagnostics;
 
-/// A field in a text. Clones share the text and its equations, once they are read.
+/// A field in a text. Clones share the text and its equations, which are read once.
 #[derive(Clone, Debug)]
 pub struct FieldText {
     shared: Arc<Shared>,
@@ -26,26 +28,23 @@ pub struct FieldText {
 
 #[derive(Debug)]
 struct Shared {
-    /// Written when it is first asked for, where the field is made of a system.
+    /// Written at the first use, for a field made from a system.
     text: OnceLock<String>,
-    /// Where in the text the block stands; `None` where the field is made of a system.
+    /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
-    /// What the text is called in reports.
     origin: String,
     said: OnceLock<Said>,
     unproved: OnceLock<Checked>,
 }
 
-/// Everything that a text says besides its equations.
 #[derive(Debug)]
 struct Said {
-    /// The block in the language of `kahan!`, where the text is in none.
+    /// The block in the language of `kahan!`, if the text is not in it.
     canonical: Option<String>,
-    /// Without its tokens.
+    /// The reading without its tokens.
     reading: Reading,
 }
 
-/// Two are equal if text, place and name are.
 impl PartialEq for FieldText {
     fn eq(&self, other: &Self) -> bool {
         let of = |of: &FieldText| of.shared.body.clone();
@@ -54,28 +53,28 @@ impl PartialEq for FieldText {
 }
 
 impl FieldText {
-    /// All of a text; `origin` is what it is called in reports, such as the name of its file.
+    /// Wraps a whole text; `origin` is its name in reports, such as the name of its file.
     #[must_use]
     pub fn new(text: String, origin: String) -> Self {
         let all = 0..text.len();
         Self::part(text, all, origin)
     }
 
-    /// A part of a text.
+    /// Wraps a part of a text; `origin` is the name of the text in reports.
     ///
     /// # Panics
     /// If `body` does not lie in the text, or cuts a character.
     #[must_use]
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
-        // A mark of the byte order, as some editors put it in front.
+        // Skips a byte order mark, which some editors put in front.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
         let (text, body) = (OnceLock::from(text), Some(body));
         FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
     }
 
-    /// A field without a text, whose claims are taken as they are: its text is written when it is
-    /// first asked for. `origin` is what the text is called in reports.
+    /// Wraps a system, whose claims are not proved again. The text is written at the first use;
+    /// `origin` is the name of the text in reports.
     #[must_use]
     pub fn of_system(system: System, origin: String) -> Self {
         let said = Said { canonical: None, reading: Reading::default() };
@@ -84,12 +83,10 @@ impl FieldText {
         FieldText { shared: Arc::new(Shared { text, body: None, origin, said, unproved }) }
     }
 
-    /// Whether the field is made of a system, and not of a text.
     fn is_made(&self) -> bool {
         self.shared.body.is_none()
     }
 
-    /// The text in which the block stands.
     fn whole(&self) -> &str {
         self.shared.text.get_or_init(|| match self.unproved() {
             Checked::System(system) => equation_lines(&system.field).collect::<Vec<_>>().join("\n"),
@@ -97,20 +94,17 @@ impl FieldText {
         })
     }
 
-    /// The tokens of the block. They take several times the memory of the text, so nobody keeps
-    /// them.
+    /// Returns the tokens of the block, which are not stored: they are larger than the text.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }
 
-    /// Where each token stands in the text.
     fn ranges(&self) -> Vec<Range<usize>> {
         let before = self.shared.body.as_ref().map_or(0, |body| body.start);
         let ranges = lenient::read(self.given()).lexed.ranges;
         ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
     }
 
-    /// The block, its claims read but not proved. It is read once.
     fn unproved(&self) -> &Checked {
         self.shared.unproved.get_or_init(|| read_unproved_text(self.given()))
     }
@@ -123,35 +117,34 @@ impl FieldText {
         })
     }
 
-    /// The system, with its claims proved as the macro does it.
+    /// Returns the system, after proving its claims as the macro does.
     ///
     /// # Errors
-    /// The mistakes of the text.
+    /// [`Diagnostics`] with the mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
         if self.is_made() { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
     }
 
-    /// The family, with its claims proved for every number of sites; `None` where the block has
-    /// plain equations.
+    /// Returns the family, after proving its claims for every number of sites; `None` for a system.
     ///
     /// # Errors
-    /// The mistakes of the text.
+    /// [`Diagnostics`] with the mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
         if self.is_made() { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
     }
 
-    /// The system, its claims read but not proved.
+    /// Returns the system with its claims unproved.
     ///
     /// # Errors
-    /// The mistakes of the text.
+    /// [`Diagnostics`] with the mistakes of the text.
     pub fn unproved_system(&self) -> Result<System, Diagnostics> {
         self.accept(self.unproved().clone().system())
     }
 
-    /// Returns what a reader makes of the tokens of the block.
+    /// Passes the tokens of the block to a reader, and returns its result.
     ///
     /// # Errors
-    /// The reader's mistakes, at their places in the text.
+    /// [`Diagnostics`] with the reader's mistakes, at their places in the text.
     pub fn read_by<T>(
         &self,
         reader: impl FnOnce(&[Token]) -> Result<T, Vec<Diagnostic>>,
@@ -159,10 +152,10 @@ impl FieldText {
         self.accept(reader(&self.tokens()))
     }
 
-    /// Proves the claims of a system that was read of this text, as the macro does it.
+    /// Proves the claims of a system read from this text, as the macro does.
     ///
     /// # Errors
-    /// The claims that do not hold.
+    /// [`Diagnostics`] with the claims that do not hold.
     pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
         if system.claims.is_empty() || self.is_made() {
             return Ok(());
@@ -173,8 +166,7 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// The names that are parameters because nothing declares them: the free names of a block
-    /// without a header. Mistakes of the text do not matter here.
+    /// Returns the free names of a block without a header, its parameters, despite mistakes.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {
@@ -189,38 +181,37 @@ impl FieldText {
         }
     }
 
-    /// The text of the field, as it was given.
+    /// Returns the text of the field as given.
     #[must_use]
     pub fn given(&self) -> &str {
         self.shared.body.clone().map_or(self.whole(), |body| &self.whole()[body])
     }
 
-    /// The field in the language of `kahan!`: the text as it was given, where it is in that
-    /// language.
+    /// Returns the field in the language of `kahan!`: the text as given if it is in that language.
     #[must_use]
     pub fn text(&self) -> &str {
         self.said().canonical.as_deref().unwrap_or_else(|| self.given())
     }
 
-    /// The values that the text gives to parameters: `par a=1`, `a = 1`.
+    /// Returns the values that the text gives to parameters: `par a=1`, `a = 1`.
     #[must_use]
     pub fn parameters(&self) -> &[(String, Rational)] {
         &self.said().reading.parameters
     }
 
-    /// The first values that the text gives to states: `init x=1`, `x(0) = 1`.
+    /// Returns the initial values that the text gives to states: `init x=1`, `x(0) = 1`.
     #[must_use]
     pub fn start(&self) -> &[(String, Rational)] {
         &self.said().reading.start
     }
 
-    /// Notes on what was read in a way that its writer should know of.
+    /// Returns notes on readings that the writer of the text may not expect.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.said().reading.notes
     }
 
-    /// The seed of the macro's proof.
+    /// Returns the seed of the macro's proof.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         kahan_algebra::seed(&self.tokens())

@@ -1,23 +1,21 @@
-//! Independent pieces of work over all processors.
+//! Independent pieces of work, spread over all processors.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
-/// How many threads the machine runs at once, at least 1.
+/// Returns the number of threads that the machine runs at once, at least 1.
 #[must_use]
 #[expect(clippy::disallowed_methods, reason = "processors are counted here")]
 pub fn available() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs `work` for each index below `count`, in about this order, each on whichever thread comes
-/// free.
+/// Runs `work` for each index below `count`, in about this order, each on the next free thread.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once. Where one
-/// thread or one index is asked for, the caller's own does the work, so that a machine without
-/// threads works, too; otherwise the caller waits for so many others. A thread that panics ends the
-/// call with its panic.
+/// `threads` defaults to the number that the machine runs at once. For one thread or one index the
+/// work is done on the caller's thread, so that machines without threads can do it too; otherwise
+/// the caller waits. A panic in a thread ends the call with a panic.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);
@@ -40,13 +38,13 @@ pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sy
     });
 }
 
-/// The results of `work` for each index below `count`, in the order of the indices, on so many
-/// threads as [`for_each`] takes.
+/// Returns the results of `work` for each index below `count`, in order; see [`for_each`] for
+/// `threads`.
 pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let results = Mutex::new(Vec::with_capacity(count));
     for_each(count, threads, &|index| {
         let result = work(index);
-        // A thread that panics does so outside of the lock.
+        // A panic in `work` happens outside of the lock.
         results.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
     });
     let mut results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);

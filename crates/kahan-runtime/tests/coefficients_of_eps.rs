@@ -1,4 +1,4 @@
-//! Coefficients that depend on ε: the macro against maps by hand and against maps read at run time,
+//! Coefficients that depend on ε: the macro against maps written by hand and maps read at run time,
 //! compositions, derivatives, error estimates and exact orbits.
 
 use std::num::NonZeroU64;
@@ -20,7 +20,7 @@ kahan! {
 }
 
 kahan! {
-    /// In three variables, with a divisor that depends on ε.
+    /// Three variables, with a divisor that depends on ε.
     pub struct Curved { a, b }
     xdot = y*z*(1 - a*eps^2) + b*eps^4*x;
     ydot = (a - eps^2)*(x - b*y)*z - eps^2/2;
@@ -36,14 +36,14 @@ kahan! {
 }
 
 kahan! {
-    /// 1 − ε − ε(1 − ε²)x cancels in the map.
+    /// The factor 1 − ε − ε(1 − ε²)x cancels in the map.
     pub struct Reduced;
     xdot = x^2;
     ydot = (1 - eps^2)*x*y + y;
 }
 
 kahan! {
-    /// Nine variables: each step eliminates.
+    /// Nine variables, so that each step eliminates.
     pub struct Chain { a }
     x1dot = x2*x3*(1 + a*eps^2) - x1;
     x2dot = x3*x1 + eps^2*x2^2;
@@ -69,7 +69,7 @@ fn at(text: &str, parameters: &[f64], eps: f64) -> MapAt<f64> {
     field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter").at(eps)
 }
 
-/// x̃ = x/(1 − 2ε(1 + aε²)x), by hand.
+/// By hand, x̃ = x/(1 − 2ε(1 + aε²)x).
 #[test]
 fn a_step_is_that_of_the_coefficients_at_eps() {
     let map = Advance { a: q("3/2") };
@@ -81,7 +81,7 @@ fn a_step_is_that_of_the_coefficients_at_eps() {
         assert_eq!(map.rhs(&x, eps.clone()), x);
         let next = map.step(&x, eps.clone());
         assert_eq!(map.step_back(&next, eps), x, "reversibility");
-        // The field is the one at ε = 0.
+        // `field` and `bilinear` have the coefficients at ε = 0.
         assert_eq!(map.field(&x), vector![x[0].clone() * x[0].clone()]);
         assert_eq!(map.bilinear(&x, &next), vector![x[0].clone() * next[0].clone()]);
     }
@@ -121,7 +121,7 @@ where
     let same = |a: &T, b: &T| a == b || (a.clone() != *a && b.clone() != *b);
     for (x, eps) in samples::<T, N>(40) {
         let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
-        // In more variables the macro solves in another way, so that the last bits differ.
+        // In more variables the macro's code solves differently, and the last bits differ.
         if N <= 8 {
             assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok());
         }
@@ -170,7 +170,6 @@ fn the_promise_of_a_step_holds() {
     let exact_chain = Chain { a: q("3/2") };
     let rounded = |p: &BigRational| round::<f64>(&p.clone().into());
     let (map, chain) = (exact.extend_scalars(rounded), exact_chain.extend_scalars(rounded));
-    // The exact values of the floats.
     let exact = map.extend_scalars(|p| Rational::from_f64(*p).expect("finite").to_big());
     let big = |value: f64| Rational::from_f64(value).expect("finite").to_big();
     for (x, eps) in samples::<f64, 3>(200) {
@@ -201,7 +200,7 @@ fn a_removable_pole_of_these_coefficients_is_none() {
     assert_eq!(Reduced.step(&x, eps), vector![q("-4"), q("-45")]);
 }
 
-/// Orbits as machine code, interpreted, in columns, and those of the macro.
+/// Compares orbits by machine code, interpreted orbits and columns with those of the macro.
 #[test]
 fn orbits_and_columns_have_the_bits_of_steps() {
     let (start, eps) = ([0.5, -0.25, 0.125], 0.05);
@@ -210,7 +209,6 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     map.advance(&mut x, 1000).unwrap();
     let last = own.orbit(SVector::from(start), eps).nth(1000).unwrap();
     assert_eq!(x, last.as_slice());
-    // Another ε in each column.
     let (mut columns, all) =
         (start.map(|entry| vec![entry; 9]), [0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09]);
     let mut parts: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
@@ -228,7 +226,7 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     assert_eq!(x, last.as_slice());
 }
 
-/// Each stage of a composition has the coefficients of its own ε; the flow is that at ε = 0.
+/// Each stage of a composition has the coefficients at its own ε; the flow has those at ε = 0.
 #[test]
 fn compositions_keep_their_order() {
     let own = Curved { a: 1.5, b: -0.75 };
@@ -249,7 +247,7 @@ fn compositions_keep_their_order() {
     }
 }
 
-/// Tangent vectors, derivatives by ε and gradients against dual numbers through the macro's step.
+/// Compares tangent vectors, derivatives by ε and gradients with dual numbers in the macro's step.
 #[test]
 fn derivatives_are_those_of_the_step() {
     let (start, eps, steps) = (vector![0.5, -0.25, 0.125], 0.05, 20);
@@ -257,7 +255,6 @@ fn derivatives_are_those_of_the_step() {
         true => Dual::<f64, 1>::coordinate(value, 0),
         false => Dual::from_value(value),
     };
-    // By the coordinates of the start, the two parameters, and ε.
     let slopes = |composition: Composition| -> Vec<Vec<f64>> {
         let by = |k: usize| {
             let map = Curved { a: dual(1.5, 3, k), b: dual(-0.75, 4, k) };
@@ -280,7 +277,7 @@ fn derivatives_are_those_of_the_step() {
         for (vector, k) in [(1, 0), (2, 3), (3, 4), (4, 5)] {
             (0..3).for_each(|i| close(state[3 * vector + i], slopes[k][i]));
         }
-        // L = Σ wᵢxᵢ at the end.
+        // The loss is L = Σ wᵢxᵢ at the end.
         let weights = [vec![0.0; 3], vec![1.0, -2.0, 0.5]].concat();
         let every = NonZeroU64::new(steps as u64).unwrap();
         let found = map.gradient(start.as_slice(), every, &weights, |_| ControlFlow::Continue(())).unwrap();
@@ -292,7 +289,7 @@ fn derivatives_are_those_of_the_step() {
     }
 }
 
-/// The error of a step beside the flow has a term of the coefficients' difference.
+/// The local error has a term from the difference between the coefficients at ε and at 0.
 #[test]
 fn the_local_error_counts_the_coefficients() {
     let (map, x) = (Advance { a: 2.0 }, 0.75_f64);
@@ -311,7 +308,7 @@ fn a_homogeneous_field_has_no_scaled_orbit() {
     assert!(Advance { a: 2.0 }.orbit(vector![0.5], 0.125).nth(1).is_some());
 }
 
-/// 1/x advances by −2ε(1 + aε²), as an exact orbit, too.
+/// In an exact orbit too, 1/x changes by −2ε(1 + aε²) in each step.
 #[test]
 fn exact_orbits_are_those_of_the_formula() {
     let field = Field::parse(ADVANCE).unwrap();

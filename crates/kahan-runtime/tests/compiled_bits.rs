@@ -1,5 +1,4 @@
-//! A system read at run time is the system that the macro compiled: the same bits in floats, the
-//! same numbers over ℚ.
+//! Systems read at run time agree with the macro's code, by bits in floats and exactly over ℚ.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
@@ -12,7 +11,6 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 mod support;
 use support::{q, read, samples};
 
-/// Whether two floats are the same, NaN being itself, or two exact numbers are equal.
 fn same<T: Scalar>(a: &T, b: &T) -> bool {
     let is_number = |value: &T| *value == value.clone();
     a == b || (!is_number(a) && !is_number(b))
@@ -64,7 +62,6 @@ where
     assert!(compared > 50, "{name}: {compared} steps");
 }
 
-/// Over ℚ, f64 and f32.
 fn agree_everywhere<C, const N: usize>(command: &str, parameters: &[&str], exact: &C)
 where
     C: ExtendScalars<BigRational, N>,
@@ -112,7 +109,7 @@ fn long_constants_are_rounded_once_for_each_scalar() {
     agree::<_, BigRational, 2>("long constants", &compiled, &exact);
 }
 
-/// A field in seven variables, dense enough that its step eliminates.
+/// Returns a field in seven variables, so dense that its step eliminates.
 fn beyond_the_budget() -> String {
     let names = ["a", "b", "c", "d", "e", "f", "g"];
     let equation = |i: usize| {
@@ -175,13 +172,13 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// Three variables among more: the same bits in each object, and the others stay where they are.
+/// Three variables in a larger type: each object has equal bits, and added variables stay constant.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {
         stand_still::<f64, 4>(command, &parameters);
         stand_still::<f64, 8>(command, &parameters);
-        // Among eight it would begin in `f64`.
+        // Among eight variables, `f32` would begin in `f64`.
         stand_still::<f32, 4>(command, &parameters);
     }
 }
@@ -213,7 +210,7 @@ fn stand_still<T: Pivot + Copy, const N: usize>(command: &str, parameters: &[Big
     }
 }
 
-/// 1 + εx = 0 is a removable pole of E1; a field read at run time has the value there as well.
+/// At 1 + εx = 0, E1 has a removable pole; a field read at run time has its value too.
 #[test]
 fn a_removable_pole_has_its_value() {
     let entry = find("e1").expect("the catalog has E1");
@@ -228,8 +225,8 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// Parameters at which the field divides by zero end in an error where the reduced map has no value
-/// there, and not in a panic.
+/// At parameters where the field divides by zero and the reduced map has no value, `try_step`
+/// returns an error and does not panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {
     let text = "struct Divided { a, b } xdot = x*y + 1/(a - b); ydot = x - y;";

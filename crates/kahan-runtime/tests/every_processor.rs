@@ -1,5 +1,5 @@
-//! Steps and orbits have the same bits on every processor: those below were found on x86-64.
-//! Lorenz's orbit doubles a difference with each turn, so that the last bit of any step shows.
+//! Steps and orbits have equal bits on every processor; the expected bits were found on x86-64.
+//! Each turn of Lorenz's orbit doubles a difference, so that one wrong last bit shows.
 #![cfg(not(target_feature = "fma"))]
 
 use kahan_core::prelude::*;
@@ -17,7 +17,6 @@ fn read(text: &str) -> Field {
     Field::parse(text).expect("a field")
 }
 
-/// The bits of the point after 5000 steps, and of the last of nine side by side.
 fn bits(map: &MapAt<f64>, start: &[f64]) -> Vec<u64> {
     let mut alone = start.to_vec();
     map.advance(&mut alone, 5000).expect("finite");
@@ -51,7 +50,7 @@ fn generated_code() {
     assert_eq!(found, GENERATED, "{found:#x?}");
 }
 
-/// Of each field the point alone, and behind it that of columns.
+/// For each field the point of a single orbit, then that of columns.
 const EXPECTED: [&[u64]; 4] = [
     &[
         0xc006_cb97_8df5_bc3e,

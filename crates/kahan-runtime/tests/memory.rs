@@ -1,6 +1,5 @@
-//! Maps of fields read at run time give back all memory when they are dropped.
-//!
-//! The allocator of this program counts what a thread allocates and frees while it is measured.
+//! Maps of fields read at run time free all their memory when they are dropped. The allocator of
+//! this program counts allocations and deallocations of a thread while it is measured.
 
 use allocation_counter::measure;
 use kahan_algebra::rational::Rational;
@@ -9,17 +8,15 @@ use kahan_core::{Composition, Dd};
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{Field, MachineFloat, Map};
 
-/// More digits than a ratio of small integers has, in the field and in what is given for it.
+/// Numbers with more digits than a ratio of small integers, in the field and as a parameter.
 const TEXT: &str = "xdot = y + 0.1234567890123456789*x^2; ydot = mu*x*y - x;";
 const MU: &str = "123456789012345678901234567890/98765432109876543210987654321";
 
-/// The field, read, over ℚ.
 fn exact() -> Interpreted<BigRational, 2> {
     let map = Field::parse(TEXT).unwrap().with([("mu", Rational::parse(MU).unwrap())]).unwrap();
     map.as_kahan_map().unwrap()
 }
 
-/// Reads the field, puts it over three scalars and follows an orbit of each.
 fn follow() {
     let number = |text| Rational::parse(text).unwrap();
     let exact = exact();
@@ -32,19 +29,19 @@ fn follow() {
 
 #[test]
 fn maps_that_were_dropped_hold_no_memory() {
-    // What is made once for the whole program.
+    // Allocates first what is made once for the whole program.
     follow();
     let counted = measure(|| (0..50).for_each(|_| follow()));
     assert!(counted.count_total > 0, "nothing is counted");
     assert_eq!(counted.bytes_current, 0);
 }
 
-/// Registers are on the stack, and what ε and the parameters fix is computed once.
+/// Registers are on the stack, and constants are computed once.
 #[test]
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {
         let at = map.at(eps);
-        // What is made of a plan when it is first asked for is kept.
+        // The first evaluation prepares a plan, which is kept.
         let slope = map.field(&x);
         let counted = measure(|| {
             let last = (0..100).fold(x.clone(), |x, _| at.step(&x));
@@ -58,7 +55,7 @@ fn steps_of_floats_allocate_nothing() {
     assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
 }
 
-/// A field of many variables, by a straight line or, where all act on all, by elimination.
+/// Returns a field of many variables with a sparse step or, if all act on all, a dense one.
 fn field_in(n: usize, is_dense: bool) -> Field {
     let terms = |i: usize| if is_dense { (0..n).collect() } else { vec![i, (i + 1) % n] };
     let equation = |i: usize| {

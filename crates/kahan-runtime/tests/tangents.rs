@@ -1,4 +1,4 @@
-//! Observers of maps that are read at run time, against those of the macro's.
+//! Observers of maps read at run time, against those of the macro's maps.
 
 use kahan_core::observe::{
     AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
@@ -34,7 +34,7 @@ fn observed<O: Observer<f64>>(map: &MapAt<f64>, start: &[f64], steps: u64, mut o
     observer.report()
 }
 
-/// The two maps differ in roundings, which a chaotic orbit enlarges: few steps.
+/// The two maps differ in roundings, which a chaotic orbit amplifies; the number of steps is small.
 #[test]
 fn reports_are_those_of_the_macro() {
     let (lorenz, map) = lorenz();
@@ -94,7 +94,7 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
 }
 
-/// Modes of a map that is read at run time have the bits of its own methods.
+/// Modes of a map read at run time have the bits of its own methods.
 #[test]
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();
@@ -119,7 +119,7 @@ fn modes_are_maps_of_their_own() {
         let with_vector = Orbit::new(map.tangent(), beside).nth(steps as usize).unwrap();
         assert_eq!(with_vector, [&x[..], &v].concat());
 
-        // A state that is rounded to `f32` after each step in `f64`.
+        // A state rounded to `f32` after each step in `f64`.
         let (mut x, mut rounded) = (start, start.map(|entry| entry as f32));
         ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut workspace).unwrap();
         for _ in 0..steps {

@@ -1,5 +1,4 @@
-//! One pass over the program: each value gets its operands, a register, and its machine
-//! instruction.
+//! Allocation in one pass: each value gets its operands, a register, and a machine instruction.
 
 use kahan_program::Node;
 
@@ -11,32 +10,28 @@ use super::carried::carry;
 use super::uses::Uses;
 use super::{Allocation, MachineInstruction, Place};
 
-/// The state of a pass.
 pub(super) struct Allocator<'a> {
     pub(super) program: &'a Program,
     pub(super) ends: Ends,
-    /// The value at hand.
     pub(super) time: usize,
     pub(super) uses: Uses,
-    /// What is in each register; those of what is kept are not among them.
+    /// The value in each register, without the registers of kept constants.
     pub(super) registers: Vec<Option<usize>>,
-    /// Registers that hold an operand of the value at hand.
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
-    /// Where a value stands in memory.
+    /// The place of each value in memory.
     pub(super) home: Vec<Option<Place>>,
     pub(super) is_kept: Vec<bool>,
     pub(super) free_slots: Vec<usize>,
-    /// The results that each value is.
+    /// The indices of the results that each value is.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// Whether a result has to wait for the end of the round.
+    /// For each result whether it must wait for the end of the round.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
 
 impl<'a> Allocator<'a> {
-    /// Before the first value; those in `kept`, which are given, have the last registers for
-    /// themselves.
+    /// Prepares a pass; the constants in `kept` occupy the last registers.
     pub(super) fn new(program: &'a Program, registers: u8, ends: Ends, kept: &[usize]) -> Self {
         let count = program.operations.len();
         let own = usize::from(registers) - kept.len();
@@ -65,7 +60,7 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Where results go, and which of them wait until no state is read any more.
+    /// Finds the destinations of results, and which results wait until no state is read any more.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
@@ -143,7 +138,7 @@ impl<'a> Allocator<'a> {
         }
     }
 
-    /// Results that need not wait, of the value at hand.
+    /// Stores the current value if it is a result that need not wait.
     fn store_results(&mut self) {
         let value = self.time;
         let Some(register) = self.register_of[value].filter(|_| !self.is_kept[value]) else { return };
@@ -156,7 +151,7 @@ impl<'a> Allocator<'a> {
         self.drop_dead(value);
     }
 
-    /// Results that had to wait for the end.
+    /// Stores the results that had to wait for the end.
     fn store_last(&mut self) {
         for (i, output) in self.program.outputs.iter().enumerate() {
             if self.waits[i] {
@@ -176,14 +171,14 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// One of the three operands is overwritten: the order of the instruction says which.
+    /// Writes a fused multiply-add, whose order says which operand is overwritten.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
         for operand in operands {
             self.lock(operand);
         }
-        // At most one operand may be in memory, and only once.
+        // At most one operand may be in memory, and only once among the three.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -204,7 +199,7 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // Into a register of its own goes what is in memory, or else the number that is added.
+            // A fresh register takes the operand in memory, or else the addend.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {
@@ -232,8 +227,7 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    /// An instruction whose operands stand ready, and whose result goes to the register that it is
-    /// given.
+    /// Writes an instruction whose operands are ready, with a register for its result.
     fn finish(&mut self, operands: &[usize], instruction: impl FnOnce(Vector) -> MachineInstruction) {
         self.release(operands);
         let to = self.target();

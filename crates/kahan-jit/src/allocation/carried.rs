@@ -1,11 +1,11 @@
-//! From the results of a round to the states of the next, all at once.
+//! The parallel move of a round's results to the states of the next round.
 
 use crate::assembler::{Source, Vector};
 
 use super::{Allocation, MachineInstruction, Place};
 
-/// Moves result i, which stands in `sources[i]`, into register i, for all i. `registers` is how
-/// many registers may be written to; where all of them are taken, a circle goes through a slot.
+/// Moves `sources[i]` into register i for all i. Cycles go through one of `registers` registers
+/// that is spare, or else through a slot.
 pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Allocation) {
     let states = sources.len();
     let mut moves: Vec<(Vector, Source<Place>)> =
@@ -14,7 +14,7 @@ pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Al
         let (to, source) = moves[place];
         let still_read = moves.iter().any(|(_, source)| *source == Source::Register(to));
         if still_read {
-            // A circle: what is in the way goes elsewhere first.
+            // A cycle: move the value in the way elsewhere first.
             let elsewhere = match spare(&moves, states, registers) {
                 Some(register) => {
                     code.round.push(MachineInstruction::Copy(register, to));
@@ -37,14 +37,14 @@ pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Al
     }
 }
 
-/// A move whose register nobody reads any more, or any other.
+/// Returns the index of a move whose target is read by no other, or else of any move.
 fn next(moves: &[(Vector, Source<Place>)]) -> Option<usize> {
     let is_free =
         |(to, _): &(Vector, Source<Place>)| !moves.iter().any(|(_, source)| *source == Source::Register(*to));
     moves.iter().position(is_free).or(if moves.is_empty() { None } else { Some(0) })
 }
 
-/// A register that is neither written to nor read by a move.
+/// Returns a register that no move reads or writes.
 fn spare(moves: &[(Vector, Source<Place>)], states: usize, registers: usize) -> Option<Vector> {
     let is_read = |register: Vector| moves.iter().any(|(_, source)| *source == Source::Register(register));
     (states..registers).map(|index| Vector(index as u8)).find(|register| !is_read(*register))

@@ -1,11 +1,10 @@
-//! Registers for the values of straight-line code.
+//! Register allocation for straight-line code.
 //!
-//! In: a program that was lowered, and how many registers there are. Out: machine instructions, on
-//! registers and memory instead of values. A value stays in a register until its last use; where
-//! none is free, that one is given up whose next use is farthest away, which for a straight line is
-//! the choice with the fewest loads (L. A. Belady, IBM Systems J. 5 (1966) 78). What is given up
-//! and stands nowhere in memory is stored in a slot. Constants are read from memory where they are
-//! used; in a loop those used most stand in the registers that are left over.
+//! In: a lowered program, and the number of registers. Out: machine instructions on registers and
+//! memory. A value stays in a register until its last use. If no register is free, the one with the
+//! farthest next use is spilled, which gives a straight line the fewest loads (L. A. Belady, IBM
+//! Systems J. 5 (1966) 78). Spilled values without a place in memory are stored in a slot.
+//! Constants are read from memory, except the most used ones of a loop, kept in spare registers.
 
 mod allocator;
 mod carried;
@@ -20,20 +19,17 @@ use crate::program::{Input, Instruction, Program};
 use allocator::Allocator;
 use uses::Uses;
 
-/// A number in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Place {
     State(usize),
     Constant(usize),
     /// A number that the program contains.
     Literal(Float),
-    /// Where the code keeps what it has no register for.
+    /// A spilled value on the stack.
     Slot(usize),
-    /// An entry of the results.
     Result(usize),
 }
 
-/// An instruction on registers and memory: what the assembler has bytes for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MachineInstruction {
     Load(Vector, Place),
@@ -46,35 +42,29 @@ pub(crate) enum MachineInstruction {
     RoundToSingle(Vector, Vector),
 }
 
-/// Straight-line code with its registers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Allocation {
-    /// What happens once, before the first round.
     pub(crate) before: Vec<MachineInstruction>,
-    /// A round.
     pub(crate) round: Vec<MachineInstruction>,
-    /// What happens once, after the last round.
     pub(crate) after: Vec<MachineInstruction>,
-    /// How many slots it takes.
     pub(crate) slots: usize,
-    /// The most registers that are taken at once, those of what is kept besides.
+    /// The most registers in use at once, without those of kept constants.
     most_taken: u8,
 }
 
-/// What a routine makes of its program.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
-    /// What becomes of the results.
+    /// The destination of the results.
     pub(crate) ends: Ends,
-    /// Whether there are many rounds, and the constants are the same in all of them.
+    /// Whether there are many rounds with equal constants.
     pub(crate) keeps_constants: bool,
 }
 
-/// An instruction has three operands, and one more place is needed to bring them there.
+/// The fewest registers: three operands of an instruction, and one to bring them into place.
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
 impl Place {
-    /// Where a value lies before the first round, if it is not computed.
+    /// Returns the place of an input or literal before the first round.
     fn given(instruction: Instruction) -> Option<Self> {
         match instruction {
             Instruction::Input(Input::State(i)) => Some(Self::State(i)),
@@ -86,7 +76,6 @@ impl Place {
 }
 
 impl MachineInstruction {
-    /// Brings a number into a register.
     fn bring(to: Vector, source: Source<Place>) -> Self {
         match source {
             Source::Register(from) => Self::Copy(to, from),
@@ -94,7 +83,6 @@ impl MachineInstruction {
         }
     }
 
-    /// The register that it writes to.
     fn written(&self) -> Option<Vector> {
         match *self {
             Self::Store(..) => None,
@@ -108,10 +96,10 @@ impl MachineInstruction {
 }
 
 impl Allocation {
-    /// `registers` is how many there are, at least [`FEWEST_REGISTERS`].
+    /// Allocates `registers` registers, at least [`FEWEST_REGISTERS`].
     pub(crate) fn of(program: &Program, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(program, registers, plan.ends, &[]).run();
-        // Registers that nothing else takes hold what would be read again in each round.
+        // Spare registers keep constants that would be read again in each round.
         let kept = kept(program, plan, usize::from(registers - first.most_taken));
         if kept.is_empty() { first } else { Allocator::new(program, registers, plan.ends, &kept).run() }
     }
@@ -120,24 +108,23 @@ impl Allocation {
         self.before.iter().chain(&self.round).chain(&self.after)
     }
 
-    /// The number of instructions.
     pub(crate) fn instructions(&self) -> usize {
         self.all().count()
     }
 
-    /// The number of registers from the first one to the last one that is written to.
+    /// Returns the number of registers up to the last one that is written.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)
     }
 }
 
-/// Constants and literals that are read in each round, the most used first.
+/// Returns the constants and literals to keep in registers, the most used first.
 fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // Results that lie elsewhere are those of a single round.
+        // A program with results elsewhere runs a single round.
         Instruction::Constant(_) => plan.ends != Ends::Elsewhere,
         _ => false,
     };

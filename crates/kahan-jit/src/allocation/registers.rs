@@ -1,4 +1,4 @@
-//! Registers, memory, and what moves between them.
+//! The contents of registers, and moves between registers and memory.
 
 use crate::assembler::{Source, Vector};
 use crate::lowering::Ends;
@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// The register of an operand, into which it is loaded if need be.
+    /// Returns the register of an operand, after a load if necessary.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -31,7 +31,7 @@ impl Allocator<'_> {
         self.source_register(value)
     }
 
-    /// An operand that may stand in memory.
+    /// Returns an operand, in memory if a load is not worth while.
     pub(super) fn operand(&mut self, value: usize) -> Source<Place> {
         if self.is_worth_loading(value) {
             return Source::Register(self.in_register(value));
@@ -40,7 +40,7 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Whether a value in memory is read again, and there is room for it.
+    /// Returns whether a variable in memory is read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable = !matches!(self.home[value], Some(Place::Constant(_) | Place::Literal(_)) | None);
         self.register_of[value].is_none()
@@ -55,7 +55,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// A register for the value at hand: the one that it is carried in, where that is free.
+    /// Returns a register for the current value, if possible the one where it is carried.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == Ends::Carried);
         match carried {
@@ -64,7 +64,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// A register to write to: a free one, or that of the value that is used last.
+    /// Returns a register to write to, after a spill if necessary.
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
@@ -75,7 +75,7 @@ impl Allocator<'_> {
         Vector(index as u8)
     }
 
-    /// Empties the register whose value is used farthest away.
+    /// Spills the unlocked register with the farthest next use.
     pub(super) fn give_up(&mut self) -> usize {
         let next = |register: &usize| {
             self.registers[*register]
@@ -99,7 +99,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// The value at hand has read these; what is not used again gives up its register.
+    /// Ends the uses of these operands by the current value, and frees registers of dead values.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);
@@ -117,7 +117,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Slots are free again after the value that reads them last.
+    /// Frees the slots of values without further uses.
     pub(super) fn free_slots_of(&mut self, values: &[usize]) {
         for &value in values {
             if self.uses.next(value).is_none()
@@ -129,7 +129,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// The value at hand is in this register now.
+    /// Records that a value is in a register.
     pub(super) fn define(&mut self, value: usize, register: Vector) {
         self.registers[usize::from(register.0)] = Some(value);
         self.register_of[value] = Some(register);

@@ -1,20 +1,18 @@
-//! When each value is used next: what decides which register is given up.
+//! The next use of each value, by which spills are chosen.
 
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};
 
-/// The uses of every value, in order.
 pub(super) struct Uses {
-    /// Those of a value one after the other, and room for another one behind them.
+    /// The uses of one value after another, with room for one more each.
     times: Vec<u32>,
-    /// For each value, where those begin that are not over, and where they end.
+    /// For each value the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
-    /// The place of [`SIGN`], which whoever changes a sign reads.
+    /// The index of [`SIGN`], an implicit operand of negations.
     sign: Option<usize>,
 }
 
 impl Uses {
-    /// The uses as operands.
     pub(super) fn of(program: &Program) -> Self {
         let sign = program.operations.iter().position(|instruction| *instruction == SIGN);
         let operands = |instruction: &Instruction| {
@@ -47,39 +45,34 @@ impl Uses {
         self.times[first..end].iter().map(|time| *time as usize)
     }
 
-    /// The place of [`SIGN`].
     pub(super) fn sign(&self) -> usize {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Notes a use after all operands, the same for whatever has one.
+    /// Adds a use after all operands, at most once.
     pub(super) fn add(&mut self, value: usize, time: usize) {
         if self.last(value) != Some(time) {
             self.push(value, time);
         }
     }
 
-    /// The last use of a value.
     pub(super) fn last(&self, value: usize) -> Option<usize> {
         self.left(value).next_back()
     }
 
-    /// How often a value is used from now on.
     pub(super) fn count(&self, value: usize) -> usize {
         self.left(value).len()
     }
 
-    /// The next use of a value; `None` where there is none.
     pub(super) fn next(&self, value: usize) -> Option<usize> {
         self.left(value).next()
     }
 
-    /// The next use after `time`.
     pub(super) fn next_after(&self, value: usize, time: usize) -> Option<usize> {
         self.left(value).find(|use_| *use_ > time)
     }
 
-    /// Uses up to `time` are over.
+    /// Ends the uses up to `time`.
     pub(super) fn end(&mut self, value: usize, time: usize) {
         while self.next(value).is_some_and(|next| next <= time) {
             self.of[value][0] += 1;

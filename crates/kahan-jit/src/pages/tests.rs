@@ -1,8 +1,8 @@
-//! What the system says of pages: `/proc/self/maps` lists the memory of this process.
+//! Pages against the system's report: `/proc/self/maps` lists the memory of this process.
 
 use super::Pages;
 
-/// More than one page, no two neighbouring bytes the same.
+/// More than one page of bytes, of which neighbours differ.
 fn bytes() -> Vec<u8> {
     (0..10_000_u32).map(|k| (k % 251) as u8).collect()
 }
@@ -31,7 +31,7 @@ mod on_linux {
 
     use super::{Pages, bytes};
 
-    /// A piece of this process's memory and what may be done with it, as in `r-xp`.
+    /// A range of this process's memory with its permissions, such as `r-xp`.
     struct Piece {
         addresses: Range<usize>,
         permissions: String,
@@ -64,7 +64,7 @@ mod on_linux {
         }
     }
 
-    /// The bytes of this process that can be run. Lines would not do: neighbours share one.
+    /// Returns the number of executable bytes of this process. (Neighbouring ranges share a line.)
     fn executable() -> usize {
         let pieces = pieces().into_iter().filter(|piece| piece.permissions.contains('x'));
         pieces.map(|piece| piece.addresses.len()).sum()
@@ -78,12 +78,12 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Tests that run beside this one hold some pages, too, but far from a tenth as many.
+        // Tests that run at the same time hold far fewer pages than a tenth of these.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }
 
-    /// This test runs itself once more, in a process that may have 1 GiB of addresses.
+    /// Runs itself again in a process limited to 1 GiB of addresses.
     #[test]
     fn a_refusal_of_the_system_is_an_error() {
         const LIMITED: &str = "KAHAN_JIT_LIMITED";

@@ -10,7 +10,7 @@ use crate::{Program, Refusal};
 
 use super::Frame;
 
-/// A program as code that runs once: from states and constants to the results.
+/// Code that runs a program once, from states and constants to results.
 #[derive(Debug)]
 pub struct Function<T> {
     code: Code<T>,
@@ -20,7 +20,7 @@ impl<T: Float> Function<T> {
     /// Compiles a program. Cost: some microseconds for a hundred operations.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// [`Refusal`], with the reason.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
@@ -32,21 +32,19 @@ impl<T: Float> Function<T> {
             Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: between its beginning and its end, the code reads as many registers of states and
-        // of constants as the program has entries of each, and writes one for each result; its
-        // callers enter it by `Code::function`.
+        // SAFETY: the code reads as many registers of states and of constants as the program has
+        // entries of each, and writes one for each result; only `Code::function` enters it.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// How many numbers the results are.
+    /// Returns the number of numbers in the results.
     #[must_use]
     pub fn results(&self) -> usize {
         let [_, _, results] = self.code.extent().numbers();
         results
     }
 
-    /// Computes the results. Where the code works on several numbers at once, each entry of the
-    /// three arrays is so many numbers.
+    /// Computes the results; each entry of the arrays is as many numbers as an instruction takes.
     ///
     /// # Panics
     /// If an array is too short.

@@ -1,5 +1,4 @@
-//! Whole functions around straight-line code: what is loaded before it, how often it runs, what is
-//! stored after it.
+//! Functions around straight-line code, with loads before it, a loop, and stores after it.
 
 mod function;
 mod orbit;
@@ -17,16 +16,15 @@ use crate::lowering::{Ends, lowered};
 use crate::program::{Program, entries};
 use crate::{Refusal, Shape};
 
-/// Longer programs are no better than a loop. The code of so few operations is short enough for all
-/// jumps and distances.
+/// The most instructions; a longer program runs no faster than a loop. All jumps and distances in
+/// the code of a shorter one are within reach.
 const MOST_INSTRUCTIONS: usize = 50_000;
-/// The bytes of the stack that slots take at most: half of what the stack of a thread has.
+/// The most bytes of the stack for slots: half of a thread's stack.
 const MOST_STACK: usize = 1 << 20;
 
-/// Where a number lies; what stands between a place and its address may take an instruction.
+/// Returns the address of a place, after an instruction that loads it if necessary.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
 
-/// A function that is being written, and its frame on the stack.
 struct Frame {
     assembler: Assembler,
     code: Allocation,
@@ -35,7 +33,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`, whose slots lie above the stack pointer.
+    /// Begins a function over numbers of type `T`, with slots above the stack pointer.
     ///
     /// # Panics
     /// If results become states, and a state that is read has no result.
@@ -79,7 +77,6 @@ impl Frame {
         Ok(Frame { assembler, code, extent, needs })
     }
 
-    /// Ends the function; its bytes, and what it reads and writes.
     fn close(mut self) -> (Vec<u8>, Extent) {
         self.assembler.close(&self.needs);
         (self.assembler.finish(), self.extent)
@@ -98,7 +95,6 @@ impl Frame {
     }
 }
 
-/// Writes the bytes of instructions.
 fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresses: Addresses<'_>) {
     let address = |assembler: &mut Assembler, place: Place| match place {
         Place::Literal(number) => {

@@ -10,15 +10,15 @@ use crate::{Program, Refusal};
 
 use super::Frame;
 
-/// A program as code that runs many times: its results are the states of the next round, and its
-/// constants stay.
+/// Code that runs a program many times, each time on the results of the last, with one set of
+/// constants.
 #[derive(Debug)]
 pub struct Orbit<T> {
     code: Code<T>,
     ends: Ends,
 }
 
-/// The same with several sets of constants, which have their turn in each round one after another.
+/// Code that runs a program many times, with several sets of constants in turn in each round.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
     code: Code<T>,
@@ -28,7 +28,7 @@ impl<T: Float> Orbit<T> {
     /// Compiles a program that has a result for each state.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// [`Refusal`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
@@ -38,8 +38,7 @@ impl<T: Float> Orbit<T> {
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = General::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // States that are carried are read from one array and written to another, which may be the
-        // same.
+        // Carried states are read from one array and written to another, possibly equal one.
         let last = |assembler: &mut Assembler, place| match place {
             Place::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
@@ -53,13 +52,13 @@ impl<T: Float> Orbit<T> {
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
         // SAFETY: the code reads a register for each result and for each constant of the program,
-        // and writes the results alone, those that are carried to the last state. It is entered by
+        // and writes only the results, to the last state if they are carried. It is entered by
         // `Code::orbit`, or if they are carried by `Code::orbit_step`.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
     }
 
-    /// Advances the state by so many steps.
+    /// Advances the state by `steps` rounds.
     ///
     /// # Panics
     /// If an array is too short.
@@ -67,8 +66,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// The state one step after another one. Entries are copied by the code itself: a copy before
-    /// it would read several at once of those that were just written one by one, and wait for them.
+    /// Writes the state one step later to `next`. The code itself copies the entries: a copy before
+    /// it would have to wait for entries that were just stored one by one.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.
@@ -86,14 +85,14 @@ impl<T: Float> ComposedOrbit<T> {
     /// Compiles a program that has a result for each state.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// [`Refusal`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // These functions do not use the fifth argument.
+        // The fifth argument is unused: its register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = General::ARGUMENTS;
         let [constants, left, _] = General::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -112,12 +111,12 @@ impl<T: Float> ComposedOrbit<T> {
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
         // SAFETY: the code reads and writes a register for each result, and reads one for each
-        // constant of the program from each address of the table. It is entered by
-        // `Code::composed_orbit`.
+        // constant of the program from each address of the table. Only `Code::composed_orbit`
+        // enters it.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// Advances the state by so many steps, each of all stages; `stages` are their constants.
+    /// Advances the state by `steps` rounds of all stages; `stages` are their constants.
     ///
     /// # Panics
     /// If an array is too short, or there is no stage, or more than 64.
@@ -126,7 +125,7 @@ impl<T: Float> ComposedOrbit<T> {
     }
 }
 
-/// Where the states are between two steps: in registers where there is room for the rest.
+/// Returns where states are between two rounds: in registers if enough of them remain.
 fn ends(program: &Program, shape: Shape) -> Ends {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }

@@ -1,4 +1,4 @@
-//! A program run over columns: register after register of trajectories, step after step.
+//! A program run over columns, register by register of trajectories, round by round.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, RoundPlan};
@@ -10,16 +10,16 @@ use crate::{Program, Refusal};
 
 use super::Frame;
 
-/// Whose constants a sweep takes.
+/// The constants of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Constants {
-    /// All trajectories have the same.
+    /// Constants shared by all trajectories.
     Shared,
-    /// Each register of trajectories has its own.
+    /// Constants for each register of trajectories.
     Own,
 }
 
-/// A program as code that advances many trajectories; column i holds state i of all of them.
+/// Code that advances many trajectories; column i holds state i of all of them.
 #[derive(Debug)]
 pub struct Sweep<T> {
     code: Code<T>,
@@ -30,7 +30,7 @@ impl<T: Float> Sweep<T> {
     /// Compiles a program that has a result for each state.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// [`Refusal`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
@@ -68,38 +68,36 @@ impl<T: Float> Sweep<T> {
         frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
         // SAFETY: for each register of the columns, the code reads and writes one in each of the
-        // first `states` columns, and reads a register for each constant of the program from where
-        // the constants are. It is entered by `Code::sweep`, with the width of its registers and
-        // the distance between the constants of one and of the next.
+        // first `states` columns, and reads a register for each constant of the program from the
+        // constants' address. Only `Code::sweep` enters it, with the width of its registers and the
+        // distance between the constants of one register and of the next.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
-    /// How many trajectories an instruction works on: columns are so long, or a multiple of it.
+    /// Returns the number of trajectories in a register; the length of columns is a multiple of it.
     #[must_use]
     pub fn width(&self) -> usize {
         self.code.extent().width
     }
 
-    /// How many numbers the constants of a register of trajectories are.
+    /// Returns the number of numbers in the constants of a register of trajectories.
     #[must_use]
     pub fn constants(&self) -> usize {
         let [_, constants, _] = self.code.extent().numbers();
         constants
     }
 
-    /// Advances all trajectories by so many steps. A constant is as many numbers as a register
-    /// holds; where each register of trajectories has its own, all constants of one stand before
-    /// those of the next.
+    /// Advances all trajectories by `steps` rounds. Each constant is a register of numbers; own
+    /// constants of one register of trajectories precede those of the next.
     ///
     /// # Panics
-    /// If the columns are not of one length, or that is not a multiple of [`width`](Self::width),
-    /// or there are too few constants, or more than 256 columns.
+    /// If the columns differ in length, the length is not a multiple of [`width`](Self::width),
+    /// there are too few constants, or there are more than 256 columns.
     pub fn run(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], steps: u64) {
         self.code.sweep(columns, constants, self.of == Constants::Own, steps);
     }
 }
 
-/// Where the address of a column stands among those of all.
 fn place_of(column: usize) -> i32 {
     i32::try_from(8 * column).expect("there are fewer columns than instructions")
 }

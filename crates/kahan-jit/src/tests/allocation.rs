@@ -1,4 +1,4 @@
-//! Registers: what is allocated computes what the program says, with however few there are.
+//! Allocated code computes the results of the program, with any number of registers.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,6 @@ use crate::program::{Instruction, Program};
 use super::draw::{push, state};
 use super::{Draw, random_program, run, same, subtract_product};
 
-/// A machine with registers and memory that does what is allocated.
 struct Machine {
     registers: Vec<Option<f64>>,
     memory: HashMap<Place, f64>,
@@ -90,7 +89,7 @@ impl Machine {
     }
 }
 
-/// Runs what is allocated for a program; the results after so many rounds.
+/// Runs the allocated code of a program, and returns the results after `rounds` rounds.
 fn allocated(
     program: &Program,
     (registers, plan): (u8, RoundPlan),
@@ -144,7 +143,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     }
 }
 
-/// What is read once stays in memory or gives its register to the result; no copy, no third load.
+/// An operand read once stays in memory or gives its register to the result.
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();

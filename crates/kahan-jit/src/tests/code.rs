@@ -1,12 +1,11 @@
-//! Machine code computes what the program says, bit for bit, on every set of instructions that the
-//! machine has.
+//! Machine code computes the program's results bit for bit, on every available instruction set.
 
 use crate::program::Program;
 use crate::{ComposedOrbit, Constants, Float, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};
 
 use super::{Draw, random_program, run, same};
 
-/// The shapes that this machine has; the others are reported as not run.
+/// Returns the shapes available on this machine; prints the others as not run.
 fn shapes(lanes: LaneCount) -> impl Iterator<Item = Shape> {
     InstructionSet::ALL.into_iter().flat_map(move |instructions| {
         if !instructions.is_available() {
@@ -20,7 +19,6 @@ fn shapes(lanes: LaneCount) -> impl Iterator<Item = Shape> {
     })
 }
 
-/// A float that programs are run in.
 trait Tested: Float + num_traits::Float + core::fmt::Debug {
     fn of(value: f64) -> Self;
 }
@@ -38,7 +36,7 @@ impl Tested for f64 {
 }
 
 fn numbers<T: Tested>(draw: &mut Draw, count: usize) -> Vec<T> {
-    // Few in most arrays, so that most results are numbers.
+    // Special numbers are rare in most arrays, so that most results are finite.
     let ordinary = if draw.below(3) == 0 { 55 } else { 5000 };
     (0..count).map(|_| T::of(draw.number(ordinary))).collect()
 }
@@ -48,7 +46,7 @@ fn assert_same<T: Tested>(found: &[T], expected: &[T], what: &str, program: &Pro
     assert!(agree, "{what}: {found:?}, not {expected:?}\n{program:?}");
 }
 
-/// A small program mostly, now and then one that needs many slots.
+/// Draws a program, usually a small one, sometimes one that needs many slots.
 fn draw_program(draw: &mut Draw, case: usize) -> (Program, usize, usize) {
     let (states, constants) = match case % 10 {
         9 => (40, 30),
@@ -182,8 +180,7 @@ fn a_sweep_advances_each_trajectory() {
     sweeps::<f32>();
 }
 
-/// Code that its jumps and its numbers are far apart in, where some processors take other
-/// instructions.
+/// In long code, jumps and constants are far apart, and some processors need other instructions.
 #[test]
 fn long_code_computes_its_results() {
     let program = random_program(&mut Draw(7), 3, 2, 24_000);
@@ -199,7 +196,6 @@ fn long_code_computes_its_results() {
     }
 }
 
-/// Three states on a straight line of plain operations, for what does not depend on the program.
 fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)
 }

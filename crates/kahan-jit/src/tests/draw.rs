@@ -4,7 +4,7 @@ use kahan_program::{Float, Node};
 
 use crate::{Called, Input, Instruction, Program};
 
-/// Numbers from a seed (SplitMix64).
+/// A random generator (SplitMix64).
 pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
@@ -19,8 +19,8 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// A number of ordinary size, now and then one of the kinds that are special. Those spread from
-    /// result to result, so there are so many `ordinary` numbers for each of them.
+    /// Draws a number of ordinary size, sometimes a special one. Special numbers spread from result
+    /// to result; `ordinary` is the weight of ordinary numbers.
     pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
         match self.below(5 + ordinary) {
             0 => 0.0,
@@ -33,7 +33,7 @@ impl Draw {
     }
 }
 
-/// Appends an operation, also one that is there already, and returns its place.
+/// Appends an operation, even if it is there already, and returns its place.
 pub(crate) fn push(program: &mut Program, operation: Instruction) -> Node {
     program.operations.push(operation);
     Node(program.operations.len() - 1)
@@ -51,8 +51,7 @@ pub(crate) fn literal(value: f64) -> Instruction {
     Instruction::Constant(Float::of(value))
 }
 
-/// A program of about so many operations with a result for each state, in which most values are
-/// used soon and some much later.
+/// Draws a program with a result for each state. Most values are used soon, some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {
@@ -86,7 +85,7 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
         push(&mut program, instruction);
     }
     let known = program.operations.len();
-    // Now and then a state itself, a constant, or one value twice.
+    // Sometimes a result is a state, a constant, or a value used twice.
     let result = |draw: &mut Draw| match draw.below(8) {
         0 => Node(draw.below(states + constants + 2)),
         _ => Node(known - 1 - draw.below(known.min(2 * states + 4))),

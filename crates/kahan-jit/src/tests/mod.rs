@@ -1,4 +1,4 @@
-//! Programs drawn at random, and what they compute: what allocation and code are compared with.
+//! Random programs and an interpreter, with which allocation and code are compared.
 
 mod allocation;
 mod code;
@@ -8,7 +8,7 @@ mod hostile;
 mod refused;
 mod run;
 
-/// Whether this program can start itself, which on an emulated processor it cannot.
+/// Returns whether this program can start itself; on an emulated processor it cannot.
 #[cfg(target_os = "linux")]
 pub(crate) fn starts_itself() -> bool {
     let program = std::env::current_exe().expect("this program has a name");

@@ -1,4 +1,4 @@
-//! Programs without code, and the instructions that code is made of.
+//! Programs that are refused, and availability of instructions.
 
 use kahan_program::Node;
 
@@ -14,7 +14,7 @@ use super::starts_itself;
 const SHAPE: Shape =
     Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
-/// Whether there is no instruction set that could show it.
+/// Returns whether no instruction set is available for the test.
 fn is_unavailable() -> bool {
     let is_unavailable = !SHAPE.instructions.is_available();
     if is_unavailable {
@@ -61,7 +61,7 @@ fn more_results_than_a_straight_line_has_are_refused() {
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
 }
 
-/// Operations may read earlier operations only, as later ones have no register yet.
+/// Operations may read only earlier operations, since later ones have no register yet.
 #[test]
 fn programs_that_read_what_was_not_computed_are_refused() {
     let x = Node(0);
@@ -71,7 +71,7 @@ fn programs_that_read_what_was_not_computed_are_refused() {
         (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
         (Instruction::Call(Called::Maximum, x, Node(1)), x),
         (Instruction::Call(Called::RoundToSingle, Node(1), Node(1)), x),
-        // A function of one argument has it twice.
+        // A function of one argument has the operand twice.
         (Instruction::Call(Called::Copy, x, Node(1)), Node(1)),
         (Instruction::Call(Called::RoundToSingle, x, Node(usize::MAX)), Node(1)),
         (Instruction::Negate(x), Node(2)),
@@ -96,8 +96,7 @@ fn a_round_has_a_result_for_each_state() {
     let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
-/// As many values as a program can keep at once: each waits for the end, where two are taken by one
-/// instruction.
+/// Returns a program that keeps `values` values until the end, where an instruction takes two.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
     let mut last = push(&mut program, state(0));
@@ -148,8 +147,8 @@ fn more_numbers_at_once_than_the_stack_holds_are_refused() {
     }
 }
 
-/// This test runs itself once more, in a process that stops. Memory below the stack is not written
-/// to: the system is told of each page in its turn, so that it stops at the first one that is none.
+/// Runs itself again in a process that must stop. Code touches each page of the stack in turn, so
+/// that it stops at the first inaccessible one and writes nothing below the stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_stack_that_is_too_small_stops_the_process() {

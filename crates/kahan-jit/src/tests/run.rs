@@ -1,4 +1,4 @@
-//! What a program computes, one operation at a time: what code and allocation are compared with.
+//! An interpreter of programs, one operation at a time, with which code is compared.
 
 use std::sync::LazyLock;
 
@@ -9,12 +9,12 @@ use kahan_program::Operation::*;
 
 use crate::{Called, Program};
 
-/// The results of a program as a processor computes them.
+/// Returns the results of a program in the arithmetic of a processor.
 pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fuses: bool) -> Vec<T> {
     run_by(program, |i| states[i], |k| constants[k], fuses)
 }
 
-/// The same of states and constants wherever they are.
+/// Returns the results of a program whose states and constants are functions of the index.
 pub(crate) fn run_by<T: Float>(
     program: &Program,
     state: impl Fn(usize) -> T,
@@ -50,7 +50,6 @@ pub(crate) fn run_by<T: Float>(
     program.outputs.iter().map(|result| values[result.0]).collect()
 }
 
-/// Returns the least numbers of states and of constants that a program reads.
 pub(crate) fn read(program: &Program) -> [usize; 2] {
     let end = |of: fn(crate::Input) -> Option<usize>| {
         let ends = program.inputs().into_iter().filter_map(of).map(|entry| entry.saturating_add(1));
@@ -61,7 +60,7 @@ pub(crate) fn read(program: &Program) -> [usize; 2] {
     [states, constants]
 }
 
-/// a − b·c, rounded once. Valgrind computes −(b·c − a) instead, whose zeros have the other sign.
+/// Returns a − b·c, rounded once. Valgrind computes −(b·c − a), whose zeros have the other sign.
 pub(crate) fn subtract_product<T: Float>(a: T, b: T, c: T) -> T {
     static IS_VALGRIND: LazyLock<bool> =
         LazyLock::new(|| std::env::var("LD_PRELOAD").is_ok_and(|loaded| loaded.contains("/valgrind/")));
@@ -69,7 +68,7 @@ pub(crate) fn subtract_product<T: Float>(a: T, b: T, c: T) -> T {
     if *IS_VALGRIND { -b.mul_add(c, -a) } else { (-b).mul_add(c, a) }
 }
 
-/// Whether two numbers have the same bits, any two that are none being the same.
+/// Returns whether two numbers have equal bits or are both NaN.
 pub(crate) fn same<T: Float>(a: T, b: T) -> bool {
     (a.is_nan() && b.is_nan()) || a.integer_decode() == b.integer_decode()
 }

@@ -1,8 +1,7 @@
-//! Many trajectories as columns, one a variable.
+//! Many trajectories as columns, one for each variable.
 //!
-//! In: columns, and ε and parameters, one for all trajectories or one each. Out: the columns some
-//! steps later, and how far each trajectory went; or the map of each. A trajectory has the same
-//! bits whatever stands beside it.
+//! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
+//! some steps later, and the end of each trajectory. Trajectories do not influence one another.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -19,18 +18,18 @@ use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Advances many trajectories: column c holds variable c of all of them, in one order.
+    /// Advances many trajectories; column c holds variable c of all trajectories, in one order.
     ///
-    /// `eps` holds ε for each trajectory, or one for all, or nothing, which means that of the map.
-    /// `parameters` has a list a parameter, each of a value for each trajectory or one for all; an
-    /// empty one means those of the map. A trajectory has the same bits whatever stands beside it,
-    /// and those of an ensemble at its ε and parameters.
+    /// `eps` holds ε for each trajectory, or one for all, or nothing for the map's own ε.
+    /// `parameters` holds for each parameter a list of values, one for each trajectory or one for
+    /// all; an empty `parameters` stands for the map's own. The bits of a trajectory are those of
+    /// an ensemble at its ε and parameters, and do not depend on its neighbours.
     ///
-    /// What is not a number stays so, and a trajectory at whose parameters the field divides by
-    /// zero is not a number either. The rest never notices.
+    /// Trajectories that become NaN stay NaN. If the field divides by zero at a trajectory's
+    /// parameters, the trajectory becomes NaN.
     ///
     /// # Errors
-    /// [`DimensionError`] for what has another length.
+    /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
     ///
     /// ```
     /// use kahan_runtime::Field;
@@ -57,7 +56,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances columns that fit by steps of a kind.
     fn advance_in(
         &self,
         kind: StepKind,
@@ -87,10 +85,9 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Advances columns that fit, one trajectory after another, by the map at their constants.
     fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, steps: u64) {
         let Columns { columns, eps, parameters } = all;
-        // No step needs this list of the thread's scratch.
+        // Steps do not use this list of the scratch.
         let mut x = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.given));
         for k in 0..columns.first().map_or(0, |column| column.len()) {
             x.clear();
@@ -104,8 +101,7 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Forgets trajectories at whose parameters and ε the field divides by zero. No map exists
-    /// there, but machine code, in which the divisor has cancelled, still computes numbers.
+    /// Sets trajectories to NaN where the field divides by zero: code would still give numbers.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
@@ -118,17 +114,15 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Advances many trajectories, which are given as [`advance_columns`](Self::advance_columns)
-    /// takes them, and tells how each ended. One that ended early is not a number in the columns.
+    /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and returns
+    /// how each ended. A trajectory that ended early becomes NaN in the columns.
     ///
-    /// Bits, and how a trajectory ends, are those of single orbits.
-    ///
-    /// Cost: that of the steps in the form that single orbits take, a copy of the columns and a
-    /// look at them every thousand steps, and up to two thousand steps more for each trajectory
-    /// that leaves the range.
+    /// Bits and ends are those of single orbits. Cost: that of the steps in the form of single
+    /// orbits, a copy and a test of the columns every thousand steps, and up to two thousand
+    /// further steps for each trajectory that leaves the range of floats.
     ///
     /// # Errors
-    /// [`DimensionError`] for what has another length.
+    /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
     ///
     /// ```
     /// use kahan_runtime::{End, Field};
@@ -146,7 +140,6 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) -> Result<Vec<End>, DimensionError> {
-        /// Trajectories that are followed at once: what is kept of them stays in a cache near by.
         const TOGETHER: usize = 1024;
 
         let trajectories = self.check_columns(columns)?;
@@ -169,7 +162,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(ends)
     }
 
-    /// Follows trajectories that take one form of the step, in the room of `before`.
     fn follow_piece(
         &self,
         kind: StepKind,
@@ -179,7 +171,6 @@ impl<T: MachineFloat> MapAt<T> {
         before: &mut [Vec<T>],
         ends: &mut [End],
     ) {
-        /// Steps between two looks.
         const LOOK: u64 = 1024;
 
         let mut made = 0;
@@ -203,7 +194,7 @@ impl<T: MachineFloat> MapAt<T> {
                 let finite = self.finite_steps(kind, starts, &of(eps), &own, now);
                 for (&k, steps) in lost.iter().zip(finite) {
                     ends[k] = End::Range(made + steps);
-                    // A state that is not finite stays so.
+                    // A state stays nonfinite once it is.
                     columns.iter_mut().for_each(|column| column[k] = nothing());
                 }
             }
@@ -214,8 +205,7 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// How many steps lead each trajectory to its last finite point, where it is known of all that
-    /// so many lead out of the range.
+    /// Returns the numbers of steps to last finite points, which all come within `steps` steps.
     fn finite_steps(
         &self,
         kind: StepKind,
@@ -225,7 +215,7 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
     ) -> Vec<u64> {
         let mut taken = vec![0; starts.first().map_or(0, Vec::len)];
-        // What is not finite stays so: the steps that are left to take are a sum of powers of 2.
+        // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
         for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
             let mut ahead = starts.clone();
             let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
@@ -240,8 +230,7 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, as [`follow_columns`](Self::follow_columns) does where
-    /// they take different forms of the step, because some have an ε near zero.
+    /// Follows trajectories one at a time, where some ε near zero takes another form of the step.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],
@@ -262,16 +251,15 @@ impl<T: MachineFloat> MapAt<T> {
         (0..trajectories).map(follow).collect()
     }
 
-    /// The maps of many trajectories, each at its own ε and parameters, which are given as
-    /// [`advance_columns`](Self::advance_columns) takes them; one map where nothing is given for
-    /// each. They are what [`observe_columns`](Self::observe_columns) takes.
+    /// Returns the maps of many trajectories, each at its own ε and parameters, given as to
+    /// [`advance_columns`](Self::advance_columns); one map if all values are shared. The result is
+    /// the input of [`observe_columns`](Self::observe_columns).
     ///
-    /// A map at whose parameters the field has no value takes every point to what is not a number.
-    ///
-    /// Cost: some microseconds a map.
+    /// A map at whose parameters the field divides by zero takes every point to NaN. Cost:
+    /// microseconds.
     ///
     /// # Errors
-    /// [`DimensionError`] for what has another length.
+    /// [`DimensionError`] for `eps` or `parameters` of a wrong length.
     ///
     /// ```
     /// use kahan_core::observe::Fli;
@@ -306,7 +294,7 @@ impl<T: MachineFloat> MapAt<T> {
         Ok((0..maps).map(map).collect())
     }
 
-    /// That there are columns of one length for this map.
+    /// Checks the number and lengths of columns, and returns the number of trajectories.
     pub(super) fn check_columns(&self, columns: &[&mut [T]]) -> Result<usize, DimensionError> {
         DimensionError::check(Argument::Columns, columns.len(), self.dimension())?;
         let trajectories = columns.first().map_or(0, |column| column.len());
@@ -319,7 +307,7 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// That ε and parameters are those of the map, or one for all trajectories, or one each.
+    /// Checks that ε and parameters are empty, shared, or one for each trajectory.
     fn check_constants(
         &self,
         eps: &[T],
@@ -343,12 +331,11 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Not a number.
 fn nothing<T: MachineFloat>() -> T {
     T::zero() / T::zero()
 }
 
-/// The trajectories that are not finite any more, and have not ended before.
+/// Returns the trajectories that have become nonfinite.
 fn lost<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
     if columns.iter().all(|column| is_finite(column)) {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! How well a map that is read at run time keeps the integrals that its field claims.
+//! The drift of the integrals that a field claims, along an orbit of a map read at run time.
 
 use kahan_core::observe::{Burst, Drift, Drifted, GROUP, Grouped, Observer, Observers};
 
@@ -6,10 +6,9 @@ use super::group::{Aligned, MOST};
 use super::{MachineFloat, MapAt};
 use crate::engine::{Abreast, Scratch, with_scratch};
 
-/// The most integrals that are computed side by side.
 const MOST_INTEGRALS: usize = 8;
 
-/// How far the integrals of a field are from their first values, one report each.
+/// An observer of the integrals of a field, with a report on the drift of each.
 #[derive(Clone, Debug)]
 pub struct IntegralDrift<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
@@ -17,11 +16,10 @@ pub struct IntegralDrift<'a, T: MachineFloat> {
     drifts: Vec<Drift<Itself<T>, T, 1>>,
 }
 
-/// A number as it is.
 type Itself<T> = fn(&[T]) -> [T; 1];
 
 impl<'a, T: MachineFloat> IntegralDrift<'a, T> {
-    /// The drift of the integrals of this map.
+    /// Observes the integrals of this map.
     #[must_use]
     pub fn of(at: &'a MapAt<T>) -> Self {
         let count = at.map().field().integrals().len();
@@ -43,7 +41,7 @@ impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     const MAY_END: bool = false;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        // There is a value an integral; a state of another length leaves them as they are.
+        // Lengths fit in every orbit of this map; otherwise the values stay unchanged.
         let _ = self.at.integrals(x, &mut self.values);
         self.look(step);
     }
@@ -61,7 +59,6 @@ impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     }
 }
 
-/// Computes the integrals of all trajectories at once; `false` where there is no code for that.
 fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
     group: &mut Observers<'_, IntegralDrift<'_, T>>,
     burst: &Burst<'_, P>,
@@ -95,7 +92,7 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// What writes the integrals of these maps behind their points, side by side.
+    /// Returns code that writes the integrals of these maps behind their points, side by side.
     fn integrals_abreast(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

@@ -1,4 +1,4 @@
-//! The points of a group of orbits, whose number of variables is known at run time.
+//! The points of a group of orbits, for a number of variables known at run time.
 
 use core::array::from_fn;
 
@@ -6,7 +6,7 @@ use kahan_core::observe::{GROUP, Group, Grouped};
 
 use super::{MachineFloat, RuntimePoint};
 
-/// Groups of numbers that begin with cache lines, so that no register crosses from one to the next.
+/// Groups of numbers aligned to cache lines, so that no register is loaded across two lines.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Aligned<T, const N: usize>(pub(crate) [Group<T>; N]);
@@ -17,10 +17,8 @@ impl<T: MachineFloat, const N: usize> Aligned<T, N> {
     }
 }
 
-/// The most variables of a step that is a straight line.
 pub(crate) const MOST: usize = 8;
 
-/// A column a variable.
 #[derive(Debug)]
 pub(crate) struct RuntimeGroup<T> {
     columns: Aligned<T, MOST>,
@@ -28,8 +26,7 @@ pub(crate) struct RuntimeGroup<T> {
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
-    /// As many trajectories from this one on as make a group; where they are fewer, copies of the
-    /// last one fill it. `None` where there are too many variables.
+    /// Gathers a group, filled up with its last orbit; `None` beyond [`MOST`] variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
@@ -38,7 +35,6 @@ impl<T: MachineFloat> RuntimeGroup<T> {
         Some(group)
     }
 
-    /// Puts them back.
     pub(crate) fn scatter(&self, columns: &mut [&mut [T]], first: usize) {
         for (column, group) in columns.iter_mut().zip(self.as_ref()) {
             column[first..].iter_mut().zip(group).for_each(|(entry, own)| *entry = *own);
@@ -54,7 +50,7 @@ impl<T: Copy> Clone for RuntimeGroup<T> {
     #[inline]
     fn clone_from(&mut self, other: &Self) {
         self.variables = other.variables;
-        // Column by column, as their length is known.
+        // Copies whole columns, whose length is a constant.
         self.as_mut().iter_mut().zip(other.as_ref()).for_each(|(own, other)| *own = *other);
     }
 }

@@ -6,63 +6,64 @@ use crate::{ClaimError, DimensionError};
 use super::{MapAt, RuntimeFloat};
 
 impl<T: RuntimeFloat> MapAt<T> {
-    /// f(x), an entry a variable.
+    /// Writes f(x), one entry for each variable.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` or `out` has not an entry a variable.
+    /// [`DimensionError`] if the length of `x` or `out` is not the dimension n.
     pub fn field(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Field, x, out, self.dimension())
     }
 
-    /// f′(x) row by row: ∂fᵢ/∂xⱼ is entry n·i + j, with n variables.
+    /// Writes f′(x), row by row: ∂fᵢ/∂xⱼ is entry n·i + j, for n variables.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    /// [`DimensionError`] if the length of `x` is not n, or that of `out` not n².
     pub fn field_jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::FieldJacobian, x, out, self.dimension().pow(2))
     }
 
-    /// A(x,ε) = I − εf′(x), row by row.
+    /// Writes A(x,ε) = I − εf′(x), row by row.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    /// [`DimensionError`] if the length of `x` is not the dimension n, or that of `out` not n².
     pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Matrix, x, out, self.dimension().pow(2))
     }
 
-    /// ∂x̃/∂x, row by row.
+    /// Writes ∂x̃/∂x, row by row.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    /// [`DimensionError`] if the length of `x` is not the dimension n, or that of `out` not n².
     pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// ∂x̃/∂p, p being the parameter at this place, or ε at the place behind them.
+    /// Returns ∂x̃/∂p for the parameter p of index `place`; the number of parameters stands for ε.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not an entry a variable.
+    /// [`DimensionError`] if the length of `x` is not the dimension.
     ///
     /// # Panics
-    /// If there is no such place.
+    /// If the index is out of range.
     pub(crate) fn by_constant(&self, place: usize, x: &[T]) -> Result<Vec<T>, DimensionError> {
         self.check_state(x)?;
         Ok(self.engine().by_constant(&self.constants, place, x))
     }
 
-    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals); of a
+    /// Writes the integrals, in the order of [`Field::integrals`](crate::Field::integrals); for a
     /// [composition](Self::composed) those of the flow.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
+    /// [`DimensionError`] if the length of `x` is not the dimension, or that of `out` not the
+    /// number of integrals.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Integrals, x, out, self.map.field().integrals().len())
     }
 
-    /// The density of the invariant measure.
+    /// Returns the density of the invariant measure.
     ///
     /// # Errors
-    /// [`ClaimError`] if the field claims none, or `x` has not an entry a variable.
+    /// [`ClaimError`] if the field claims no density, or the length of `x` is not the dimension.
     pub fn density(&self, x: &[T]) -> Result<T, ClaimError> {
         if self.map.field().derived().density.is_none() {
             return Err(ClaimError::NoDensity);
@@ -72,11 +73,11 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(out[0])
     }
 
-    /// The Poisson tensor of a bracket, row by row.
+    /// Writes the Poisson tensor of a bracket, row by row.
     ///
     /// # Errors
-    /// [`ClaimError`] if the field claims no bracket of this name, if `x` has not an entry a
-    /// variable, or `out` not n².
+    /// [`ClaimError`] if the field claims no bracket called `name`, the length of `x` is not the
+    /// dimension n, or that of `out` not n².
     pub fn bracket(&self, name: &str, x: &[T], out: &mut [T]) -> Result<(), ClaimError> {
         let mut brackets = self.map.field().brackets();
         let Some(index) = brackets.position(|known| known == name) else {
@@ -92,7 +93,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        // Each row of an orbit has its integrals, and most fields claim none.
+        // Orbits ask for integrals at each row, and most fields claim none.
         if entries > 0 {
             let is_integral = matches!(object, Object::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
@@ -102,11 +103,10 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// The entries above the diagonal of an antisymmetric matrix, row by row at the beginning of
-/// `entries`, become the whole matrix.
+/// Expands the entries above the diagonal of an antisymmetric matrix, row by row, in place.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
-    // From the last to the first: no entry is written to before it was moved away.
+    // Backwards, so that no entry is overwritten before it has been moved.
     for i in (0..n).rev() {
         for j in (i + 1..n).rev() {
             above -= 1;

@@ -1,7 +1,7 @@
-//! Many orbits observed in the loop, side by side where there is code for that.
+//! Observation of many orbits, side by side where compiled code allows it.
 //!
-//! In: a map for all orbits or one each, first points, and observers of each. Out: reports. An
-//! orbit has the points and the report that it has alone, bit for bit, whatever stands beside it.
+//! In: a map for all orbits or one for each, first points, and observers. Out: reports. Points and
+//! report of an orbit have the bits of a single orbit.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -18,15 +18,14 @@ use crate::follow::{is_within, pause};
 use crate::{DimensionError, End, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Advances many orbits by so many steps, and shows each to the observers that `observers`
-    /// makes for it, which see its first point as step 0: column c holds variable c of all orbits,
-    /// and `maps` is one map for all of them or one each.
+    /// Advances many orbits by `steps` steps, each shown to its own observers.
     ///
-    /// Points and reports have the bits of single orbits by [`advance`](Self::advance), in any
-    /// order of the orbits. What is not a number stays so.
+    /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each. The
+    /// function `observers` makes the observers of an orbit, which see its first point as step 0.
+    /// Points and reports have the bits of single orbits by [`advance`](Self::advance).
     ///
     /// # Errors
-    /// [`DimensionError`] for columns that do not fit the maps, or each other.
+    /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
     ///
     /// ```
     /// use kahan_core::observe::Fli;
@@ -48,12 +47,12 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_columns_while(maps, columns, steps, observers, &|_| ControlFlow::Continue(()))
     }
 
-    /// Like [`observe_columns`](Self::observe_columns), but tells `tell` after some thousand steps
-    /// of each orbit how many more were made in all. Where `tell` breaks, the work stops, and the
-    /// reports cover the points that were seen.
+    /// Observes like [`observe_columns`](Self::observe_columns), and tells `tell` after some
+    /// thousand steps of each orbit how many steps were made since. If `tell` breaks, the work
+    /// stops, and the reports cover the points seen so far.
     ///
     /// # Errors
-    /// As [`observe_columns`](Self::observe_columns).
+    /// [`DimensionError`], like [`observe_columns`](Self::observe_columns).
     pub fn observe_columns_while<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -64,10 +63,7 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits as [`observe_columns_while`](Self::observe_columns_while) does.
-    ///
-    /// `has_observed` may observe a group in a way of its own: it is given the maps, the points, the
-    /// observers and whom to tell of steps, and returns `false` where it has done nothing.
+    /// Observes orbits; groups for which `has_observed` returns `false` take the usual way.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -124,7 +120,6 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(reports)
     }
 
-    /// Observes orbits side by side; `false` where there is no code for that.
     pub(crate) fn has_observed_group<O: Observer<T>>(
         maps: [&Self; GROUP],
         points: &mut RuntimeGroup<T>,
@@ -162,16 +157,14 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    /// Returns the code that steps the orbits of these maps side by side; `None` where they have none
-    /// in common.
     pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns the code that steps orbits with a number of tangent vectors behind each point and,
-    /// where these are asked for, the squares of their lengths behind all. Points have the bits that
-    /// they have without vectors. `None` also for maps without a line for vectors.
+    /// Returns the code that steps orbits with tangent vectors behind each point, and with the
+    /// squared lengths last if asked for. Points have the bits of orbits without vectors. `None`
+    /// also for maps without a line for vectors.
     pub(crate) fn abreast_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -183,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns the code of the maps of the variational field; the squares come last.
+    /// Returns the code of the maps of the variational field, with the squared lengths last.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -195,7 +188,6 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast_with_vectors(stages, None, (vectors, true), first.set, workspace)
     }
 
-    /// The code of these maps, where they are of one kind.
     fn coded_group(maps: [&Self; GROUP]) -> Option<[&CodedStages<T>; GROUP]> {
         let [first, ..] = maps;
         let mut stages = [first.coded.as_ref()?; GROUP];
@@ -205,35 +197,32 @@ impl<T: MachineFloat> MapAt<T> {
         Some(stages)
     }
 
-    /// Whether it is of the same field, on the same instructions.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         core::ptr::eq(self.engine(), other.engine()) && self.set == other.set && self.kind == other.kind
     }
 }
 
-/// Observers of one orbit among many, which see its points as far as these are finite, and then
-/// tell how it ended: what [`Follow::observe`](crate::Follow::observe) does for one orbit, for
-/// [`MapAt::observe_columns`].
+/// Observers of one orbit among many, which see its finite points; the report says how the orbit
+/// ended. With [`MapAt::observe_columns`] they do what
+/// [`Follow::observe`](crate::Follow::observe) does for one orbit.
 ///
-/// The start is seen as it is. Where the orbit ends, or the observers are done, the columns go on,
-/// unseen.
+/// The start is always seen. Columns continue unobserved after the end.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,
-    /// The size of a variable beyond which the orbit has escaped.
     pub(crate) bound: f64,
     pub(crate) end: End,
 }
 
 impl<O> WhileFinite<O> {
-    /// Shows these observers the points that are finite.
+    /// Shows the finite points to these observers.
     #[must_use]
     pub fn new(observers: O) -> Self {
         Self::within(f64::MAX, observers)
     }
 
-    /// Shows these observers the points that are finite, up to and including the first at which a
-    /// variable is larger than `bound`: there the orbit has [escaped](End::Escaped).
+    /// Shows the finite points to these observers, up to and including the first with a variable
+    /// larger than `bound`: there the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }
@@ -267,14 +256,13 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Side by side where all orbits go on: what is not finite stays so, and so the last points
-    /// tell of all; what has escaped may come back.
+    /// Observes side by side while all orbits continue. Points stay nonfinite once they are, so
+    /// that the last points tell about a whole burst; an escaped orbit may come back.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {
         let bound = group.iter().flatten().map(|own| own.bound).fold(f64::MAX, f64::min);
-        // All lanes of a variable lie side by side.
         let are_within = |points: &P| points.as_ref().iter().all(|lanes| is_within(lanes, bound));
         let go_on = match burst.steps().last() {
             Some((_, last)) if bound == f64::MAX => are_within(last),

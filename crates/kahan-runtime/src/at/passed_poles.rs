@@ -1,8 +1,8 @@
-//! Steps over poles of the map, counted.
+//! The number of steps that pass over a pole of the map.
 //!
-//! In: the points of an orbit. Out: how many of its steps pass over a pole. A step from x takes ε
-//! from 0 to its value, and x̃ along a curve; where the denominator of x̃ vanishes on the way, the
-//! curve goes through infinity, and x̃ lies beyond.
+//! In: the points of an orbit. Out: a count. As ε grows from 0 to its value, x̃ moves along a curve
+//! from x. If the denominator of x̃ vanishes on the way, the curve passes through infinity, and x̃
+//! lies beyond the pole.
 
 use kahan_core::observe::Observer;
 use kahan_core::{Composition, Scalar};
@@ -11,28 +11,29 @@ use super::{MachineFloat, MapAt, RuntimeFloat, RuntimePoint};
 use crate::denominator::Denominator;
 use crate::engine::{split, stage_constants};
 
-/// How many steps pass over a pole.
+/// A count of steps over poles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Passed {
-    /// The steps.
+    /// The number of steps.
     pub steps: u64,
-    /// Whether there may be more: the sign of det A has been asked, which tells an odd number of
-    /// roots from none.
+    /// Whether more steps may pass: the sign of det A, used for want of a denominator,
+    /// distinguishes only odd from even numbers of roots.
     pub is_lower_bound: bool,
 }
 
-/// Counts the steps of an orbit that pass over a pole of the map: those whose reduced denominator
-/// d(x, ε′), at the point x where the step begins, has a root ε′ in (0, ε], or for ε < 0 in [ε, 0).
-/// A double root is one, too. Of a [composition](MapAt::composed) each stage is a step of Kahan's
-/// map, from its own point at its own ε, and a step counts where one of its stages does.
+/// An observer that counts the steps of an orbit over poles of the map.
 ///
-/// Roots are those of exact arithmetic on the numbers that the map is given. Where the map has too
-/// many terms to be written out, a step counts where det A(x,ε) < 0, as det A is 1 for ε = 0: then
-/// the count is a lower bound, and a zero of det A counts as a pole, removable or not.
+/// A step from x passes if the reduced denominator d(x, ε′) has a root ε′, single or double, in (0,
+/// ε], or for ε < 0 in [ε, 0). A stage of a [composition](MapAt::composed) is a step of Kahan's map
+/// from its own point at its own ε; a step passes if one of its stages does.
 ///
-/// Cost: the terms of d a step, in floats; where these can't tell, as near double roots, in exact
-/// numbers, which takes much longer. Without d an elimination a step. The stages of a
-/// composition are made once more. The first count of a map puts the parameters into d.
+/// Roots are those of exact arithmetic on the given numbers. If the map has too many terms to be
+/// written out, a step counts where det A(x,ε) < 0, since det A = 1 at ε = 0. The count is then a
+/// lower bound, and includes removable zeros of det A.
+///
+/// Cost for each step: the terms of d in floats, and where these cannot decide, as near double
+/// roots, much slower exact numbers; or else one elimination. The stages of a composition are
+/// computed a second time. The first count of a map substitutes the parameters into d.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -50,13 +51,12 @@ pub struct Passed {
 #[derive(Clone, Debug)]
 pub struct PassedPoles<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
-    /// The point seen last, and for a moment those of stages.
     place: RuntimePoint<T>,
     passed: Passed,
 }
 
 impl<'a, T: MachineFloat> PassedPoles<'a, T> {
-    /// The count of an orbit of this map.
+    /// Counts along orbits of this map.
     #[must_use]
     pub fn of(at: &'a MapAt<T>) -> Self {
         PassedPoles { at, place: RuntimePoint::new(), passed: Passed::default() }
@@ -82,18 +82,16 @@ impl<T: MachineFloat> Observer<T> for PassedPoles<'_, T> {
     }
 }
 
-/// A stage of a step that differs from the others.
 #[derive(Clone, Debug)]
 pub(super) struct StagePoles<T: RuntimeFloat> {
-    /// Kahan's map at the ε of the stage.
     map: MapAt<T>,
-    /// `None` where the map is not written out.
+    /// The reduced denominator; `None` where the map is not written out.
     denominator: Option<Denominator>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Whether the step from `x` passes a pole; `x` is used up. Notes where the sign of det A alone
-    /// was asked.
+    /// Returns whether the step from `x`, which is overwritten, passes over a pole. The flag
+    /// `is_lower_bound` is set if the sign of det A decided.
     fn passes_a_pole(&self, x: &mut [T], is_lower_bound: &mut bool) -> bool {
         let stages = self.poles.get_or_init(|| self.stage_poles());
         let last = 2 * stages.len() - 2;

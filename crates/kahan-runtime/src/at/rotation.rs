@@ -1,13 +1,12 @@
-//! How fast each variable of an orbit turns, in two runs along it.
+//! The rotation of each variable of an orbit, in two passes.
 //!
-//! In: a map. Out: an observer of the extremes of each variable and of its rate of change, and from
-//! these one of the rotation about their middle.
+//! In: a map. Out: an observer of the extremes of each variable and of its rate of change, for the
+//! first pass, and one of the rotation about their middle, for the second.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, Turns};
 
 use super::{MachineFloat, MapAt};
 
-/// Shows observers each point with its rate of change f(x) behind it.
 struct WithRates<'a, T: MachineFloat, O> {
     at: &'a MapAt<T>,
     both: Vec<T>,
@@ -36,22 +35,22 @@ impl<T: MachineFloat, O: Observer<T>> Observer<T> for WithRates<'_, T, O> {
 }
 
 impl<T: MachineFloat + PartialOrd> MapAt<T> {
-    /// Observes the extremes of each variable on an orbit, and those of each rate of change: what
-    /// [`rotations`](Self::rotations) takes. `None` where no value was a number.
+    /// Observes the extremes of each variable and of each rate of change, the input of
+    /// [`rotations`](Self::rotations); `None` where all values were NaN.
     pub fn extremes(&self) -> impl Observer<T, Report = [Vec<Option<Extremes<T>>>; 2]> + use<'_, T> {
         let n = self.dimension();
         let of = |first: usize| (first..first + n).map(|k| Extrema::of(move |both: &[T]| both[k])).collect();
         self.with_rates([0, n].map(of) as [Vec<_>; 2])
     }
 
-    /// Observes the rotation of each variable over so many steps: turns a step in the plane of the
-    /// variable and its rate of change, about the middle of their extremes, which a first run along
-    /// the same orbit finds by [`extremes`](Self::extremes).
+    /// Observes the rotation of each variable over `steps` steps, in turns per step.
     ///
-    /// Not a number where there were no extremes, or no step.
+    /// A variable turns in the plane of its value and its rate of change, about the middle of their
+    /// extremes, which a first pass along the orbit finds by [`extremes`](Self::extremes). The
+    /// result is NaN without extremes or without steps.
     ///
     /// # Panics
-    /// If there are extremes of more variables than there are.
+    /// If there are more extremes than variables.
     ///
     /// ```
     /// use std::ops::ControlFlow;

@@ -1,7 +1,7 @@
-//! What observers need of a map that is read at run time: tangent vectors carried along.
+//! Tangent vectors of a map read at run time.
 //!
-//! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, as Kahan's map of the variational field of twice the
-//! variables, which runs as the map itself does, as machine code where that can be had.
+//! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, by a line for a known x̃, or by Kahan's map of the
+//! variational field, which has twice the variables. Both run as machine code where possible.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use kahan_dynamics::Precision;
@@ -11,18 +11,16 @@ use super::group::{Aligned, MOST};
 use crate::engine::{Object, Scratch, determinant, with_scratch};
 use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint};
 
-/// The most columns of a group: points, two vectors, and the squares of their lengths.
 const MOST_COLUMNS: usize = 3 * MOST + 2;
 
 impl<T: MachineFloat> MapAt<T> {
-    /// This map with a tangent vector that it carries along: a map of twice the numbers.
+    /// Returns the map with a tangent vector, in twice the variables.
     #[must_use]
     pub fn tangent(&self) -> Tangent<Self> {
         Tangent::new(self.clone(), 1)
     }
 
-    /// Whether vectors are carried by the line for a known x̃; where not, by the map of the
-    /// variational field.
+    /// Returns whether the line for a known x̃ carries vectors, not the variational field's map.
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;
@@ -39,22 +37,22 @@ impl<T: MachineFloat> MapAt<T> {
         );
     }
 
-    /// The map of the variational field.
     pub(super) fn variational(&self) -> &Self {
         self.variational.get_or_init(|| self.sensitivities(&[By::Start]))
     }
 }
 
 impl<T: RuntimeFloat> MapAt<T> {
-    /// The map of a point and of its derivatives. A state has the numbers of x, and behind them a
-    /// vector for each entry of `by`. Set a vector to 0 at the start, for [`By::Start`] to the unit
-    /// vector of a coordinate. The vectors of composed and compensated orbits are derivatives of
-    /// these orbits. With [`By::Epsilon`], 1/ε is one more parameter, the last one that
-    /// [columns](Self::advance_columns) take.
+    /// Returns the map of a point and its derivatives.
     ///
-    /// The numbers of x may differ from those of this map in their last bits, since the larger
-    /// field is planned anew. For a compiled map, [`Tangent`] carries derivatives by the start, and
-    /// parameters that are [`Dual`](kahan_core::Dual)s carry the others.
+    /// A state has the entries of x, then a vector for each entry of `by`. Start a vector at 0, or
+    /// for [`By::Start`] at the unit vector of a coordinate. Vectors along composed and compensated
+    /// orbits are derivatives of these orbits. With [`By::Epsilon`], 1/ε is a further parameter,
+    /// the last one in [columns](Self::advance_columns).
+    ///
+    /// The entries of x may differ from those of this map in their last bits, since the larger
+    /// field has a plan of its own. For a compiled map, [`Tangent`] carries derivatives by the
+    /// start, and parameters that are [`Dual`](kahan_core::Dual)s carry the others.
     ///
     /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
     ///
@@ -84,8 +82,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Cost: the first vector of a field derives and plans the variational field, of twice the
-/// variables, in some tens of milliseconds.
+/// Cost: a field's first vector plans the variational field, in some tens of milliseconds.
 ///
 /// ```
 /// use kahan_core::Orbit;
@@ -120,7 +117,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
     }
 
-    /// With vectors as observers have them, one or two, where there is code.
+    /// Carries one or two vectors by code; `None` without code.
     fn carry_side_by_side<P: Grouped<T>>(
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,
@@ -132,7 +129,6 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
                 true => MapAt::abreast_with_vectors(maps, (count, true), workspace)?,
                 false => MapAt::variational_abreast(maps, count, workspace)?,
             };
-            // The point, the vectors, the squares of their lengths.
             let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
             let columns = columns.0.get_mut(..variables * (1 + count) + count)?;
             let (_, carried) = columns.split_at_mut(variables);
@@ -161,7 +157,6 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         })
     }
 
-    /// By the tangent vectors of all variables.
     fn det_jacobian(&self, x: &[T]) -> T {
         let columns = (0..x.len()).flat_map(|i| {
             let mut column = vec![T::zero(); x.len()];

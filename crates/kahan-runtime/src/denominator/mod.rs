@@ -1,9 +1,8 @@
-//! The reduced denominator of a map between 0 and ε.
+//! Roots of the reduced denominator d(x, ε′) of a map for ε′ between 0 and ε.
 //!
-//! In: the denominator d(x, ε′) as a polynomial, parameters, ε, and points x. Out: whether d(x, ·)
-//! has a root in (0, ε], or for ε < 0 in [ε, 0), as it is in exact arithmetic on these numbers.
-//! Floats decide where the bound on their errors allows that, which is nearly everywhere; exact
-//! numbers decide the rest, such as double roots.
+//! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root in (0, ε],
+//! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats decide where their
+//! error bound allows it. Exact numbers decide the rest, such as double roots.
 
 mod roots;
 
@@ -11,33 +10,30 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// Below this size a factor counts as unknown, between it and its opposite: then no product of the
-/// others underflows.
+/// The size below which a factor counts as unknown, anywhere in [−TINY, TINY]. Products of larger
+/// factors do not underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
-/// d(x, ε·t) as a polynomial in the states and t.
+/// The polynomial d(x, ε·t) in the states and t.
 #[derive(Clone, Debug)]
 pub(crate) struct Denominator {
     states: Vec<Variable>,
     t: Variable,
     exact: Polynomial,
     terms: Vec<Term>,
-    /// In t.
     degree: usize,
 }
 
-/// A term in floats.
 #[derive(Clone, Debug)]
 struct Term {
-    /// The exponent of t.
     power: usize,
     coefficient: f64,
-    /// The states that it is a product of, each as often as its exponent says.
+    /// The states of the product, each repeated by its exponent.
     factors: Vec<usize>,
 }
 
 impl Denominator {
-    /// The denominator at these parameters and ε; `None` where one of them is not finite.
+    /// Substitutes parameters and ε into the denominator; `None` if one of them is not finite.
     pub(crate) fn of(
         symbols: &Symbols,
         denominator: &Polynomial,
@@ -72,13 +68,12 @@ impl Denominator {
         Some(Denominator { states, t, exact, terms, degree })
     }
 
-    /// Whether there is a root on the way to ε, the end included; there is none for a point that is
-    /// not finite.
+    /// Returns whether d(x, ·) has a root up to and including ε; `false` for nonfinite points.
     pub(crate) fn has_root(&self, x: &[f64]) -> bool {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
 
-    /// Whether there is a root, where floats decide it.
+    /// Decides by floats; `None` where their error bound leaves the answer open.
     fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
         let mut coefficients = [0.0; roots::MOST];
         let coefficients = coefficients.get_mut(..=self.degree)?;
@@ -102,9 +97,8 @@ impl Denominator {
                 sizes += size;
             }
         }
-        // A term is off by as many roundings as it has factors, at most nine, and a sum by as many
-        // as it has terms; the form of Bernstein and its halves take some two hundred more. Twice
-        // that, since half of an `EPSILON` is a rounding.
+        // Rounding errors: at most nine for the factors of a term, one for each term of the sum,
+        // some two hundred for the Bernstein form and its halves. EPSILON is two roundings.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

@@ -1,21 +1,21 @@
-//! Whether a polynomial in one variable has a root in (0, 1].
+//! Whether a polynomial in one variable has a root in (0, 1]; double roots count.
 //!
-//! In: coefficients, lowest first, of which the first is not zero. Out: yes or no, of floats with a
-//! bound on their error where that decides, and of exact numbers always. A double root is a root.
+//! In: coefficients, lowest first, the first of them nonzero. Out: yes or no. Floats with an error
+//! bound decide what they can; exact numbers decide everything.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
-/// The most coefficients: the degree in ε is at most the number of variables.
+/// The largest number of coefficients: the degree in ε is at most the number of variables.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// How often the interval is halved before exact numbers are asked.
+/// The most halvings of the interval before the answer is left open.
 const HALVINGS: u32 = 12;
 
-/// Whether Σ cₖtᵏ has a root in (0, 1]; `None` where errors of this size leave that open.
+/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of this size leave that open.
 ///
-/// In Bernstein's form of the polynomial the first and the last coefficient are its values at the
-/// ends, and all values lie between the least and the greatest coefficient.
+/// The first and last Bernstein coefficients are the values at the ends; all values lie between the
+/// least and the greatest Bernstein coefficient.
 pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     let mut form = [0.0; MOST];
     let form = form.get_mut(..coefficients.len())?;
@@ -34,7 +34,7 @@ pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     of_form(form, error, HALVINGS)
 }
 
-/// Whether a polynomial in Bernstein's form has a root on its interval without the first end.
+/// Returns whether a polynomial in Bernstein form has a root in (0, 1].
 fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     let sign = |value: f64| i8::from(value > error) - i8::from(value < -error);
     let first = sign(form[0]);
@@ -45,7 +45,7 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
         return (first != 0).then_some(false);
     }
     let halvings = halvings.checked_sub(1)?;
-    // De Casteljau: the diagonal is the form on the left half, what stays that on the right one.
+    // De Casteljau: the diagonal is the form on the left half; the rest is that on the right half.
     let mut left = [0.0; MOST];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {
@@ -57,7 +57,7 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     Some(of_form(left, error, halvings)? || of_form(form, error, halvings)?)
 }
 
-/// Whether Σ cₖtᵏ has a root in (0, 1], by Sturm's sequence.
+/// Returns whether Σ cₖtᵏ has a root in (0, 1], by a Sturm sequence.
 pub(super) fn exactly(coefficients: Vec<Rational>) -> bool {
     let sum = |polynomial: &[Rational]| polynomial.iter().fold(Rational::ZERO, |sum, c| &sum + c);
     let first = trimmed(coefficients);
@@ -78,7 +78,6 @@ pub(super) fn exactly(coefficients: Vec<Rational>) -> bool {
     changes(&|own| own[0].clone()) > changes(&sum)
 }
 
-/// Without the highest coefficients that are zero.
 fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     while polynomial.last().is_some_and(Rational::is_zero) {
         polynomial.pop();
@@ -86,7 +85,6 @@ fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     polynomial
 }
 
-/// −r, where r is what division by the divisor leaves.
 fn opposite_of_remainder(mut polynomial: Vec<Rational>, divisor: &[Rational]) -> Vec<Rational> {
     let leading = &divisor[divisor.len() - 1];
     while let Some(shift) = polynomial.len().checked_sub(divisor.len()) {
@@ -103,7 +101,6 @@ fn opposite_of_remainder(mut polynomial: Vec<Rational>, divisor: &[Rational]) ->
 mod tests {
     use super::*;
 
-    /// ∏(t − root), and whether it has a root in (0, 1].
     fn product(roots: &[(i64, i64)]) -> (Vec<Rational>, bool) {
         let mut product = vec![Rational::ONE];
         for (above, below) in roots {
@@ -148,7 +145,7 @@ mod tests {
         }
     }
 
-    /// (t − 1/3)² + δ has no root for δ > 0, and floats leave that open where δ is small.
+    /// For δ > 0, (t − 1/3)² + δ has no root; floats leave that open where δ is small.
     #[test]
     fn a_near_miss_is_no_root() {
         for (bits, is_open) in [(10, false), (70, true)] {

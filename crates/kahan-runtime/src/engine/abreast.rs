@@ -1,6 +1,7 @@
-//! The orbits of a group, side by side in registers, each with the bits that it has alone.
+//! Compiled steps of a group of orbits, in lanes of registers.
 //!
-//! In: the stages of each, as code. Out: points, or points with tangent vectors, one step later.
+//! In: the coded stages of each orbit. Out: points, with tangent vectors if asked for, some steps
+//! later, with the bits of single orbits.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,22 +13,20 @@ use super::coded::CodedStages;
 use super::floats::MachineFloat;
 use super::{Engine, in_turn};
 
-/// The code of the steps of a group, compiled when it is first asked for; `None` inside where steps
-/// cannot be compiled.
+/// The code of a group's steps, compiled at its first use; `None` inside where that fails.
 pub(crate) type AbreastOnce<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
-/// The steps of a group's orbits, or another line over their columns.
+/// Code over the columns of a group, with its constants.
 #[derive(Debug)]
 pub(crate) struct Abreast<T> {
     code: Arc<Sweep<T>>,
-    /// Those of the stages that differ, one after another, each for one register after another.
+    /// Constants by stage, then by register of lanes, then by place.
     constants: Vec<T>,
     stages: usize,
 }
 
 impl Engine {
-    /// The steps of orbits with these stages; `None` where they have no code in common. `workspace`
-    /// is used for the constants.
+    /// Returns the steps of orbits, if they share code; `workspace` gives memory to constants.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -42,9 +41,11 @@ impl Engine {
         Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// Steps of orbits with tangent vectors behind each point. `constants` are the parameters and ε
-    /// of each orbit, where the line of [`Object::Tangent`](super::Object) carries the vectors of a
-    /// step that has one stage; `None` where the stages are those of the variational field.
+    /// Returns the steps of orbits with tangent vectors behind each point.
+    ///
+    /// If `constants` (the parameters and ε of each orbit) are given, the line of
+    /// [`Object::Tangent`](super::Object) carries the vectors, and there is one stage. If they are
+    /// `None`, the stages are steps of the variational field.
     pub(crate) fn abreast_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -65,8 +66,7 @@ impl Engine {
         }))
     }
 
-    /// What writes the integrals of orbits behind their points; `constants` are the parameters and
-    /// ε of each.
+    /// Returns code that writes integrals behind points, from the parameters and ε of each orbit.
     pub(crate) fn integrals_abreast<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],
@@ -79,7 +79,7 @@ impl Engine {
 }
 
 impl<T: MachineFloat> Abreast<T> {
-    /// `constant` is that of a stage, a lane and a place.
+    /// Gathers constants; `constant` takes a stage, a lane and a place.
     fn of(
         code: Arc<Sweep<T>>,
         stages: usize,
@@ -98,14 +98,12 @@ impl<T: MachineFloat> Abreast<T> {
         Abreast { code, constants, stages }
     }
 
-    /// Replaces columns of a group by those one step later.
     pub(crate) fn step(&self, columns: &mut [Group<T>]) {
         let length = self.constants.len() / self.stages;
         let of_stage = |k: usize| &self.constants[k * length..][..length];
         in_turn(self.stages, |k| self.code.run(columns, of_stage(k), 1));
     }
 
-    /// Replaces columns of a group by those `steps` steps later.
     pub(crate) fn advance(&self, columns: &mut [Group<T>], steps: u64) {
         match self.stages {
             1 => self.code.run(columns, &self.constants, steps),
@@ -113,7 +111,6 @@ impl<T: MachineFloat> Abreast<T> {
         }
     }
 
-    /// The room of its constants.
     pub(crate) fn into_room(self) -> Vec<T> {
         self.constants
     }

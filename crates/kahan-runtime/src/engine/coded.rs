@@ -1,4 +1,7 @@
-//! The same by machine code, where there is some.
+//! Steps of single states by machine code.
+//!
+//! In: a kind of step, with the parameters and ε of each stage. Out: states some steps later. Where
+//! a guard refuses the result of code, the caller's interpreter repeats the steps.
 
 use std::sync::{Arc, OnceLock};
 
@@ -16,16 +19,15 @@ use super::distinct;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Scratch, with_scratch};
 
-/// Steps between two looks at the guard of code.
 pub(super) const GUARDED: u64 = 64;
 
-/// Machine code, once it was compiled; `None` in it if it cannot be compiled.
+/// Code, compiled at its first use; `None` inside if it cannot be compiled.
 type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a step as code, with the constants of those that differ, the middle one last.
+/// The stages of a step as code, with the constants of the distinct ones, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
-    /// The code of states, and that of states that carry what they lack.
+    /// The code of plain states, and that of states with rounding errors.
     codes: [Arc<CodeOnce<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
@@ -38,24 +40,22 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// The number of stages that differ, where all of these have the kind of this and as many.
+    /// Returns the number of distinct stages if all of `all` have this kind and number.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
         all.iter().all(is_like).then_some(count)
     }
 
-    /// Whether it is the loops of a dense field, which step one state at a time.
     pub(crate) fn has_loops(&self) -> bool {
         self.compiled().is_some_and(OrbitCode::has_loops)
     }
 
-    /// The code of states, if it was compiled.
     fn compiled(&self) -> Option<&OrbitCode<T::Word>> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field; `alone` makes the steps that they refuse.
+    /// Advances columns by the loops of a dense field; `alone` makes steps that the loops refuse.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],
@@ -65,8 +65,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// The code for `steps` more steps; with `carries` the one that carries what a state lacks.
-    /// `None` where it cannot be compiled, or compiling it does not pay yet.
+    /// Returns the code of `steps` further steps, with rounding errors if `carries`. `None` where
+    /// it cannot be compiled, or where compiling does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         if once.get().is_none() && !engine.codes.pay_after(steps, engine) {
@@ -80,9 +80,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         once.get_or_init(compile).as_deref()
     }
 
-    /// Advances a state by `steps` steps of `code`. A `carry` that is not empty holds the rounding
-    /// errors of the state, and is advanced with it. `interpret` takes the steps that the guard of
-    /// `code` refuses.
+    /// Advances a state by `steps` steps of `code`. A nonempty `carry` holds the rounding errors of
+    /// the state, and is advanced too. `interpret` repeats refused steps.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -101,9 +100,9 @@ impl<T: RuntimeFloat> CodedStages<T> {
         }
     }
 
-    /// Replaces a state by the one a step later at another ε, without an allocation. Returns
-    /// `false` and changes nothing where the code is not compiled, refuses steps, or is that of
-    /// another form of the step than the one at this ε.
+    /// Replaces a state by the next one at another ε, without allocating once the thread's scratch
+    /// has grown. Returns `false`, with nothing changed, where the code is not compiled, has a
+    /// guard, or has another form than the step at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,
@@ -135,8 +134,6 @@ impl<T: RuntimeFloat> CodedStages<T> {
         true
     }
 
-    /// Advances a state and its `carry` by `code`. Returns `false` and changes nothing where the
-    /// guard of `code` refuses the steps.
     fn has_advanced(&self, code: &OrbitCode<T::Word>, [state, carry]: [&mut [T]; 2], steps: u64) -> bool {
         if carry.is_empty()
             && !code.is_guarded()
@@ -145,7 +142,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The loops of dense fields work in the thread's scratch, too.
+        // The loops of dense fields borrow the thread's scratch too.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));
@@ -168,7 +165,6 @@ impl<T: RuntimeFloat> CodedStages<T> {
 }
 
 impl<T: MachineFloat> CodedStages<T> {
-    /// Writes the state one step later; `false` where there is no code, or a guard to look at.
     pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
         let Some(code) = self.compiled().filter(|code| !code.is_guarded()) else { return false };
         code.step(state, &self.constants, next);
@@ -177,7 +173,6 @@ impl<T: MachineFloat> CodedStages<T> {
 }
 
 impl Engine {
-    /// The stages of a composition by the loops of a dense field.
     fn looped_stages<T: RuntimeFloat>(&self, kind: StepKind, own: &[Vec<T>]) -> Option<CodedStages<T>> {
         let packed = |own: &Vec<T>| -> Option<Vec<T::Word>> {
             self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>())
@@ -187,8 +182,7 @@ impl Engine {
         Some(CodedStages::new(loops, kind, constants))
     }
 
-    /// The stages of a composition as code, where there is some and they are all of one form; `own`
-    /// are the parameters and ε of those that differ.
+    /// Returns the stages of a composition as code; `None` without code, or if their forms differ.
     pub(crate) fn coded_stages<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -206,7 +200,6 @@ impl Engine {
         };
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),
-            // Elimination takes the parameters and ε.
             None => own.iter().flat_map(|number| number.words()).collect(),
         };
         let constants = own.iter().map(&mut prepared).collect();

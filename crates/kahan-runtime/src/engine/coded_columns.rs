@@ -1,9 +1,8 @@
-//! Many trajectories by machine code: whole registers of them, tile by tile.
+//! Many trajectories by machine code, in tiles of whole registers.
 //!
-//! A tile stays in the nearest cache while all of its steps run, and its registers do not wait for
-//! each other. What is left after the last whole register goes through a register of its own,
-//! filled up with copies of the last trajectory. However the columns are divided, each trajectory
-//! goes through the same operations.
+//! In: columns, with ε and parameters. Out: the columns some steps later. A tile stays in the
+//! nearest cache while all of its steps run. The last register of trajectories is filled up with
+//! copies. The operations of a trajectory do not depend on the division into tiles.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -17,19 +16,16 @@ use super::floats::MachineFloat;
 use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
 
-/// Trajectories of a tile.
 const TILE: usize = 512;
-/// Bytes of a cache line. What lies across two takes two accesses.
+/// Bytes in a cache line; a load across two lines takes two accesses.
 const LINE: usize = 64;
-/// Bytes of a page.
 const PAGE: usize = 4096;
-/// Steps from which on it takes less to move a tile than to go on across lines.
+/// The number of steps from which copying a tile to aligned memory pays.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
-    /// Advances every trajectory by `steps` steps of a composition by code; `false` where there is
-    /// none. `set` says which instructions it has; `None` stands for the largest set of this
-    /// processor.
+    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` where
+    /// there is no code. `set` chooses the instructions; `None` means the processor's largest set.
     pub(crate) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -52,8 +48,6 @@ impl Engine {
         true
     }
 
-    /// Advances every trajectory by code that is guarded; the interpreter makes the steps of those
-    /// that the guard refuses.
     fn advance_guarded<T: MachineFloat>(
         &self,
         code: &ColumnsCode<T>,
@@ -93,7 +87,6 @@ impl Engine {
     }
 }
 
-/// Advances every trajectory by code; a guard of the code is one of the columns.
 fn run<T: MachineFloat>(
     code: &ColumnsCode<T>,
     columns: &mut Columns<'_, '_, T>,
@@ -148,8 +141,7 @@ fn run<T: MachineFloat>(
     });
 }
 
-/// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results
-/// back.
+/// Runs a tile on a copy in `workspace`, with columns aligned to cache lines.
 fn run_in_lines<T: MachineFloat>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,
@@ -157,8 +149,8 @@ fn run_in_lines<T: MachineFloat>(
 ) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
-    // A processor takes places that lie whole pages apart for the same at first, and a load waits
-    // for a store that went there. So columns begin at places spread over a page.
+    // Addresses with equal offsets in a page seem equal to a processor at first: a load would wait
+    // for a store to the other. Columns therefore begin at offsets spread over a page.
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;
@@ -176,18 +168,16 @@ fn run_in_lines<T: MachineFloat>(
     tile.iter_mut().zip(columns()).for_each(|(column, place)| column.copy_from_slice(&moved[place]));
 }
 
-/// The constants of the stages that differ, one stage after the other.
 struct Prepared<'a, T> {
     code: &'a ColumnsCode<T>,
     kind: StepKind,
     composition: Composition,
     constants: &'a mut Vec<T>,
-    /// Of one stage.
     length: usize,
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Those of so many registers of trajectories from this one on.
+    /// Prepares the constants of registers of trajectories from `first` on.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

@@ -1,8 +1,8 @@
-//! Many trajectories at once, a column a variable.
+//! Many trajectories side by side, one column for each variable.
 //!
-//! In: columns, and ε and parameters, one for all trajectories or one each. Out: the columns some
-//! steps later. Trajectories go side by side through the form of the step that ensembles or single
-//! orbits take; a step by elimination, which compares numbers, moves one after the other.
+//! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
+//! some steps later. Trajectories share registers, one lane each; a step that eliminates compares
+//! numbers, and advances one trajectory after the other.
 
 use core::ops::Range;
 
@@ -18,22 +18,20 @@ use super::scratch::{Local, Scratch, with_scratch};
 use super::step::{Step, Steps};
 use super::{Engine, distinct, in_turn};
 
-/// What is to be advanced.
 #[derive(Debug)]
 pub(crate) struct Columns<'a, 'b, T> {
-    /// Variable c of all trajectories: all of one length.
+    /// Column c: variable c of all trajectories.
     pub(crate) columns: &'a mut [&'b mut [T]],
-    /// One value, or one a trajectory.
+    /// One value, or one for each trajectory.
     pub(crate) eps: &'a [T],
-    /// For each parameter one value, or one a trajectory.
+    /// For each parameter one value, or one for each trajectory.
     pub(crate) parameters: &'a [&'a [T]],
 }
 
-/// A stretch of every column; few columns take no allocation.
+/// A range of rows of every column; up to 64 columns take no allocation.
 pub(super) type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
 
 impl<T> Columns<'_, '_, T> {
-    /// Hands over some trajectories of all columns, and `guard` as one column more.
     pub(super) fn with_part(
         &mut self,
         trajectories: &Range<usize>,
@@ -50,15 +48,13 @@ impl<T> Columns<'_, '_, T> {
     }
 }
 
-/// Of what is given once for all trajectories, or once each, or not at all, what these have.
+/// Returns the values of these trajectories, or the shared value.
 pub(crate) fn given<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a [T] {
     if values.len() > 1 { &values[trajectories.clone()] } else { values }
 }
 
-/// The most trajectories that go side by side.
 const LANES: usize = 8;
 
-/// One number of each trajectory of a register.
 #[inline(always)]
 fn gathered<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
     let mut numbers = [T::zero(); LANES];
@@ -68,7 +64,6 @@ fn gathered<T: MachineFloat, V: Lanes<T>>(number: impl Fn(usize) -> T) -> V {
     V::load(&numbers, 0)
 }
 
-/// The number of each trajectory of a register, in its place.
 #[inline(always)]
 fn scattered<T: MachineFloat, V: Lanes<T>>(register: V) -> [T; LANES] {
     let mut numbers = [T::zero(); LANES];
@@ -77,7 +72,6 @@ fn scattered<T: MachineFloat, V: Lanes<T>>(register: V) -> [T; LANES] {
 }
 
 impl Engine {
-    /// Advances every trajectory by `steps` interpreted steps of a composition.
     pub(crate) fn interpret_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -93,8 +87,7 @@ impl Engine {
         }
     }
 
-    /// The step that single orbits take; `None` where several of these ε, or stages of the
-    /// composition, take different ones.
+    /// Returns the kind of step of single orbits; `None` where they need different forms.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,
@@ -108,7 +101,7 @@ impl Engine {
         self.kind_at(kind, eps.iter().flat_map(each))
     }
 
-    /// The kind of steps at these ε; `None` where some take the general form and others do not.
+    /// Returns the kind of step at these ε; `None` where they need different forms.
     pub(super) fn kind_at<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -121,8 +114,7 @@ impl Engine {
     }
 }
 
-/// Advances the trajectories in groups of as many as go side by side; where the last are fewer,
-/// copies of the last one fill the group.
+/// Advances the trajectories in groups of `V::WIDTH`; copies of the last one fill the last group.
 pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),
     local: Local<V>,

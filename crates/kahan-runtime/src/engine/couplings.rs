@@ -1,4 +1,7 @@
-//! The tables of a field of many variables, as `kahan-core` runs them, on slices.
+//! The elimination of `kahan-core` for fields of many variables, over slices.
+//!
+//! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) along the couplings, and
+//! solutions. Where a pivot is too small, another elimination chooses pivots among sparse rows.
 
 use std::sync::OnceLock;
 
@@ -9,11 +12,10 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The fewest entries of A(x,ε) that are eliminated by panels of rows. Code is compiled for
-/// eliminations that take fewer operations than these do.
+/// The entries of A(x,ε) from which panels of rows are eliminated; compiled code has fewer.
 const FEWEST_IN_PANELS: usize = 16_000;
 
-/// Where A(x,ε) has entries.
+/// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
 #[derive(Debug)]
 pub struct Tables {
     order: Vec<u32>,
@@ -24,11 +26,10 @@ pub struct Tables {
     panels: OnceLock<Supernodes>,
 }
 
-/// What the tables are run in.
+/// Workspace for [`Tables`]: the entries of A, or its factors.
 #[derive(Clone, Debug)]
 pub struct Factors<V> {
     values: Vec<V>,
-    /// A row, or a right-hand side in the order of elimination.
     row: Vec<V>,
     panels: PanelWorkspace<V>,
 }
@@ -61,7 +62,7 @@ impl Tables {
         Couplings { order, rows, columns, blocks, places }
     }
 
-    /// A(x,ε), from the entries of f′, with room for the work of [`Couplings::eliminate`].
+    /// Fills in A(x,ε) from the entries of f′, and sizes the workspace of [`Couplings::eliminate`].
     fn filled<'a, V: Scalar>(&'a self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> Couplings<'a> {
         factors.values.resize(self.columns.len(), V::zero());
         factors.row.resize(self.order.len(), V::zero());
@@ -70,27 +71,24 @@ impl Tables {
         couplings
     }
 
-    /// Factors A(x,ε), from the entries of f′; `false` where a pivot is too small.
+    /// Factors A(x,ε) from the entries of f′; returns `false` where a pivot is too small.
     pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
         let couplings = self.filled(slopes, eps, factors);
         couplings.factor(&mut factors.values, &mut factors.row)
     }
 
-    /// Whether floats are eliminated by panels of rows.
     fn has_panels(&self) -> bool {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Whether entries of A that are negligible in their row count as 0, and pivots are chosen
-    /// among sparse rows. Blocks that are compiled have fewer variables, so that nothing else steps
-    /// these fields; those of dense fields have entries everywhere, and none decays.
+    /// Returns whether the matrix is sparse and large: entries of A that are negligible in their
+    /// row count as 0, and pivots are chosen among sparse rows. No generated code has as many
+    /// variables; entries of dense fields do not decay.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
     }
 
-    /// [`factor`](Self::factor) over a float of the machine, by its lanes where there are many
-    /// entries.
     pub(crate) fn factor_in_lanes<T: MachineFloat>(
         &self,
         slopes: &[T],
@@ -105,13 +103,13 @@ impl Tables {
         supernodes.factor(&couplings, self.are_sparse(), &mut factors.values, &mut factors.panels)
     }
 
-    /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than
-    /// [`LARGEST_FACTOR`] where [`factor`](Self::factor) finds a pivot too small; `None` where
-    /// nothing is eliminated. For each pivot there are two numbers: its largest factor, and the
-    /// largest quotient of an entry of its row by it. The result is the largest of the smaller ones
-    /// of these pairs. A pivot that is 0 leads to a solution that is not finite.
+    /// Factors A(x,ε) without a test of its pivots. Returns a number larger than [`LARGEST_FACTOR`]
+    /// where [`factor`](Self::factor) refuses a pivot; `None` where nothing is eliminated.
     ///
-    /// `size` is the magnitude of a number; `larger` and `smaller` choose one of two.
+    /// Each pivot has two numbers: its largest factor, and the largest quotient of an entry of its
+    /// row by the pivot. The result is the maximum over the pivots of the smaller number. A pivot
+    /// of 0 leads to a solution that is not finite. `size` gives a magnitude; `larger` and
+    /// `smaller` choose one of two.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -140,12 +138,11 @@ impl Tables {
         largest.into_iter().enumerate().filter_map(of_pivot).reduce(larger)
     }
 
-    /// Whether det A is negative.
     pub(super) fn has_negative_determinant(&self, factors: &Factors<f64>) -> bool {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces b by A⁻¹b. Of a matrix, row by row, its column; of a vector, the only one.
+    /// Replaces a column of b, a matrix with `width` columns by rows, by A⁻¹b.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,
@@ -156,13 +153,11 @@ impl Tables {
         self.in_order(factors, b, [width, column], |couplings, values, row| couplings.solve(values, row));
     }
 
-    /// Replaces b by A⁻ᵀb.
     pub(super) fn solve_transposed<V: Scalar>(&self, factors: &mut Factors<V>, b: &mut [V]) {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Brings a column of a matrix into the order of elimination, lets `solve` replace it, and
-    /// takes it back.
+    /// Lets `solve` replace a column of b, brought into the order of elimination.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,
@@ -181,13 +176,12 @@ impl Tables {
         }
     }
 
-    /// The rows and columns of the entries of f′, in their order.
     pub(super) fn entries(&self) -> Vec<(usize, usize)> {
         self.couplings().pairs().collect()
     }
 
-    /// Replaces b by A⁻¹b, or by A⁻ᵀb where that `is_transposed`, with pivots that are chosen in
-    /// each column, in the order of elimination; whether A is singular.
+    /// Replaces b by A⁻¹b, or by A⁻ᵀb if `is_transposed`. Columns are eliminated in the usual
+    /// order, with a pivot chosen for each. Returns whether A is singular.
     pub(super) fn solve_by_pivoting<V: Scalar + Copy>(
         &self,
         slopes: &[V],
@@ -219,7 +213,6 @@ impl Tables {
         is_singular
     }
 
-    /// f′(x), row by row, from its entries.
     pub(super) fn spread<V: Scalar + Copy>(&self, slopes: &[V], matrix: &mut Vec<V>) {
         let n = self.order.len();
         matrix.clear();

@@ -1,8 +1,8 @@
 //! The step of a dense field by loops over packed coefficients, with the bits of the interpreter.
 //!
-//! In: the numbers of a state, and of each stage the packed coefficients with ε behind them. Out:
-//! the numbers some steps later, and behind them a guard: it is infinite where the interpreter has
-//! to make the steps, since a number is not finite or a state is −0.
+//! In: the numbers of a state, and for each stage the packed coefficients and ε. Out: the numbers
+//! some steps later, and a guard. An infinite guard leaves the steps to the interpreter, since a
+//! number is not finite or a state is −0.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
@@ -21,27 +21,22 @@ use super::scratch::{Scratch, with_scratch};
 use super::step::add_quotient;
 use super::{Engine, in_turn};
 
-/// Steps of many trajectories between two looks at their pivots: those of a trajectory are repeated
-/// where one is refused.
+/// Steps between two checks of pivots; a refusal repeats the steps of one trajectory.
 const TOGETHER: u64 = 8;
 
 impl Engine {
-    /// The line of the coefficients of a dense field, from its parameters.
     fn coefficients(&self) -> Option<&Line> {
         let line = || Some(Line::of(self.derived.coefficients()?, &self.derived.system.field.symbols));
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Whether there are loops for steps of a kind: the field is dense, and the bits are those of
-    /// this build.
+    /// Returns whether loops serve these steps: dense field, one-word floats, this build's FMA.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")
             && self.derived.is_dense()
     }
 
-    /// The packed coefficients of a dense field, and ε behind them; `constants` are the parameters
-    /// and ε.
     pub(super) fn packed<T: MachineFloat>(&self, constants: &[T]) -> Option<Vec<T>> {
         let pack = |field: &[T]| {
             let mut packed = Vec::with_capacity(field.len() + field.len() / 4);
@@ -65,18 +60,17 @@ impl Engine {
     }
 }
 
-/// The float nearest to a number.
 fn nearest<T: MachineFloat>(number: &Rational) -> T {
     let (single, double) = match T::PRECISION {
         Precision::Single => (number.to_f32(), 0.0),
         _ => (0.0, number.to_f64()),
     };
-    // A float of one word is exact, so its lower parts are 0.
+    // A float of one word is exact: its lower parts are 0.
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances the numbers of a state, with a guard behind them, by steps of a dense field. Of each
-/// stage that differs `stages` has what [`Engine::packed`] gives, the middle one last.
+/// Advances a state and the guard behind it by steps of a dense field. `stages` holds the result of
+/// [`Engine::packed`] for each distinct stage, the middle one last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };
@@ -127,9 +121,9 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances columns by steps of a dense field, as many trajectories at once as a register holds.
-/// `stages` as for [`advance`]; `alone` makes the steps of trajectories whose pivots are too small,
-/// or that [`advance`] leaves to the interpreter.
+/// Advances columns by steps of a dense field, a register of trajectories at a time; `stages` as
+/// for [`advance`]. `alone` repeats the steps of trajectories whose pivots are too small, or that
+/// [`advance`] would leave to the interpreter.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],
@@ -139,7 +133,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
 ) {
     let (n, width) = (columns.len(), points::<T>());
     let trajectories = columns.first().map_or(0, |column| column.len());
-    // The steps that `alone` makes use the thread's scratch, too.
+    // `alone` borrows the thread's scratch too.
     let mut scratch = with_scratch(T::single(), std::mem::take);
     let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
     for first in (0..trajectories).step_by(width) {

@@ -1,15 +1,12 @@
-//! Elimination on slices: the operations of `kahan-core`'s in their order, for any number of
-//! variables.
+//! Elimination on slices: `kahan-core`'s operations in their order, for any number of variables.
 
 use kahan_core::Scalar;
 use kahan_core::num_traits::Zero;
 
 use crate::line::has_value;
 
-/// Replaces `b`, a matrix of `a`'s height and any width, by the solution X of A·X = B; `a` is used
-/// up. Both are row by row, A is n×n.
-///
-/// Whether A is singular, with a pivot that is exactly 0: the answer is then not finite.
+/// Replaces `b`, a matrix with n rows, by the solution X of A·X = B, and overwrites `a`. Both are
+/// row by row; A is n×n. Returns whether a pivot is exactly 0; X is then not finite.
 pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> bool {
     let width = b.len() / n;
     let mut is_singular = false;
@@ -18,7 +15,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
         swap_rows(a, n, k, row);
         swap_rows(b, width, k, row);
         is_singular |= a[k * n + k].is_zero();
-        // The pivot itself is not needed again: its reciprocal takes its place.
+        // The pivot itself is not read again: its reciprocal takes its place.
         let reciprocal = has_value(a[k * n + k].reciprocal());
         for i in k + 1..n {
             let factor = a[i * n + k] * reciprocal;
@@ -39,13 +36,12 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     is_singular
 }
 
-/// Replaces `b` by the solution x of A·x = b, where rows are lists of the entries that are not
-/// structurally 0, none of them empty, with their columns in order. A pivot is the first entry of
-/// the shortest row whose first entry is at most `most` times smaller than the largest one.
+/// Replaces `b` by the solution x of A·x = b; returns whether A is singular, with nonfinite x.
 ///
-/// Whether A is singular: the answer is then not finite.
+/// A row is a nonempty list of its entries with their columns, in ascending order. The pivot is in
+/// the shortest row with a leading entry at most `most` times smaller than the largest.
 pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
-    // The rows whose first entry is in each column.
+    // For each column the rows whose first entry it has.
     let mut beginning = vec![Vec::new(); rows.len()];
     for (r, row) in rows.iter().enumerate() {
         beginning[row[0].0].push(r);
@@ -85,7 +81,6 @@ pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: 
     is_singular
 }
 
-/// A row less a multiple of another.
 fn reduced<V: Scalar + Copy>(row: &[(usize, V)], upper: &[(usize, V)], factor: V) -> Vec<(usize, V)> {
     let (mut row, mut reduced) =
         (row.iter().copied().peekable(), Vec::with_capacity(row.len() + upper.len()));
@@ -100,14 +95,12 @@ fn reduced<V: Scalar + Copy>(row: &[(usize, V)], upper: &[(usize, V)], factor: V
     reduced
 }
 
-/// The determinant of an n×n matrix, row by row; the matrix is used up.
 pub(crate) fn determinant<V: Scalar + Copy>(a: &mut [V], n: usize) -> V {
     let mut determinant = V::one();
     eliminate(a, n, |pivot, flips| determinant = if flips { -determinant } else { determinant } * pivot);
     determinant
 }
 
-/// Whether the determinant of an n×n matrix, row by row, is negative; the matrix is used up.
 pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     let (mut is_negative, mut is_zero) = (false, false);
     eliminate(a, n, |pivot, flips| {
@@ -117,8 +110,7 @@ pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     is_negative && !is_zero
 }
 
-/// Eliminates below the diagonal, and shows each pivot up to the first that is 0, with whether rows
-/// were exchanged for it.
+/// Eliminates below the diagonal; `see` receives pivots, up to the first 0, and exchanges.
 fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);
@@ -135,7 +127,6 @@ fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, boo
     }
 }
 
-/// The row from k on that has the best pivot in column k.
 fn pivot_row<V: Scalar>(a: &[V], n: usize, k: usize) -> usize {
     let better =
         |best: usize, i: usize| if a[i * n + k].is_better_pivot(&a[best * n + k]) { i } else { best };
@@ -149,7 +140,6 @@ fn swap_rows<V>(matrix: &mut [V], width: usize, k: usize, row: usize) {
     }
 }
 
-/// Row i −= factor · row k, i being below k, from column `from` on.
 fn subtract_row<V: Scalar + Copy>(
     matrix: &mut [V],
     width: usize,
@@ -168,7 +158,7 @@ fn subtract_row<V: Scalar + Copy>(
 mod tests {
     use super::{solve, solve_sparse};
 
-    /// Numbers between −1 and 1 (D. E. Knuth's multiplier).
+    /// Returns a number between −1 and 1 (D. E. Knuth's multiplier).
     fn draw(seed: &mut u64) -> f64 {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 32) as f64 / f64::from(1_u32 << 31) - 1.0
@@ -181,7 +171,7 @@ mod tests {
             for density in [0.1, 0.3, 1.0] {
                 let mut matrix = vec![0.0; n * n];
                 for (place, entry) in matrix.iter_mut().enumerate() {
-                    // Some entries of the diagonal are 0: other rows have the pivots there.
+                    // Some diagonal entries stay 0, so that other rows have the pivots.
                     if place / n == place % n && place % 3 > 0 || draw(&mut seed).abs() < density {
                         *entry = draw(&mut seed);
                     }

@@ -1,4 +1,4 @@
-//! The floats that maps read at run time are stepped in, and how machine code takes them.
+//! The floats of maps read at run time, and the words by which machine code computes them.
 
 use core::cell::Cell;
 
@@ -14,27 +14,25 @@ use super::{Engine, Object};
 
 /// A float of states: `f32`, `f64`, or [`Dd`].
 pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Send + Sync {
-    /// The precision of states that hold all of its digits.
+    /// The precision of states that hold all digits of the float.
     #[doc(hidden)]
     const PRECISION: Precision;
 
-    /// The float that machine code computes it with.
+    /// The float by which machine code computes this one.
     #[doc(hidden)]
     type Word: MachineFloat;
 
-    /// The words of the number.
     #[doc(hidden)]
     fn words(self) -> impl Iterator<Item = Self::Word>;
 
-    /// The number with these words.
     #[doc(hidden)]
     fn from_words(words: &[Self::Word]) -> Self;
 
-    /// The words of numbers, in their place, where each is its only word.
+    /// Returns the numbers as words without a copy, if each is one word.
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Writes the results of an object; `false` where it has no code.
+    /// Evaluates an object by code; returns `false` where the object has no code.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -46,41 +44,38 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) as [`Tables::factor`] does.
+    /// Factors A(x,ε) by [`Tables::factor`], or in lanes.
     #[doc(hidden)]
     fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
     }
 
-    /// The scratch for one state.
+    /// Returns the scratch for one state.
     #[doc(hidden)]
     fn single() -> Local<Self>;
 
-    /// The scratch for derivatives along one direction.
+    /// Returns the scratch for derivatives along one direction.
     #[doc(hidden)]
     fn duals() -> Local<Dual<Self, 1>>;
 }
 
-/// Eight numbers as one scalar.
 type EightLanes<T> = Twice<Twice<Twice<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// The numbers of several states side by side: an instruction of a line is decoded once for
-    /// all of them.
+    /// Several states side by side as one scalar; each instruction is decoded once for all.
     #[doc(hidden)]
     type Abreast: Lanes<Self>;
 
-    /// Its codes among those of a field.
+    /// Returns the codes over this float.
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &CodesOf<Self>;
 
-    /// The scratch for several states side by side.
+    /// Returns the scratch for several states side by side.
     #[doc(hidden)]
     fn lanes() -> Local<Self::Abreast>;
 }
 
-/// A function that lends the scratch of this thread over a scalar.
 macro_rules! scratch {
     ($name:ident, $scalar:ty) => {
         fn $name() -> Local<$scalar> {

@@ -1,8 +1,7 @@
-//! What computes: every object of a field at a state that is a slice, by the plans of the field.
+//! Evaluation of every object of a field at a state, by the field's plans.
 //!
-//! In: plans, and numbers whose counts fit (whoever calls has seen to that). Out: numbers, with the
-//! bits of generated code. A plan is made ready when it is first asked for, and kept for all maps
-//! of the field. Here is the one place that knows how a plan is run.
+//! In: plans, and slices whose lengths the callers have checked. Out: numbers with the bits of
+//! generated code. Each plan is prepared at its first use, and kept for all maps of the field.
 
 mod abreast;
 mod coded;
@@ -53,15 +52,15 @@ pub enum Object {
     FieldJacobian,
     /// The integrals, in order.
     Integrals,
-    /// The density, where one is claimed.
+    /// The density, where the field claims one.
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
-    /// f(x) with the coefficients that the map has at ε.
+    /// f(x) with the map's coefficients at ε.
     FieldAtEps,
-    /// f′(x) with the coefficients that the map has at ε.
+    /// f′(x) with the map's coefficients at ε, row by row.
     FieldJacobianAtEps,
-    /// Q(x,y) + ½B(x+y) + c with the coefficients that the map has at ε.
+    /// Q(x,y) + ½B(x+y) + c with the map's coefficients at ε.
     PolarizedAtEps,
     /// A(x,ε), row by row.
     Matrix,
@@ -71,19 +70,19 @@ pub enum Object {
     Bilinear,
     /// Q(x,y) + ½B(x+y) + c
     Polarized,
-    /// det A, within the budget of terms.
+    /// det A(x,ε), within the budget of terms.
     DetMatrix,
-    /// The numerators, then the denominator, within the budget.
+    /// The numerators, then the denominator of x̃, within the budget of terms.
     RationalMap,
-    /// The same, where a factor that depends on states is divided out.
+    /// Numerators and denominator of x̃ without a common factor that depends on states.
     ReducedMap,
-    /// (∂x̃/∂x)·v where x̃ is known: the state is x, v, x̃ and as many numbers that nothing reads.
+    /// (∂x̃/∂x)·v for a known x̃. The state is x, v, x̃, and n further numbers that are not read.
     Tangent,
 }
 
 impl Object {
-    /// Its place among all objects of a field, of which brackets come last, and its plan: `None`
-    /// where the field has none, and for what is computed from others.
+    /// Returns the index among the objects of a field (brackets are last) and the plan. The plan is
+    /// `None` where the field lacks the object, and for objects computed from others.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
             Object::Field => (0, Some(derived.at_eps_zero().field())),
@@ -106,38 +105,34 @@ impl Object {
     }
 }
 
-/// The plans of a field, and what has been made of them.
+/// The plans of a field, with everything prepared from them so far.
 #[derive(Debug)]
 pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
-    /// Those of the objects, each in its place.
     lines: Vec<OnceLock<Option<Line>>>,
-    /// The integrals, each by itself.
+    /// A line for each integral, in which a division by zero has no value.
     single_integrals: OnceLock<Vec<Line>>,
-    /// The engines of the fields with derivatives, once they are asked for.
     sensitivities: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
-    /// From the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,
     /// The packed coefficients of a dense field without parameters, in `f32` and in `f64`.
     packed: [OnceLock<Box<dyn Any + Send + Sync>>; 2],
     pub(crate) codes: Codes,
 }
 
-/// A step of the map at one ε, with all that does not depend on the state.
+/// A step of the map at one ε, with its constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage<T> {
-    /// Whether it takes the general form of the step.
     is_general: bool,
     given: Vec<T>,
 }
 
-/// The coefficients of the stages that differ: those of a composition up to its middle.
+/// Returns γ₁, …, γₘ of a palindromic composition up to its middle.
 fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
     composition.coefficients().take(composition.stages() / 2 + 1)
 }
 
-/// Runs the stages of a composition in order, of which `distinct` differ.
+/// Runs the stages of a palindromic composition in order, given the number of distinct ones.
 #[inline(always)]
 pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
@@ -145,7 +140,6 @@ pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
 }
 
 impl Engine {
-    /// Derives the map.
     pub(crate) fn new(system: &System) -> Self {
         let derived = derive(system);
         let (objects, _) = Object::Bracket(derived.brackets.len()).entry(&derived);
@@ -161,12 +155,10 @@ impl Engine {
         }
     }
 
-    /// The number of variables.
     pub(crate) fn dimension(&self) -> usize {
         self.derived.system.field.dimension()
     }
 
-    /// The field with derivatives, a vector for each entry of `by`.
     pub(crate) fn sensitivities(&self, by: &[By]) -> Arc<Engine> {
         let mut known = self.sensitivities.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, engine)) = known.iter().find(|(own, _)| own == by) {
@@ -177,7 +169,6 @@ impl Engine {
         engine
     }
 
-    /// Returns the object that has the coefficients at ε in place of those at ε = 0.
     pub(crate) fn at_eps(&self, object: Object) -> Object {
         match object {
             _ if !self.derived.system.field.depends_on_eps() => object,
@@ -188,13 +179,11 @@ impl Engine {
         }
     }
 
-    /// The forms of the step.
     pub(crate) fn steps(&self) -> &Steps {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// The line of an object, which is made where there is none yet; `None` where the field has no
-    /// such object, and for what is computed from others.
+    /// Returns the line of an object; `None` if missing in the field, or computed from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
@@ -205,29 +194,24 @@ impl Engine {
         self.lines.get(place)?.get_or_init(line).as_ref()
     }
 
-    /// The number of places of objects.
     pub(crate) fn objects(&self) -> usize {
         self.lines.len()
     }
 
-    /// The line of an object that every field has.
     pub(crate) fn known_line(&self, object: Object) -> &Line {
         self.line(object).unwrap_or_else(|| unreachable!("every field has it"))
     }
 
-    /// The integrals, each by itself, where a division by zero may have no value.
     pub(crate) fn single_integrals(&self) -> &[Line] {
         let Derived { integrals, integral_names, system, .. } = &self.derived;
         let line = |k| Line::with_poles(&integrals.part(k..k + 1), &system.field.symbols);
         self.single_integrals.get_or_init(|| (0..integral_names.len()).map(line).collect())
     }
 
-    /// Steps, each prepared; `constants` are the parameters and ε of each.
     pub(crate) fn stages<T: RuntimeFloat>(&self, constants: &[Vec<T>]) -> Vec<Stage<T>> {
         with_scratch(T::single(), |scratch| constants.iter().map(|own| self.stage(own, scratch)).collect())
     }
 
-    /// A step, prepared; `constants` are the parameters and ε.
     pub(crate) fn stage<V: Scalar + Copy>(&self, constants: &[V], scratch: &mut Scratch<V>) -> Stage<V> {
         let is_general = self.steps().are_general(&split(constants).1);
         let mut given = Vec::new();
@@ -235,8 +219,7 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by `steps` interpreted steps of a kind. A `carry` that is not empty holds
-    /// the rounding errors of the state, and is advanced with it.
+    /// Advances a state by interpreted steps; a nonempty `carry` holds its rounding errors.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -251,7 +234,7 @@ impl Engine {
         });
     }
 
-    /// Whether a step from this state, which is used up, divides by a number that is exactly 0.
+    /// Returns whether a step from `state` divides by exactly 0; overwrites `state`.
     pub(crate) fn divides_by_zero<T: RuntimeFloat>(&self, stages: &[Stage<T>], state: &mut [T]) -> bool {
         let (kind, mut divides) = (StepKind::of(T::PRECISION, false), false);
         with_scratch(T::single(), |scratch| {
@@ -263,7 +246,6 @@ impl Engine {
         divides
     }
 
-    /// Runs `steps` steps of all stages, each in its own registers and by the kind of its form.
     #[inline(always)]
     pub(crate) fn run<V: Scalar + Copy>(
         &self,
@@ -290,8 +272,8 @@ impl Engine {
         }
     }
 
-    /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
-    /// left out, as is an object that the field has not.
+    /// Evaluates an object at a state; `constants` are the parameters and ε. Results beyond the
+    /// length of `out` are dropped; an object that the field lacks leaves `out` unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,
@@ -316,8 +298,8 @@ impl Engine {
         }
     }
 
-    /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
-    /// `constants` are the parameters and ε.
+    /// Writes ∂x̃/∂x of a step, row by row, from its parameters and ε. A straight line runs over
+    /// dual numbers; otherwise ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).
     fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();
@@ -337,7 +319,6 @@ impl Engine {
         }
     }
 
-    /// Whether det A(x,ε) is negative, by elimination; `constants` are the parameters and ε.
     pub(crate) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> bool {
         let along_couplings = self.steps().form(false).has_negative_determinant(constants, state);
         along_couplings.unwrap_or_else(|| {
@@ -347,7 +328,7 @@ impl Engine {
         })
     }
 
-    /// ∂x̃/∂c of a step, c being one of the constants, which are the parameters and ε.
+    /// Returns ∂x̃/∂c of a step for c = `constants[index]`; `constants` are the parameters and ε.
     pub(crate) fn by_constant<T: RuntimeFloat>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
         let mut extended: Vec<Dual<T, 1>> =
             constants.iter().map(|constant| Dual::from_value(*constant)).collect();
@@ -364,21 +345,20 @@ impl Engine {
     }
 }
 
-/// The parameters, and ε behind them.
 pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     let (eps, parameters) = constants.split_last().unwrap_or_else(|| unreachable!("there is an eps"));
     (parameters, *eps)
 }
 
-/// What integrals take: the parameters, and ε behind them. A composition of maps at several ε keeps
-/// the integrals of none of them, but nearly those of the flow: there ε is 0.
+/// Returns the constants of integrals: the parameters and ε. Compositions preserve no stage's
+/// integrals exactly, but nearly preserve those of the flow, at ε = 0.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };
     parameters.iter().copied().chain([eps]).collect()
 }
 
-/// The parameters, and behind them the ε of each stage that differs in its turn.
+/// Returns for each distinct stage the parameters and the stage's ε.
 pub(crate) fn stage_constants<T: RuntimeFloat>(
     kind: StepKind,
     constants: &[T],
@@ -389,7 +369,6 @@ pub(crate) fn stage_constants<T: RuntimeFloat>(
     distinct(&composition).map(stage).collect()
 }
 
-/// ∂x̃/∂x of a step that is a straight line, row by row, one direction after the other.
 pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     step: &Step,
     constants: &[V],

@@ -1,5 +1,7 @@
-//! The step of a field at any ε: a straight line where the plan has one, elimination where it has
-//! none.
+//! The step of a field at any ε, by a straight line or by elimination.
+//!
+//! In: a state, and registers opened with the constants of the step. Out: the next state. Whether
+//! compiled code does this work is decided elsewhere.
 
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::StepPlan;
@@ -15,11 +17,10 @@ use super::elimination::solve;
 use super::floats::RuntimeFloat;
 use super::scratch::Workspace;
 
-/// The forms of a step.
 #[derive(Debug)]
 pub(crate) struct Steps {
     first: Step,
-    /// For lanes, and where the first divides by ε for numbers and an ε that do not allow it.
+    /// The form for lanes, and for numbers or an ε that the division by ε in `first` excludes.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -36,39 +37,34 @@ impl Steps {
         }
     }
 
-    /// Whether single steps over V at this ε take the general form, rather than the first.
     pub(crate) fn are_general<V: Scalar>(&self, eps: &V) -> bool {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Whether generated code rounds the increments of a form over V before it adds them: it does
-    /// so in the form that floats take rarely.
+    /// Returns whether generated code rounds the increments of a form over V before adding them.
+    /// The general form does, in scalars that rarely take it.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
 
-    /// One of the two forms.
     pub(crate) fn form(&self, is_general: bool) -> &Step {
         self.general.as_ref().filter(|_| is_general).unwrap_or(&self.first)
     }
 
-    /// The form of dual numbers.
     pub(crate) fn of_duals(&self) -> &Step {
         self.form(self.divides_by_eps)
     }
 }
 
-/// One form of a step.
 #[derive(Debug)]
 pub(crate) struct Step {
-    /// What prepares the constants of a straight line; `None` where the step eliminates.
+    /// The line of a straight-line step's constants; `None` where the step eliminates.
     prepared: Option<Line>,
-    /// The lines of every state: the kernel of a straight line, else the entries of f′ that
-    /// `couplings` place, and the field.
+    /// The lines that read the state: the kernel, or else the entries of f′ and the field.
     lines: Vec<Line>,
     couplings: Option<Tables>,
-    /// For each component the places of its numerator and its reciprocal among what the step
-    /// computes. Elimination computes increments, which have no reciprocals.
+    /// For each component the indices of its numerator and its reciprocal in the outcome.
+    /// Elimination gives increments, without reciprocals.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -97,23 +93,20 @@ impl Step {
         }
     }
 
-    /// The lines of its constants and of its kernel, where it is a straight line.
     pub(crate) fn lines(&self) -> Option<[&Line; 2]> {
         Some([self.prepared.as_ref()?, &self.lines[0]])
     }
 
-    /// The line of the entries of f′ where the step eliminates, and where these stand.
     pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
-    /// Whether it compares numbers, which several side by side can't.
+    /// Returns whether several states can be stepped side by side: elimination compares numbers.
     pub(crate) fn has_lanes(&self) -> bool {
         self.prepared.is_some()
     }
 
-    /// Appends all that does not depend on the state to `given`. `constants` are the parameters and
-    /// ε, half the time step.
+    /// Appends everything that is independent of the state to `given`, from the parameters and ε.
     pub(crate) fn prepare<V: Scalar + Copy>(
         &self,
         constants: &[V],
@@ -126,12 +119,10 @@ impl Step {
         }
     }
 
-    /// How many registers the step takes.
     pub(crate) fn registers(&self) -> usize {
         self.lines.iter().map(Line::registers).sum()
     }
 
-    /// Appends the registers of the step, with what was prepared.
     pub(crate) fn open<V: Scalar + Copy>(&self, mut given: &[V], registers: &mut Vec<V>) {
         for line in &self.lines {
             let (own, rest) = given.split_at(line.given());
@@ -141,12 +132,13 @@ impl Step {
         }
     }
 
-    /// Advances a state by a step of a kind. A `carry` that is not empty holds the rounding errors of
-    /// the state, and is advanced by the operations of
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
-    /// each number once where a wider precision serves a state of single precision. A step that
-    /// eliminates factors A(x,ε) by `factor`, which is [`Tables::factor`] in all but programs that
-    /// are written for machine code; where it returns `false`, partial pivoting takes over.
+    /// Advances a state by one step.
+    ///
+    /// A nonempty `carry` holds the rounding errors of the state; it is advanced as in
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). The function
+    /// `single` rounds numbers of states that have single precision but are computed in double. A
+    /// step that eliminates factors A(x,ε) by `factor`: [`Tables::factor`] except when tracing a
+    /// program. If `factor` returns `false`, partial pivoting takes over.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -163,12 +155,10 @@ impl Step {
         }
     }
 
-    /// Whether the step that was computed here divides by a number that is exactly 0.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], workspace: &Workspace<V>) -> bool {
         if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { workspace.is_singular }
     }
 
-    /// What the kernel of a straight line reads; `constants` are the parameters and ε.
     pub(crate) fn prepared<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
@@ -177,22 +167,20 @@ impl Step {
         Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
-    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings; whether it could.
+    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings; returns `false` where that fails.
     pub(super) fn solves_columns<T: RuntimeFloat>(&self, constants: &[T], state: &[T], b: &mut [T]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
     }
 
-    /// Whether det A(x,ε) is negative, along the couplings; `None` where there are
-    /// none, or a pivot is too small.
+    /// Returns whether det A(x,ε) < 0; `None` without couplings, or where a pivot is too small.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
     }
 
-    /// The factors of A(x,ε) along the couplings; `None` where there are none, or a
-    /// pivot is too small.
+    /// Factors A(x,ε) along the couplings; `None` without couplings, or where a pivot is too small.
     fn factors<T: RuntimeFloat>(&self, constants: &[T], state: &[T]) -> Option<(&Tables, Factors<T>)> {
         let (slopes, tables) = self.couplings()?;
         let entries: Vec<T> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
@@ -201,7 +189,6 @@ impl Step {
         T::factor(tables, &entries, eps, &mut factors).then_some((tables, factors))
     }
 
-    /// x̃ − x, a component after the other.
     pub(super) fn increments<'a, V: Scalar + Copy>(
         &'a self,
         state: &[V],
@@ -212,7 +199,6 @@ impl Step {
         (0..self.quotients.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
-    /// Computes numerators and reciprocals. A step that eliminates factors A(x,ε) by `factor`.
     #[inline(always)]
     fn compute<V: Scalar + Copy>(
         &self,
@@ -233,7 +219,7 @@ impl Step {
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
         if !tables.are_sparse() {
-            // Workspace for partial pivoting, which may be wanted at a later step only.
+            // Reserves memory for partial pivoting, since later steps must not allocate.
             matrix.reserve(state.len() * state.len());
         }
         entries.clear();
@@ -252,7 +238,7 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// The factors of an increment, multiplied where increments are rounded.
+    /// Returns numerator and reciprocal of an increment, multiplied if `rounds`.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];
@@ -264,14 +250,12 @@ impl Step {
     }
 }
 
-/// Appends what the first registers of a line hold whatever the state.
 fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, given: &mut Vec<V>) {
     let start = given.len();
     given.resize(start + line.given(), V::zero());
     line.give(constants, &mut given[start..]);
 }
 
-/// A component of the next state.
 #[inline(always)]
 fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
     match reciprocal {
@@ -280,7 +264,7 @@ fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
     }
 }
 
-/// Adds an increment to a component and to what it lacks.
+/// Adds an increment to x, with the rounding error of x in `carry`.
 #[inline(always)]
 fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: &mut V) {
     let base = *x + *carry;
@@ -294,8 +278,7 @@ fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: 
     (*x, *carry) = (next, rest + lacks);
 }
 
-/// Adds an increment to a component of single precision, and keeps what that lacks in `carry`, if
-/// there is one.
+/// Adds an increment, computed in double, to a single-precision x; `carry` gets the rounding error.
 #[inline(always)]
 fn add_through_double<V: Scalar + Copy>(
     quotient: (V, Option<V>),
@@ -311,8 +294,7 @@ fn add_through_double<V: Scalar + Copy>(
     }
 }
 
-/// Adds an increment, given by its factors, to a component as a step of a kind does, and keeps
-/// what the component lacks in `carry`, if there is one.
+/// Adds an increment to x in the arithmetic of `kind`; `carry` receives the rounding error.
 #[inline(always)]
 pub(super) fn add_quotient<V: Scalar + Copy>(
     kind: StepKind,
@@ -330,7 +312,7 @@ pub(super) fn add_quotient<V: Scalar + Copy>(
     }
 }
 
-/// f′(x), row by row, becomes A(x,ε) = I − εf′(x).
+/// Replaces f′(x) by A(x,ε) = I − εf′(x), row by row.
 pub(crate) fn into_matrix<V: Scalar + Copy>(slopes: &mut [V], eps: V, n: usize) {
     for (place, entry) in slopes.iter_mut().enumerate() {
         let scaled = -(eps * *entry);

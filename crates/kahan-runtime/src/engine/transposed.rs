@@ -7,11 +7,10 @@ use super::couplings::{Factors, Tables};
 use super::elimination::solve;
 use super::floats::RuntimeFloat;
 
-/// A solver of A(x,ε)ᵀy = b for one field.
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
-    /// `None` for fields of few variables, whose step has no elimination along couplings.
+    /// `None` for fields whose step does not eliminate along couplings.
     tables: Option<&'a Tables>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,
@@ -19,7 +18,6 @@ pub(crate) struct Transposed<'a, T> {
 }
 
 impl Engine {
-    /// A solver of transposed systems.
     pub(crate) fn transposed<T>(&self) -> Transposed<'_, T> {
         let variables = self.dimension();
         let tables = self.steps().form(false).couplings().map(|(_, tables)| tables);
@@ -32,18 +30,17 @@ impl Engine {
 }
 
 impl<T: RuntimeFloat> Transposed<'_, T> {
-    /// The rows and columns of the entries of f′.
     pub(crate) fn entries(&self) -> &[(usize, usize)] {
         &self.entries
     }
 
-    /// A function that returns the index of ∂fᵢ/∂xⱼ among the entries.
+    /// Returns a function from i and j to the index of ∂fᵢ/∂xⱼ among the entries.
     pub(crate) fn places(&self) -> impl Fn(usize, usize) -> usize + use<T> {
         let places: HashMap<_, _> = self.entries.iter().copied().zip(0..).collect();
         move |i, j| places[&(i, j)]
     }
 
-    /// Replaces b by A⁻ᵀb, where A = I − εf′. If A is singular, b has entries that are not finite.
+    /// Replaces b by A⁻ᵀb, where A = I − εf′. For singular A, b has entries that are not finite.
     pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
         let n = self.variables;
         if let Some(tables) = self.tables {

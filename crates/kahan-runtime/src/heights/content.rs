@@ -1,21 +1,11 @@
-//! The content of a step: the common factor of X̃₁ … X̃_n and W̃, divided out so that numbers stay
-//! as short as they can.
+//! The content of a step, the greatest common divisor of X̃₁ … X̃_n and W̃, and its removal.
 //!
-//! *Integrable maps* live from it: two thirds of a step of dE4 are content. A gcd of such long
-//! numbers is the dearest part of a step, so it is predicted. Let γ be the factor of the step back,
-//! F₋(X) = γX₋ (F₋ the inverse map, X₋ the point before). A prime divides a content where the orbit
-//! modulo it meets a base point of the map, having been contracted a few steps earlier (singularity
-//! confinement); the orbit met a base point of the inverse map in between, so the same prime
-//! divides an earlier γ, always by the same number of steps: for dE4 the content of a step from X_n
-//! is γ_{n−1} up to a few digits. So the lags at which γ holds a good part of the content are
-//! learnt while numbers are short, and later gcd(γ, W̃) is tried first: γ costs one division, and
-//! the gcd is short where γ is little more than the content. A prediction decides nothing: exact
-//! divisions check it, and what it left is found by
-//! [`common_factors`](super::reduction::common_factors), on numbers that are short by then.
-//!
-//! *Other maps* have next to none, so the search stops after three finds in a row of less than one
-//! per cent of the digits. The little there is comes out all the same with the common factors that
-//! the heights need; if that is one per cent or more, the search begins again.
+//! Steps of integrable maps have a large content: two thirds of the digits of dE4. A gcd of such
+//! long numbers costs more than the rest of the step, so that [`Content`] predicts the content from
+//! earlier steps. Exact divisions check each prediction; what is left is found by
+//! [`common_factors`](super::reduction::common_factors), on numbers that are shorter by then. Steps
+//! of other maps have almost no content: the search stops after [`PATIENCE`] negligible finds in a
+//! row, and resumes when the common factors that heights need amount to one per cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -26,46 +16,47 @@ use super::integers::{bits, greatest_common_divisor, short_gcd};
 use super::map::Image;
 use super::reduction::in_halves;
 
-/// Finds less than one part in so many of the digits count as nothing.
+/// A content of less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
-/// So many such finds in a row end the search.
+/// The number of negligible finds in a row that ends the search.
 const PATIENCE: u32 = 3;
-/// From this many bits on a gcd costs clearly more than the division that a prediction takes.
+/// The number of bits from which a gcd costs clearly more than the division of a prediction.
 const WORTH_PREDICTING: usize = 1 << 13;
-/// From this many bits on a division is worth a thread.
 const WORTH_A_THREAD: usize = 1 << 17;
-/// The greatest lag that is tried.
 const LAGS: usize = 4;
 
-/// A point with hardly any content.
 #[derive(Clone, Debug)]
 pub(crate) struct Primitive {
-    /// X₁ … X_n and W.
     pub(crate) point: Vec<IBig>,
-    /// Numbers whose product is W; none where they are not known.
+    /// Factors of W, or none if they are unknown.
     pub(crate) weight_parts: Vec<IBig>,
 }
 
-/// What is known of the contents of an orbit.
+/// The predictor of contents along an orbit.
+///
+/// Let γ be the factor of the step back: F₋(X) = γX₋ for the inverse map F₋ and the point before,
+/// X₋. A prime divides a content where the orbit modulo that prime meets a base point of the map,
+/// after a contraction a few steps earlier (singularity confinement). In between, the orbit met a
+/// base point of the inverse map, so that the prime divides an earlier γ, always at one lag. For
+/// dE4 the content of a step from X_n is γ_{n−1} up to a few digits.
+///
+/// The lag is learnt while numbers are short. Later gcd(γ, W̃) is tried first: γ costs one
+/// division, and the gcd is fast where γ is little more than the content.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Content {
-    /// How many finds in a row were negligible.
     misses: u32,
     /// γ of the latest points, the latest first.
     behind: VecDeque<UBig>,
     /// The lag that predicts, once known.
     lag: Option<usize>,
-    /// Long steps for which nothing is predicted or learnt, and how many there will be after the
-    /// next failure.
+    /// Long steps still to pass without prediction, and their number after the next failure.
     pause: u32,
     next_pause: u32,
-    /// Whether the last step was predicted.
     was_predicted: bool,
 }
 
 impl Content {
-    /// Divides out what the search finds; then [`left`](Self::left) must be told of the rest.
-    /// `before` is the point before the one that was stepped, where there is one.
+    /// Divides out what is predicted or found; the caller reports the rest to [`left`](Self::left).
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -104,14 +95,13 @@ impl Content {
         }
     }
 
-    /// The lag whose γ holds most of a content that is worth it.
+    /// Learns the lag whose γ shares more than half of a content of some size.
     fn learn(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));
         self.lag = best.filter(|(_, share)| 2 * share > content.bit_len().max(64)).map(|(lag, _)| lag);
     }
 
-    /// Takes notice of the content that the search had left in a point of `size` bits.
     pub(crate) fn left(&mut self, content: &UBig, size: usize) {
         if !is_negligible(content, size) {
             self.misses = 0;
@@ -131,8 +121,8 @@ impl Content {
     }
 }
 
-/// γ = W₋/W from the W of the point before and the last coordinate of the step back; none where the
-/// point before had a content of its own that does not divide.
+/// Returns γ, the last coordinate of the step back divided by the W of the point before. `None` if
+/// a remainder is left, because the point before had a content of its own.
 fn factor_behind((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -142,12 +132,11 @@ fn is_negligible(content: &UBig, size: usize) -> bool {
     content.bit_len().saturating_mul(NEGLIGIBLE) < size
 }
 
-/// The number of bits of the longest.
 pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// The point divided by what γ and W̃ share; `None` where that is less than a quarter of γ.
+/// Returns the point divided by gcd(γ, W̃); `None` where the divisor is less than a quarter of γ.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
         return None;
@@ -162,8 +151,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// The quotients by a common divisor; a remainder if it is none. Long divisions are shared out
-/// between two threads.
+/// Returns the quotients by a common divisor, or a remainder; long divisions use two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

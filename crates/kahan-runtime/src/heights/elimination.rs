@@ -1,15 +1,14 @@
-//! Linear systems over ℤ without fractions (Bareiss): the numbers stay minors of the matrix.
+//! Linear systems over ℤ without fractions (Bareiss).
 
 use dashu_int::IBig;
 
-/// Solves M x = r for the n×(n+1) rows of (M | r): X₁ … X_n and W with xᵢ = Xᵢ/W, W = ± det M; all
-/// zeros where det M = 0. Every intermediate number is a minor of the rows, so it has no more than
-/// n times the digits of an entry.
+/// Solves M x = r for the n×(n+1) rows of (M | r). Returns X₁ … X_n and W with xᵢ = Xᵢ/W and
+/// W = ± det M, or zeros where det M = 0. All intermediate numbers are minors of the rows, with at
+/// most n times the digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;
     for k in 0..n {
-        // The shortest pivot keeps the products short.
         let candidates = (k..n).filter(|&i| !rows[i][k].is_zero());
         let Some(best) = candidates.min_by_key(|&i| super::integers::bits(&rows[i][k])) else {
             return vec![IBig::ZERO; n + 1];
@@ -20,13 +19,13 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
         for (i, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
             let factor = std::mem::take(&mut row[k]);
             for (entry, above) in row.iter_mut().zip(&pivot_row).skip(k + 1) {
-                // Most entries of a field with many variables are 0, and stay it.
+                // Most entries of a field with many variables are 0 and stay 0.
                 if entry.is_zero() && (factor.is_zero() || above.is_zero()) {
                     continue;
                 }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
-            // Above the diagonal the entries of earlier columns are this pivot now.
+            // Above the diagonal, the entries in earlier columns become this pivot.
             if i < k {
                 row[i] = pivot.clone();
             }
@@ -55,7 +54,7 @@ mod tests {
             let left: IBig = row.iter().zip(x).map(|(a, x)| a * x).sum();
             assert_eq!(left, &row[3] * weight);
         }
-        // By hand: the determinant of the matrix is 6.
+        // Computed by hand: the determinant is 6.
         assert_eq!(weight * weight, IBig::from(36));
     }
 

@@ -2,26 +2,25 @@
 
 use std::fmt;
 
-/// How heights grow with the number of steps.
+/// A class of growth of heights with the number of steps.
 ///
 /// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
-/// 1. *bounded*: N ≥ 4 and the second half holds no value above the greatest of the first half (a
-///    bounded orbit over ℚ is finite, so sooner or later it repeats itself, and this is so from
-///    then on).
+/// 1. *bounded*: N ≥ 4 and no value of the second half exceeds the greatest of the first half. (A
+///    bounded orbit over ℚ is finite, and therefore repeats itself in the end.)
 /// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values
-///    each, d₁, d₂, d₃ their first differences, s₁, s₂ their second ones; means over quarters make
-///    little of fluctuations. If all d are positive, with ρ = d₃/d₂: *linear* if 0.87 ≤ ρ ≤ 1.15
-///    (n: 1) and the least squares residual of a line in n is at most half that of a line in log n
-///    (else noise hides which it is; the other way round it is *logarithmic*); *logarithmic* if ρ <
-///    0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and 0.7 ≤
-///    s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and the differences of both orders
-///    grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
+///    each, d₁, d₂, d₃ their first differences, and s₁, s₂ their second ones. Means damp
+///    fluctuations. If all d are positive, with ρ = d₃/d₂:
+///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1) and the least squares residual of a line in n is at most
+///    half that of a line in log n, or *logarithmic* in the opposite case, since otherwise noise
+///    hides the class; *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n:
+///    0.81); *quadratic* if ρ > 1.15 and 0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and
+///    both orders of differences grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
 /// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and
 ///    within 5 % of each other.
 /// 4. *undecided* otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// The orbit is periodic, or a fixed point.
+    /// h_n bounded: the orbit is periodic, or a fixed point.
     Bounded,
     /// h_n ~ log n.
     Logarithmic,
@@ -31,13 +30,12 @@ pub enum Growth {
     Quadratic,
     /// log h_n ~ n: positive entropy, not integrable.
     Exponential,
-    /// Too few steps, or none of these.
+    /// Too few steps, or none of the other classes.
     Undecided,
 }
 
 impl Growth {
-    /// The class of h₁, h₂, … by the [rule](Growth). h₀ is not among them: initial data may be as
-    /// large as one likes.
+    /// Returns the class of h₁, h₂, … by the [rule](Growth), without h₀, which may be arbitrary.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();
@@ -51,7 +49,7 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
-    /// A line in n or in log n, where one of them is clearly the better.
+    /// Chooses between a line in n and a line in log n if one fits clearly better.
     fn of_lines(heights: &[f64]) -> Self {
         let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, f64::ln));
         if 2.0 * linear <= logarithmic {
@@ -92,8 +90,7 @@ impl Growth {
     }
 }
 
-/// The sum of squared residuals of the least squares line through the points (x(n), h_n), n = 1, 2,
-/// ….
+/// Returns the sum of squared residuals of the least squares line through (x(n), h_n), n = 1, 2, ….
 fn residual(heights: &[f64], x: impl Fn(f64) -> f64) -> f64 {
     let points: Vec<(f64, f64)> = (1..).zip(heights).map(|(n, &h)| (x(f64::from(n)), h)).collect();
     let count = points.len() as f64;

@@ -1,4 +1,4 @@
-//! Big integers: ℤ as an arithmetic for plans, and the ways in from and out to rationals.
+//! Big integers: ℤ as an arithmetic for plans, and conversions from and to rationals.
 
 use dashu_int::ops::{Abs, BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig, Word};
@@ -8,7 +8,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
-/// ℤ. A constant that is no integer has no value here, and nothing is divided.
+/// The arithmetic of ℤ. Constants that are not integers, and quotients, have no value.
 #[derive(Clone, Copy, Debug)]
 struct Integers;
 
@@ -28,7 +28,7 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// A square costs two thirds of a product, and a plan names the same step twice for it.
+    /// Squares if both operands are one number, at two thirds of the cost of a product.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }
@@ -46,24 +46,21 @@ impl Arithmetic for Integers {
     }
 }
 
-/// The values of polynomials at a point.
 pub(crate) fn values(plan: &Plan, point: &[IBig]) -> Vec<IBig> {
     let values =
         plan.evaluate(&Integers, |input| input.variable().map(|Variable(k)| point[usize::from(k)].clone()));
     values.into_iter().map(|value| value.expect("a polynomial divides by nothing")).collect()
 }
 
-/// The numerator of a rational in lowest terms, with its sign.
 pub(crate) fn numerator(value: &Rational) -> IBig {
     IBig::from_le_bytes(&value.numerator().to_signed_bytes_le())
 }
 
-/// The denominator of a rational in lowest terms.
 pub(crate) fn denominator(value: &Rational) -> UBig {
     UBig::from_le_bytes(&value.denominator().magnitude().to_bytes_le())
 }
 
-/// The rational p/q, reduced here; q is not zero.
+/// Returns p/q in lowest terms, for q ≠ 0.
 pub(crate) fn rational(numerator: &IBig, denominator: &IBig) -> Rational {
     let big = |value: &IBig| BigInt::from_signed_bytes_le(&value.to_le_bytes());
     let common = numerator.gcd(denominator);
@@ -73,7 +70,6 @@ pub(crate) fn rational(numerator: &IBig, denominator: &IBig) -> Rational {
     p.checked_div(&q).expect("a denominator is not zero")
 }
 
-/// The least common multiple of the denominators.
 pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> UBig {
     values.into_iter().fold(UBig::ONE, |multiple, value| {
         let denominator = denominator(value);
@@ -82,8 +78,8 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
     })
 }
 
-/// The greatest common divisor, 0 of nothing but zeros. The smallest two are taken first: what is
-/// left of the others modulo their divisor is no larger than that.
+/// Returns the greatest common divisor, 0 if all values are 0. Begins with the smallest two values:
+/// residues of the others are no larger than their divisor.
 pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
     let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
     values.sort_by_key(|value| bits(value));
@@ -98,7 +94,7 @@ pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a I
     common
 }
 
-/// gcd(a, b) for a ≠ 0, by one division first where b is the longer one.
+/// Returns gcd(a, b) for a ≠ 0, after one division if b is longer.
 pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
     if a.is_one() {
         return UBig::ONE;
@@ -110,7 +106,6 @@ pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
     if rest.is_zero() { a.clone() } else { a.gcd(rest) }
 }
 
-/// The number of bits of |a|; 0 of 0.
 pub(crate) fn bits(value: &IBig) -> usize {
     let words = value.as_sign_words().1;
     words.last().map_or(0, |top| words.len() * Word::BITS as usize - top.leading_zeros() as usize)

@@ -1,21 +1,20 @@
-//! Logarithms of big integers, good to the last digits of a double.
+//! Logarithms of big integers, accurate to the last digits of a double.
 //!
-//! log m = b·log 2 + log(m/2ᵇ) with b the number of bits, m/2ᵇ from the top 128 of them. For m <
-//! 2⁵³ the logarithm of the double itself is taken, so log 1 = 0. All parts have one sign, so
-//! nothing cancels.
+//! log m = b·log 2 + log(m/2ᵇ) for the number of bits b, with m/2ᵇ from the top 128 bits. For
+//! m < 2⁵³ the logarithm of the double is taken, so that log 1 = 0. Otherwise
+//! b ≥ 54, and the second term, between −log 2 and 0, cancels almost nothing of the first.
 
 use std::f64::consts::{LN_2, LN_10};
 
 use dashu_int::ops::BitTest;
 use dashu_int::{UBig, Word};
 
-/// The leading 32 bits of log 2: times a number below 2²¹ the product is exact, and within an ulp
-/// beyond.
+/// The leading 32 bits of log 2. Products with numbers below 2²¹ are exact.
 const LN_2_HIGH: f64 = f64::from_bits(LN_2.to_bits() & !0x1f_ffff);
-/// log 2 − [`LN_2_HIGH`]: the rest of the double, and what the double lacks.
+/// log 2 − [`LN_2_HIGH`], including the rounding error of the double `LN_2`.
 const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;
 
-/// log m, within an ulp; 0 for m = 0, as the height of 0 = 0/1 is 0.
+/// Returns log m within an ulp; 0 for m = 0, because 0 = 0/1 has the height 0.
 pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     let bits = m.bit_len();
     if bits <= 53 {
@@ -23,8 +22,7 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
         return if small == 0 { 0.0 } else { (small as f64).ln() };
     }
     let words = m.as_words();
-    // The top three words hold 128 bits whatever the leading zeros; a word is 64 bits here, and
-    // fewer do no harm.
+    // Three words of 64 bits hold 128 significant bits despite leading zeros.
     let fraction = words.iter().rev().take(3).enumerate().fold(0.0, |sum, (i, &word)| {
         let place = (words.len() - 1 - i) as i64 * i64::from(Word::BITS) - bits as i64;
         sum + word as f64 * (place as f64).exp2()
@@ -33,11 +31,10 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     bits * LN_2_HIGH + (bits * LN_2_LOW + fraction.ln())
 }
 
-/// The number of decimal digits of m > 0, from its logarithm.
+/// Returns the number of decimal digits of m > 0, from the logarithm of m.
 pub(crate) fn decimal_digits(m: &UBig, logarithm: f64) -> u64 {
     let digits = logarithm / LN_10;
-    // A logarithm this near to an integer could be on either side of it: then the power of ten
-    // decides.
+    // If the logarithm is so near to an integer that rounding matters, the power of ten decides.
     let nearest = digits.round();
     if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
         return digits.floor() as u64 + 1;

@@ -1,10 +1,9 @@
-//! Kahan's map on projective integers (X₁ : … : X_n : W), the point being xᵢ = σXᵢ/W.
+//! Kahan's map on projective integers (X₁ : … : X_n : W) for the point xᵢ = σXᵢ/W.
 //!
-//! A system, values of its parameters and ε go in; out comes a step without fractions. Where the
-//! map was reduced, its numerators and its denominator are homogenised with W and their
-//! coefficients cleared of denominators, once. Where it is beyond the budget of terms, A x̃ = b is
-//! solved by fraction-free elimination on integers. For a homogeneous field ε is scaled out (σ =
-//! 1/ε), as (x, ε) ↦ (λx, ε/λ) is a symmetry: then no power of ε enters the numbers.
+//! In: a system, values of its parameters, and ε. Out: a step without fractions. A map that was
+//! reduced is homogenised with W and cleared of denominators once. Beyond the budget of terms,
+//! fraction-free elimination solves A x̃ = b over ℤ. For a homogeneous field the symmetry
+//! (x, ε) ↦ (λx, ε/λ) scales ε out with σ = 1/ε, so that no power of ε enters the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -20,7 +19,7 @@ use super::integers::{
 };
 use super::split::Splits;
 
-/// A value of a parameter at which the field itself divides by zero, so that there is no map.
+/// An error: the field divides by zero at the values of its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
@@ -28,38 +27,37 @@ pub struct UndefinedField;
 #[derive(Clone, Debug)]
 pub struct ProjectiveMap {
     dimension: usize,
-    /// σ of xᵢ = σXᵢ/W.
     unit: Rational,
     formula: Formula,
 }
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// N₁ … N_n and D/m of the reduced map, homogeneous, with m the monomial in D; then the D of
-    /// the inverse map.
+    /// N₁ … N_n and D/m of the reduced map as forms, for the monomial m in D; then D of the
+    /// inverse.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
-    /// The n×n entries of A and then the n of b, homogeneous of degree one.
+    /// The n×n entries of A and the n entries of b, homogeneous of degree one.
     Elimination(Plan),
 }
 
-/// What a step gives before anything is divided out.
+/// The result of a step before its content is divided out.
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
-    /// X̃₁ … X̃_n and W̃; W̃ = 0 at a pole.
     pub(crate) point: Vec<IBig>,
-    /// Numbers whose product is W̃, as far as they are known.
+    /// Factors of W̃; none if they are unknown.
     pub(crate) weight_parts: Vec<IBig>,
-    /// The last coordinate of the inverse map at the same point, where that is reduced.
+    /// The last coordinate of the inverse map at the stepped point, where the map is reduced.
     pub(crate) weight_behind: Option<IBig>,
 }
 
 impl ProjectiveMap {
-    /// The map of `system` at these parameters (in their order) and ε, half the time step. The
-    /// values are put in *after* the map is reduced over ℚ(ε, parameters), as everywhere: a factor
-    /// that is common for these values only stays.
+    /// Prepares the map of `system` at these parameters, in their order, and ε, half the time step.
+    ///
+    /// The values are substituted *after* the reduction over ℚ(ε, parameters), as everywhere: a
+    /// factor that is common only at these values stays.
     ///
     /// # Errors
-    /// Where a parameter makes the field divide by zero.
+    /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
     /// # Panics
     /// If the number of parameters is not that of the system.
@@ -67,7 +65,6 @@ impl ProjectiveMap {
         Self::of(system, RationalMap::of(&system.field).as_ref(), parameters, eps)
     }
 
-    /// The same with the map as polynomials, where it is within the budget of terms.
     pub(crate) fn of(
         system: &System,
         map: Option<&RationalMap>,
@@ -101,13 +98,12 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields with coefficients free of ε, else 1.
+    /// Returns σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields with coefficients free of ε, else 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit
     }
 
-    /// The projective integers of a point, without a common factor.
     pub(crate) fn point(&self, x: &[Rational]) -> Vec<IBig> {
         let scale = self.unit.recip().expect("1/ε or 1 is not zero");
         let scaled: Vec<Rational> = x.iter().map(|x| x * &scale).collect();
@@ -117,13 +113,12 @@ impl ProjectiveMap {
         point
     }
 
-    /// The coordinates of a point with W ≠ 0, in lowest terms.
     pub(crate) fn coordinates(&self, point: &[IBig]) -> Vec<Rational> {
         let Some((weight, x)) = point.split_last() else { return Vec::new() };
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// One step; the content is not divided out, or only in part. `factors` are the gcd(Xᵢ, W).
+    /// Makes one step, and divides out at most part of the content; `factors` are the gcd(Xᵢ, W).
     /// Cost: a few products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
@@ -152,7 +147,6 @@ impl ProjectiveMap {
     }
 }
 
-/// A field at values of its parameters and of ε.
 struct Values<'a> {
     field: &'a Field,
     parameters: &'a [Rational],
@@ -160,7 +154,6 @@ struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// The polynomial in the states alone.
     fn put_into(&self, polynomial: &Polynomial) -> Polynomial {
         let symbols = &self.field.symbols;
         let at_eps = polynomial.substitute(symbols.epsilon(), &self.eps);
@@ -170,7 +163,7 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d as forms of one degree.
+    /// Returns xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d, as forms of one degree.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;
@@ -184,8 +177,7 @@ impl Values<'_> {
         self.homogeneous(&forms, degree)
     }
 
-    /// The entries of A row by row and then those of b, as forms of degree one; each row with
-    /// coprime integers.
+    /// Returns the entries of A, row by row, and of b as forms of degree one, each row coprime.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {
@@ -198,8 +190,7 @@ impl Values<'_> {
         entries
     }
 
-    /// The polynomials as forms of this degree in the states and W, multiplied by one number so
-    /// that their coefficients are integers without a common factor.
+    /// Returns the polynomials as forms in the states and W, scaled to coprime integers.
     fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
         let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
         let multiple = IBig::from(common_denominator(coefficients()));
@@ -217,7 +208,6 @@ impl Values<'_> {
     }
 }
 
-/// The variable of W: the one behind the states, which are all that is left.
 fn weight(dimension: usize) -> Variable {
     Variable(u16::try_from(dimension).expect("states are numbered by 16 bits"))
 }

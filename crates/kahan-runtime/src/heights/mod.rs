@@ -2,9 +2,8 @@
 //!
 //! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of
 //! an integrable map over ℚ it grows polynomially, otherwise in general exponentially.
-//! [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map, from any rational
-//! initial data; [`Growth`] classifies a sequence of them; [`Survey`] is the
-//! whole test in one call.
+//! [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map from rational initial
+//! data; [`Growth`] classifies them; [`Survey`] is the whole test in one call.
 //!
 //! ```
 //! use kahan_algebra::rational::Rational;
@@ -18,10 +17,6 @@
 //! assert_eq!(survey.growth, Growth::Exponential);
 //! assert!((survey.entropy - 2.0_f64.ln()).abs() < 0.01);
 //! ```
-//!
-//! Inside: [`map`](ProjectiveMap) puts numbers into the reduced map and clears denominators once;
-//! the content of each step is divided out; the gcds that heights need are taken; logarithms come
-//! from leading bits.
 
 mod content;
 mod elimination;

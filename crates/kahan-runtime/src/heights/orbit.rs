@@ -12,10 +12,10 @@ use super::map::{ProjectiveMap, UndefinedField};
 use super::reduction::common_factors;
 use super::report::{Heights, Stop};
 
-/// The heights h(x₀), h(x₁), … of an exact orbit of Kahan's map; x₀ first.
+/// An iterator over the heights h(x₀), h(x₁), … of an exact orbit of Kahan's map.
 ///
-/// The orbit goes over projective integers without a common factor. It ends at a pole or at a
-/// bound on digits, and [`stopped`](Self::stopped) says which; nothing panics on the way.
+/// Points are projective integers without a common factor. The orbit ends at a pole or at a bound
+/// on digits; [`stopped`](Self::stopped) says which.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -32,19 +32,18 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point, its gcd(Xᵢ, W), and the point before.
+    /// The current point; then its gcd(Xᵢ, W), and the point before.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
     content: Content,
-    /// The greatest number of decimal digits of a height's integer.
     max_digits: Option<u64>,
     step: Option<usize>,
     stopped: Option<Stop>,
     bits: Bits,
 }
 
-/// How long the point before and the current one are, once there are both.
+/// The bits of the point before and of the current one; 0 before there are two points.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bits {
     before: usize,
@@ -58,11 +57,11 @@ impl Bits {
 }
 
 impl HeightsOrbit {
-    /// The orbit of `system` from `start` at these parameters (in their order) and ε, half the time
-    /// step. Parameters are put in after the map is reduced.
+    /// Begins the orbit of `system` from `start` at these parameters, in their order, and ε, half
+    /// the time step. Parameters are substituted after the reduction of the map.
     ///
     /// # Errors
-    /// Where a parameter makes the field divide by zero.
+    /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
     /// # Panics
     /// If the number of coordinates or of parameters is not that of the system.
@@ -90,39 +89,38 @@ impl HeightsOrbit {
         }
     }
 
-    /// The same orbit, as far as no numerator or denominator has more decimal digits.
+    /// Ends the orbit before a numerator or denominator of more than `max_digits` decimal digits.
     #[must_use]
     pub fn within_digits(self, max_digits: u64) -> Self {
         HeightsOrbit { max_digits: Some(max_digits), ..self }
     }
 
-    /// Why the orbit ended; `None` while it has not.
+    /// Returns why the orbit ended; `None` while it continues.
     #[must_use]
     pub fn stopped(&self) -> Option<Stop> {
         self.stopped
     }
 
-    /// The map.
+    /// Returns the map.
     #[must_use]
     pub fn projective_map(&self) -> &ProjectiveMap {
         &self.map
     }
 
-    /// The point whose heights were yielded last (x₀ before any), in lowest terms. Costs a gcd and
-    /// two divisions a component, and a conversion to the integers of [`Rational`].
+    /// Returns the point whose heights were yielded last (at first x₀), in lowest terms. Cost: a
+    /// gcd and two divisions for each component, and a conversion to the integers of [`Rational`].
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.map.coordinates(&self.point)
     }
 
-    /// The same point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W with σ =
-    /// [`ProjectiveMap::unit`].
+    /// Returns the current point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W
+    /// for σ = [`ProjectiveMap::unit`].
     #[must_use]
     pub fn projective_point(&self) -> &[IBig] {
         &self.point
     }
 
-    /// The next point; the reason if there is none within the bound.
     fn advance(&mut self) -> Result<Heights, Stop> {
         let Some(step) = self.step else {
             let (weight, x) = self.point.split_last().ok_or(Stop::Pole)?;
@@ -155,8 +153,7 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Whether the bound leaves room for the next step, whose image is expected to grow as the last
-    /// one did.
+    /// Returns an error if the next step, growing like the last, would exceed the bound on digits.
     pub(super) fn foresee(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -165,8 +162,7 @@ impl HeightsOrbit {
         }
     }
 
-    /// How much longer the next step is likely to take than the last: time goes with the square of
-    /// the digits, which is what the longest gcds take.
+    /// Estimates the time of the next step relative to the last, as the squared growth of digits.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)
     }
@@ -189,13 +185,12 @@ impl Iterator for HeightsOrbit {
     }
 }
 
-/// The heights of a point with W ≠ 0, from the gcd(Xᵢ, W).
 fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -> Heights {
     let weight = point.last().map(UnsignedAbs::unsigned_abs).expect("W stands last");
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // With X/W in lowest terms, σX/W with σ = s/t still shares gcd(s, W)·gcd(t, X).
+        // For X/W in lowest terms and σ = s/t, σX/W still shares gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);
@@ -205,7 +200,7 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     Heights { step, logarithms, digits }
 }
 
-/// The common divisor of the gcd(Xᵢ, W), the shortest first.
+/// Returns the common divisor of the gcd(Xᵢ, W), beginning with the shortest.
 fn common_of(factors: &[UBig]) -> UBig {
     let mut factors: Vec<&UBig> = factors.iter().collect();
     factors.sort_by_key(|factor| factor.bit_len());

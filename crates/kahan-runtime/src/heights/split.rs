@@ -1,15 +1,10 @@
-//! A step from a point some of whose coordinates share most of W.
+//! A faster step from points of which some coordinates share most of W.
 //!
-//! Where a component is a short fraction beside long ones (x of dE7 has four digits, z ten
-//! thousand), its Xᵢ and W are a long common factor g times short numbers: Xᵢ = g aᵢ, W = g b. A
-//! form N of degree d is then Σ gʲ Nⱼ(a, b, the other coordinates), Nⱼ the part of degree j in the
-//! short ones: a few long products are left of it, and the least j of all forms is divided out for
-//! nothing.
-//!
-//! After that every part is a multiple of g but those of degree 0, so what these share with g is
-//! content too. For dE7 they are multiples of y², whose denominator squared is nearly all of W: but
-//! for a few digits g is content, and the gcd that finds it is quick, because Euclid's algorithm
-//! ends after as many steps as the quotients by the gcd have digits.
+//! If a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand),
+//! its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of gʲ Nⱼ,
+//! with Nⱼ the part of degree j in the short coordinates. Few long products remain, and the least j
+//! of all forms is divided out at no cost. The gcd of g with the parts of degree 0 is content too:
+//! for dE7 it is g up to a few digits, and fast to find, since the quotients are short.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -18,36 +13,32 @@ use kahan_algebra::poly::Polynomial;
 
 use super::integers::{bits, short_gcd, values};
 
-/// Below this many bits of W a split gains nothing.
+/// The number of bits of W from which a split pays.
 const LONG: usize = 1 << 12;
 
-/// The forms of a map, and what is known of their splits.
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
-    /// N₁ … N_n, D.
     forms: Vec<Polynomial>,
-    /// The split that was used last: an orbit changes it seldom.
+    /// The split used last; an orbit seldom changes it.
     last: Option<Split>,
 }
 
 #[derive(Clone, Debug)]
 struct Split {
-    /// Which coordinates are short multiples of g, W among them.
+    /// Which coordinates, including W, are short multiples of g.
     is_short: Vec<bool>,
-    /// The nonzero parts of all forms, one form after the other.
+    /// The nonzero parts of all forms, form by form.
     plan: Plan,
-    /// The degree in the short coordinates of each part, less the least degree of all; form by
-    /// form.
+    /// The degree of each part in the short coordinates, minus the least degree; form by form.
     degrees: Vec<Vec<usize>>,
 }
 
 impl Splits {
-    /// Nothing is split before it is asked for.
     pub(crate) fn of(forms: Vec<Polynomial>) -> Self {
         Splits { forms, last: None }
     }
 
-    /// The image of a point, its content in part divided out; `None` where no component is short.
+    /// Returns the image of a point, partly without content; `None` without a short component.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -90,8 +81,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // The quotients by g of the parts of degree 0, and the remainders; all else remains of the
-        // others.
+        // Quotients and remainders of the parts of degree 0 by g; other parts count as remainders.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };
@@ -100,7 +90,6 @@ impl Split {
         let parts: Vec<(IBig, IBig)> = parts.map(divided).collect();
         let lowest = parts.iter().zip(degrees()).filter(|(_, j)| **j == 0).map(|((_, rest), _)| rest);
         let content = lowest.fold(g.clone(), |content, rest| short_gcd(&content, &rest.unsigned_abs()));
-        // gʲ/content for j > 0.
         let highest = degrees().copied().max().unwrap_or(0).max(1);
         let powers = std::iter::successors(Some(g / &content), |power| Some(power * g));
         let powers: Vec<UBig> = powers.take(highest).collect();

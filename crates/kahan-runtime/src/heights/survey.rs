@@ -1,4 +1,4 @@
-//! The whole test: the heights of an orbit, their growth, its entropy.
+//! The Diophantine test on one orbit: heights, growth, entropy.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -7,17 +7,17 @@ use super::growth::Growth;
 use super::orbit::HeightsOrbit;
 use super::report::{Heights, Stop};
 
-/// What the Diophantine test finds on one orbit.
+/// The results of the Diophantine test on one orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
     /// The heights of x₀, x₁, …, as far as the orbit went.
     pub heights: Vec<Heights>,
-    /// The class of the component that is largest at the end.
+    /// The class of growth of the component that rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step for that component if growth is exponential, else 0. As n
-    /// grows it tends to the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
+    /// log(h_n/h_{n−1}) at the last step of the largest component if growth is exponential, else 0.
+    /// The limit is the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
     pub entropy: f64,
-    /// Why the orbit ended before all steps were done.
+    /// The reason why the orbit ended before the last step; `None` if it did not.
     pub stopped: Option<Stop>,
 }
 
@@ -27,10 +27,11 @@ impl Survey {
         Survey::within(orbit, steps, f64::INFINITY, &|| None, |_| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit for `steps` steps, or until the clock shows so many seconds: before each
-    /// step its time is estimated from the last one's, so that none begins that is likely to end
-    /// late. Where the clock shows nothing, no step is late. `each` sees the heights as they come,
-    /// h(x₀) first, and may end the orbit, too.
+    /// Follows an orbit for `steps` steps, or until the clock shows `seconds`.
+    ///
+    /// The time of each step is estimated from the last one, and a step that would probably end
+    /// late is not begun. If `clock` returns `None`, no step counts as late. `each` receives the
+    /// heights as they come, h(x₀) first, and may end the orbit.
     pub fn within(
         orbit: &mut HeightsOrbit,
         steps: u64,
@@ -43,7 +44,7 @@ impl Survey {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // A bound on digits ends an orbit alike on every machine, so it comes before the time.
+            // The bound on digits, equal on every machine, is tested before the time.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.foresee().is_ok();
             if step > 0 && (is_late || !goes_on) {
@@ -64,16 +65,16 @@ impl Survey {
         Survey { heights, growth, entropy, stopped: stopped.or(orbit.stopped()) }
     }
 
-    /// h(xᵢ) of component `i` at n = 0, 1, ….
+    /// Returns h(xᵢ) of component `i` at n = 0, 1, ….
     ///
     /// # Panics
-    /// If there is no such component.
+    /// If the index is out of range.
     #[must_use]
     pub fn component(&self, i: usize) -> Vec<f64> {
         series(&self.heights, i)
     }
 
-    /// The component with the greatest height at the last step, the first of equals.
+    /// Returns the component with the greatest height at the last step, the first of equals.
     #[must_use]
     pub fn largest(&self) -> usize {
         largest(&self.heights)
@@ -89,8 +90,7 @@ fn largest(heights: &[Heights]) -> usize {
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
 }
 
-/// The component that rises most from h₁ on: a tall one that hardly moves says nothing of the
-/// growth.
+/// Returns the component that rises most from h₁ on, for the class of growth.
 fn steepest(heights: &[Heights]) -> usize {
     let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
     let rise = |i: usize| last.logarithms[i] - first.logarithms[i];

@@ -1,26 +1,25 @@
-//! A number of variables that is known at run time, as a type.
+//! A system read at run time, in one type for up to [`LARGEST_DIMENSION`] variables.
 //!
-//! One type serves all: what is generic over maps is compiled for the most variables, and smaller
-//! systems are [padded](Interpreted::padded). A type for every number of variables would take eight
-//! times as long to compile, and a step is interpreted line by line, so it is no slower among
-//! variables that stand still.
+//! Generic code is compiled for the most variables; smaller systems are padded by variables that
+//! stay constant ([`Map::as_padded_kahan_map`]). One type for each number of variables would take
+//! eight times as long to compile. Interpreted steps are not slowed by the padding.
 
 use kahan_core::Scalar;
 
 use super::Interpreted;
 use crate::Map;
 
-/// The most variables that a system read at run time may have where a type is needed.
+/// The most variables of a system read at run time that is used as a [`Padded`] type.
 pub const LARGEST_DIMENSION: usize = 8;
 
-/// A system read at run time among [`LARGEST_DIMENSION`] variables; made by
+/// A system read at run time, padded to [`LARGEST_DIMENSION`] variables; made by
 /// [`Map::as_padded_kahan_map`].
 pub type Padded<T> = Interpreted<T, LARGEST_DIMENSION>;
 
-/// More variables than there is a type for.
+/// An error: the field has more variables than [`LARGEST_DIMENSION`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnsupportedDimension(
-    /// The variables.
+    /// The number of variables.
     pub usize,
 );
 
@@ -38,8 +37,8 @@ impl core::fmt::Display for UnsupportedDimension {
 impl core::error::Error for UnsupportedDimension {}
 
 impl Map {
-    /// The map as a [`KahanMap`](kahan_core::KahanMap) over any scalar, in a type that holds
-    /// whatever number of variables is supported: those beyond its own stand still.
+    /// Returns the map over any scalar, as a [`KahanMap`](kahan_core::KahanMap) padded to
+    /// [`LARGEST_DIMENSION`] variables; the added variables stay constant.
     ///
     /// # Errors
     /// [`UnsupportedDimension`] beyond [`LARGEST_DIMENSION`].

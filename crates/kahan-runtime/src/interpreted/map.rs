@@ -1,5 +1,7 @@
-//! An interpreted system as a Kahan map: every object by its program, or from the field where that
-//! is beyond the budget of terms.
+//! [`KahanMap`] for an interpreted system.
+//!
+//! In: a state, and ε. Out: every object of the map by its program, or by matrices computed from
+//! the field where the program is beyond the budget of terms.
 
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -17,13 +19,11 @@ use crate::line::Line;
 
 use super::{Interpreted, InterpretedStep};
 
-/// The values, and 0 for each variable that stands still.
 fn vector<T: Scalar, const N: usize>(mut values: impl Iterator<Item = T>) -> SVector<T, N> {
     SVector::from_fn(|_, _| values.next().unwrap_or_else(T::zero))
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// A line whose results are numerators and the denominator behind them.
     fn fraction(&self, line: &Line, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
         self.run(line, x.as_slice(), eps, |results| {
             let numerators = results.iter().len() - 1;
@@ -31,12 +31,10 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
-    /// Evaluates an object whose value is a vector.
     fn vector_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         self.run(self.engine.known_line(object), x.as_slice(), eps, |results| vector(results.iter()))
     }
 
-    /// Evaluates an object whose value is a matrix.
     fn slopes_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let own = self.variables().len();
         self.run(self.engine.known_line(object), x.as_slice(), eps, |entries| {
@@ -44,7 +42,6 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
-    /// Evaluates an object of two points whose value is a vector.
     fn vector_of_two(&self, object: Object, points: [&SVector<T, N>; 2], eps: &T) -> SVector<T, N> {
         let own = self.variables().len();
         let mut entries: SmallVec<[T; 16]> = SmallVec::new();

@@ -1,10 +1,9 @@
-//! A system read at run time as a map over any scalar: the traits of generated code, without
-//! generated code.
+//! A system read at run time as a map over any scalar, with the traits of generated code.
 //!
-//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap)
-//! with the bits of the code that the macro would have written for it, so that everything that is
-//! generic over maps (orbits, compositions, the step with a promise) takes fields from the command
-//! line too. It runs the same plans in the same order, several times as slowly.
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of the code
+//! that the macro would generate for it. Everything generic over maps (orbits, compositions, the
+//! step with a promise) thereby takes fields from the command line. The plans are run in the
+//! generated code's order, several times as slowly.
 
 mod dimension;
 mod map;
@@ -30,7 +29,7 @@ pub use step::InterpretedStep;
 /// A system read at run time, over the scalar T in N variables; made by
 /// [`Map::as_kahan_map`](crate::Map::as_kahan_map).
 ///
-/// Copies share their field. Two are equal where they share it and have equal parameters.
+/// Clones share their field. Two systems are equal if they share it and have equal parameters.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -53,7 +52,7 @@ pub struct Interpreted<T, const N: usize> {
 }
 
 impl<const N: usize> Interpreted<BigRational, N> {
-    /// The system over another scalar, each parameter rounded once from its exact value.
+    /// Returns the system over another scalar, with each parameter rounded once.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
         self.extend_scalars(|parameter: &BigRational| round(&Rational::from(parameter.clone())))
@@ -61,13 +60,12 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// The map at these parameters, at which the field is defined; N is no less than its number of
-    /// variables.
+    /// Wraps the map at parameters where the field is defined, in at least its number of variables.
     pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
 
-    /// What a step of the generated code costs.
+    /// Returns the cost of a step of the generated code.
     #[must_use]
     pub fn cost(&self) -> StepCost {
         let of_plan = |plan::StepCost { operations, divisions, critical_path }| StepCost {
@@ -85,30 +83,30 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         }
     }
 
-    /// The same system at other parameters, in their order. Where the field divides by zero at
-    /// them, a float step is not finite and an exact one panics.
+    /// Returns the system at other parameters, in their order. If the field divides by zero there,
+    /// a float step is not finite and an exact one panics.
     ///
     /// # Panics
-    /// If they are not as many as before.
+    /// If the number of parameters differs.
     #[must_use]
     pub fn with_parameters(&self, parameters: &[T]) -> Self {
         assert_eq!(parameters.len(), self.parameters.len(), "a system has as many parameters as it declares");
         Self::of(&self.engine, parameters.into())
     }
 
-    /// The names of the state variables, in order.
+    /// Returns the names of the state variables, in order.
     #[must_use]
     pub fn variables(&self) -> &[String] {
         &self.engine.derived.system.field.symbols.states
     }
 
-    /// The names of the integrals that the block claims without `when`, in order.
+    /// Returns the names of the integrals that the block claims without `when`, in order.
     pub fn integral_names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.engine.derived.integral_names.iter().map(String::as_str)
     }
 
-    /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero
-    /// there in an exact scalar.
+    /// Returns the integrals at x, where ε, half the time step, is `eps`. `None` stands for an
+    /// integral that divides by zero at x in an exact scalar.
     pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
         let value = |line: &Line| {
             let mut registers = Registers::new();
@@ -118,7 +116,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.engine.single_integrals().iter().map(value).collect()
     }
 
-    /// x̃ − x along the couplings; `None` where there are none, and where a pivot is too small.
+    /// Returns x̃ − x along the couplings; `None` without couplings, or where a pivot is too small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
         let mut velocity = self.list(self.engine.known_line(self.engine.at_eps(Object::Field)), state, eps);
@@ -127,24 +125,21 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())
     }
 
-    /// The factors of A(x,ε) along the couplings, and where they stand.
     fn factors(&self, state: &[T], eps: &T) -> Option<(&Tables, Factors<T>)> {
         let (slopes, tables) = self.engine.steps().form(false).couplings()?;
         let mut factors = Factors::default();
         tables.factor(&self.list(slopes, state, eps), eps, &mut factors).then_some((tables, factors))
     }
 
-    /// The results of a line.
     fn list(&self, line: &Line, state: &[T], eps: &T) -> Vec<T> {
         self.run(line, state, eps, |results| results.iter().collect())
     }
 
-    /// The parameters and ε.
     fn constants<'a>(&'a self, eps: &'a T) -> impl Iterator<Item = T> + use<'a, T, N> {
         self.parameters.iter().chain([eps]).cloned()
     }
 
-    /// What is seen of the results of a line; ε is anything where the line does not read it.
+    /// Runs a line and lets `see` read its results; ε may be anything if the line does not read it.
     ///
     /// # Panics
     /// For exact scalars, at a division by zero.
@@ -155,11 +150,10 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     }
 }
 
-/// The registers of a run. So many are on the stack; a line that needs more allocates them at once.
+/// The registers of a run: up to 64 are on the stack; a line that needs more allocates once.
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// So many of them, as a slice: whether they are on the stack is asked here, and not for each
-/// operand.
+/// Resizes the registers, and returns a slice: the place of the memory is tested only here.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

@@ -9,25 +9,24 @@ use crate::line::has_value;
 
 use super::{Interpreted, Registers, sized};
 
-/// The step of an [`Interpreted`] system at one ε: its constants, and the kernel they belong to.
+/// The step of an [`Interpreted`] system at one ε: its constants and its kernel.
 ///
-/// Its `COST` is that of elimination, since a type cannot know what was read at run time:
-/// [`Interpreted::cost`] knows.
+/// The associated `COST` is that of elimination, because a type cannot depend on the system;
+/// [`Interpreted::cost`] returns the cost of the system.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
     eps: T,
-    /// Whether it takes the general form of the step.
     is_general: bool,
-    /// What the kernel's registers hold whatever the state.
+    /// The registers of the kernel that are independent of the state.
     kept: Arc<[T]>,
 }
 
 impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
-    /// Runs what depends on ε and the parameters alone.
+    /// Computes the constants from ε and the parameters.
     ///
     /// # Panics
-    /// Where the parameters make the field divide by zero, for exact scalars.
+    /// For exact scalars, where the field divides by zero at the parameters.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
         let is_general = map.engine.steps().are_general(&eps);
         let kept = match map.engine.steps().form(is_general).lines() {
@@ -64,7 +63,7 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         registers[..self.kept.len()].clone_from_slice(&self.kept);
         let results = kernel.run(registers, x.as_slice())?;
         let quotient = |i: usize| step.quotients.get(i).copied();
-        // A step read at run time can have several reciprocals.
+        // A step read at run time may have several reciprocals.
         Some(Quotients::over_several(
             from_fn(|i| quotient(i).map_or_else(T::zero, |(numerator, _)| results.get(numerator))),
             from_fn(|i| Some(results.get(quotient(i)?.1?))),

@@ -1,7 +1,7 @@
 //! A family at one ε, for chains of one length.
 //!
-//! In: a state, site by site, arrays interleaved. Out: the next one in its place, and what is kept.
-//! All memory of a step is taken here, before the first one, or is the caller's.
+//! In: a state, site by site, with the arrays interleaved. Out: the next state in its place, linear
+//! integrals and the modified energy. Steps use memory allocated beforehand, or the caller's.
 
 use std::sync::Arc;
 
@@ -17,9 +17,9 @@ use crate::{DimensionError, ParameterError};
 use super::read::Read;
 use super::{Code, LatticeError};
 
-/// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
+/// The map of a family at a fixed ε, half the time step, for chains with a fixed number of sites.
 ///
-/// A state is site by site, arrays interleaved. A step allocates nothing.
+/// A state lists site by site the value of each array. [`step`](Self::step) allocates nothing.
 #[derive(Debug)]
 pub struct ChainAt {
     code: Arc<Code>,
@@ -73,52 +73,53 @@ impl ChainAt {
         Ok(ChainAt { code: Arc::clone(&code), at })
     }
 
-    /// The chain, its steps on another level; `None` if this processor lacks it. A level decides
-    /// the last bits of long chains, as those of columns.
+    /// Returns the chain with steps on another level; `None` if the processor lacks the level.
+    /// Levels differ in the last bits of long chains.
     #[must_use]
     pub fn at_level(self, level: Level) -> Option<Self> {
         Some(ChainAt { at: self.at.at_level(level)?, ..self })
     }
 
-    /// How many numbers a state has: as many a site as there are arrays.
+    /// Returns the number of entries of a state: sites times arrays.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.at.sites() * self.code.sizes.block
     }
 
-    /// One step, x ↦ x̃, in place; at a pole the numbers are not finite.
+    /// Replaces x by x̃, one step; at a pole the numbers are not finite.
     ///
     /// # Errors
-    /// A state of another length.
+    /// [`DimensionError`] for a state of another length.
     pub fn step(&mut self, state: &mut [f64]) -> Result<(), DimensionError> {
         self.check(state)?;
         self.at.step(state);
         Ok(())
     }
 
-    /// The linear integrals, in order.
+    /// Returns the linear integrals, in order.
     ///
     /// # Errors
-    /// A state of another length.
+    /// [`DimensionError`] for a state of another length.
     pub fn integrals(&self, state: &[f64]) -> Result<Vec<f64>, DimensionError> {
         self.check(state)?;
         Ok(self.at.integrals(state))
     }
 
-    /// H(x), which the flow keeps and the map does not; `None` without a Hamiltonian.
+    /// Returns H(x), which the flow preserves and the map does not; `None` without a Hamiltonian.
     ///
     /// # Errors
-    /// A state of another length.
+    /// [`DimensionError`] for a state of another length.
     pub fn hamiltonian(&self, state: &[f64]) -> Result<Option<f64>, DimensionError> {
         self.check(state)?;
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map keeps where H is of degree three at most;
-    /// `None` without a Hamiltonian. Cost: one step, as x̃ − x = 2ε A⁻¹ f, and a copy of the state.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves for H of degree 3 at
+    /// most. `None` without a Hamiltonian. Cost: one step, since x̃ − x = 2ε A⁻¹ f, and a copy of
+    /// the state.
     ///
     /// # Errors
-    /// A state of another length.
+    /// [`DimensionError`] for a state of another length.
     pub fn modified_energy(&mut self, state: &[f64]) -> Result<Option<f64>, DimensionError> {
         self.check(state)?;
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.modified_energy(state)))
@@ -129,8 +130,7 @@ impl ChainAt {
     }
 }
 
-/// In memory of the workspace's, so that any number of threads can share a chain. A state of
-/// another length panics here, as dimensions of nalgebra do.
+/// Steps in the workspace's memory, for threads that share a chain; panics for a wrong length.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

@@ -1,29 +1,29 @@
-//! Why there is no chain of so many sites.
+//! Errors for sites and parameters that a chain cannot have.
 
 use core::fmt;
 
 use crate::ParameterError;
 
-/// Sites and parameters that a chain cannot have.
+/// An error in the sites, ε or parameters of a chain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LatticeError {
-    /// A chain has at least one site.
+    /// The number of sites is 0.
     NoSites,
-    /// The values are not those of the parameters.
+    /// A parameter is unknown, missing, given twice, or not finite, or the field divides by zero.
     Parameter(
-        /// What is wrong with them.
+        /// The error in the parameters.
         ParameterError,
     ),
     /// ε is not a finite number.
     Eps,
     /// A parameter has too few or too many numbers.
     Values {
-        /// Its name.
+        /// The name of the parameter.
         name: String,
-        /// How many it has.
+        /// The number of its values.
         found: usize,
-        /// How many sites there are; `None` for a parameter that a chain has once.
+        /// The number of sites; `None` for a parameter of the whole chain.
         sites: Option<usize>,
     },
 }

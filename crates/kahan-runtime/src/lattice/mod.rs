@@ -1,10 +1,9 @@
-//! Families that are read at run time, as maps of chains of any number of sites.
+//! Families read at run time, as maps of chains of any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! values of the parameters. Out: steps that cost what the couplings cost, in `f64`. The line of a
-//! site is interpreted, for many sites at once, and all else is done by the solver of compiled
-//! families. Chains have the bits of the macro's, but for long ones of a shape that the solver's
-//! [`Menu`] lacks: these are eliminated as a whole, and not in parts.
+//! and parameters. Out: steps in `f64`. The lines of a site are interpreted for many sites at once;
+//! the solver is that of compiled families. Bits are those of the macro's code, except for long
+//! chains of a shape that the solver's [`Menu`] lacks, which are not eliminated in parts.
 
 mod at;
 mod error;
@@ -28,28 +27,25 @@ use program::{Numbering, Program};
 pub use at::ChainAt;
 pub use error::LatticeError;
 
-/// A family of equations, ready for chains of any number of sites.
-///
-/// Copies share all that is made of it.
+/// A family of equations, ready for chains of any number of sites. Clones share their programs.
 #[derive(Clone, Debug)]
 pub struct Lattice {
     code: Arc<Code>,
 }
 
-/// The straight lines of a site.
 #[derive(Debug)]
 struct Code {
     family: Family,
     boundary: core::Boundary,
-    /// From the parameters of the chain and ε to the constants that are prepared.
+    /// From the parameters of the chain and ε to the prepared constants.
     constants: Line,
-    /// The constants behind them, which the lines write out.
+    /// Numbers of the equations, placed behind the prepared constants.
     literals: Vec<Literal>,
-    /// The field, an array a result, then the rows of A.
+    /// The field, one result for each array, then the rows of A.
     rows: Program,
     /// The densities of the integrals, then that of the Hamiltonian.
     sums: Program,
-    /// The entries of A that are not zero for every state.
+    /// The structurally nonzero entries of A.
     entries: Vec<usize>,
     sizes: Sizes,
 }
@@ -100,50 +96,49 @@ impl Code {
 }
 
 impl Lattice {
-    /// The lattice of a family, whose claims are taken as they are.
+    /// Prepares the lattice of a family; the claims of the family are not proved again.
     #[must_use]
     pub fn of(family: &Family) -> Self {
         Lattice { code: Arc::new(Code::of(family)) }
     }
 
-    /// The arrays, in their order within a site.
+    /// Returns the names of the arrays, in their order within a site.
     #[must_use]
     pub fn arrays(&self) -> &[String] {
         &self.code.family.arrays
     }
 
-    /// The parameters that a chain has.
+    /// Returns the names of the parameters of the whole chain.
     #[must_use]
     pub fn parameters(&self) -> &[String] {
         &self.code.family.parameters
     }
 
-    /// The parameters that each site has.
+    /// Returns the names of the parameters of each site.
     #[must_use]
     pub fn site_parameters(&self) -> &[String] {
         &self.code.family.site_parameters
     }
 
-    /// The names of the linear integrals, in order.
+    /// Returns the names of the linear integrals, in order.
     #[must_use]
     pub fn integrals(&self) -> Vec<&str> {
         self.code.family.integrals.iter().map(|sum| sum.name.text.as_str()).collect()
     }
 
-    /// The name of the Hamiltonian, if there is one.
+    /// Returns the name of the Hamiltonian, if there is one.
     #[must_use]
     pub fn hamiltonian(&self) -> Option<&str> {
         self.code.family.hamiltonian.as_ref().map(|sum| sum.name.text.as_str())
     }
 
-    /// The map at this ε, half the time step, for chains of so many sites, with all memory that its
-    /// steps need.
+    /// Prepares the map at ε, half the time step, for chains of `sites` sites.
     ///
-    /// `values` are pairs of a parameter's name and its numbers, in any order: one number, or for a
-    /// parameter of each site as many as there are sites.
+    /// `values` pairs each parameter's name with its numbers, in any order. A parameter of the
+    /// chain has one number; a parameter of sites has one number, or one for each site.
     ///
     /// # Errors
-    /// [`LatticeError`] for no sites, and for values that are not those of the parameters.
+    /// [`LatticeError`] for no sites, an ε that is not finite, and wrong parameters.
     ///
     /// ```
     /// use kahan_runtime::{FieldText, Lattice};
@@ -165,7 +160,7 @@ impl Lattice {
         ChainAt::new(Arc::clone(&self.code), eps, sites, values)
     }
 
-    /// The chain of the time step Δt = 2ε; see [`at`](Self::at).
+    /// Prepares the map at the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// # Errors
     /// See [`at`](Self::at).

@@ -1,9 +1,8 @@
-//! The straight line of a site, run over one scalar or for several gathered sites at once.
+//! The straight-line program of a site, run over one scalar or for several gathered sites at once.
 //!
-//! In: the plan of a line. Out: its results in the first registers. The operations and their order
-//! are the plan's, so the bits are those of a compiled family. Over lanes an instruction is decoded
-//! once for [`ROOM`] numbers, those of several sites one behind the other; it is compiled once, and
-//! not into each kernel that asks for lines.
+//! In: the plan of a line. Out: its results, in the first registers. The operations and their order
+//! are the plan's, so that bits equal those of a compiled family. Over lanes an instruction is
+//! decoded once for [`ROOM`] numbers of consecutive sites.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -13,18 +12,16 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The numbers of an operand for which an instruction is run. This is a multiple of the lanes of
-/// every level. Decoding costs little beside it, and the nearest cache holds the registers.
+/// The numbers for which an instruction is decoded once, a multiple of the lanes of every level.
 const ROOM: usize = 128;
 
-/// A line whose results, and with them whose registers, have places.
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// How many registers results stand in, the first ones; no other value is put there.
+    /// The number of results, in the first registers; no other value is stored there.
     results: usize,
     registers: usize,
-    /// Arrays and parameters a site.
+    /// The arrays of a site; `parameters` are those of a site.
     block: usize,
     parameters: usize,
     reach: usize,
@@ -33,16 +30,15 @@ pub(super) struct Program {
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     kind: Kind,
-    /// The register of the result, which is no operand's.
+    /// The register of the result, which differs from all operands.
     to: usize,
-    /// As many as the kind takes; the last stands for those behind it.
+    /// The operands; a kind that takes fewer than three repeats its last one.
     operands: [Operand; 3],
-    /// Where they stand among the numbers of gathered sites.
+    /// The operands' positions in the memory of gathered sites.
     places: [Place; 3],
 }
 
-/// Where the numbers of an operand begin, counted from the first number of all: a distance in
-/// numbers, and to be added to it one in registers of the lanes that sites are gathered in.
+/// The offset of an operand: `numbers`, plus `registers` times the width of the sites' lanes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     numbers: usize,
@@ -62,8 +58,7 @@ enum Kind {
     SubtractProduct,
 }
 
-/// A number that is read: a constant, an entry of `x` or of `c`, a register. Sites are counted from
-/// the first one that the line sees.
+/// An operand; sites count from the first one that the stencil reads.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Constant(usize),
@@ -72,19 +67,17 @@ enum Operand {
     Register(usize),
 }
 
-/// The numbers that sites see, and constants: lines that are run one after another share them.
 pub(super) struct Numbering<'a> {
     pub(super) symbols: &'a Symbols,
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// How many constants are prepared; literals stand behind them.
+    /// The number of prepared constants; literals follow them.
     pub(super) prepared: usize,
 }
 
 impl Program {
-    /// The line of a plan whose results are put into these registers, all below `results`; adds its
-    /// literals.
+    /// Compiles a plan with results in the registers `places`, all below `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
@@ -131,7 +124,7 @@ impl Program {
             });
             program.put(kind, to, operation.operands().map(|operand| values[operand.0]));
             values.push(Operand::Register(to));
-            // Registers whose values are read no more; an operand may stand there twice.
+            // Frees registers after their last use; both operands may be one register.
             for operand in operation.operands().filter(|operand| last_use[operand.0] == k) {
                 if let Operand::Register(register) = values[operand.0]
                     && register >= results
@@ -146,7 +139,7 @@ impl Program {
                 program.put(Kind::Copy, place, [values[node.0]].into_iter());
             }
         }
-        // Constants stand behind all registers.
+        // Constants follow all registers, whose number is known only now.
         for k in 0..program.instructions.len() {
             program.instructions[k].places =
                 program.instructions[k].operands.map(|operand| program.place(operand));
@@ -162,9 +155,9 @@ impl Program {
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
-    /// Where an operand stands: registers come first, each [`ROOM`] numbers; what sites see is
-    /// next, each array and each parameter by itself, so that one site further is one register of
-    /// the lanes further; constants are last, each `ROOM` numbers, too.
+    /// Returns the position of an operand. Registers come first, [`ROOM`] numbers each; then
+    /// inputs, one array or parameter after the other, so that the next site is one register of
+    /// lanes further; then constants, `ROOM` numbers each.
     fn place(&self, operand: Operand) -> Place {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * ROOM, 0),
@@ -175,22 +168,20 @@ impl Program {
         Place { numbers, registers }
     }
 
-    /// Where the numbers of an array begin or, counted on, of a parameter.
+    /// Returns the offset of an array or, with indices from `block` on, of a parameter of sites.
     fn array(&self, index: usize) -> usize {
         self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
     }
 
-    /// The room that gathered sites take, in registers of the widest lanes.
+    /// Returns the memory for gathered sites, in registers of the widest lanes.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
 
-    /// How many scalars a run computes in.
     pub(super) fn registers(&self) -> usize {
         self.registers
     }
 
-    /// Runs the line over one scalar.
     pub(super) fn run<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L]) {
         for Instruction { kind, to, operands, .. } in &self.instructions {
             let at = |k: usize| match operands[k] {
@@ -213,7 +204,7 @@ impl Program {
         }
     }
 
-    /// The line of the next of some gathered sites; computes those of the sites behind it, too.
+    /// Returns the line of the next gathered site, from lines computed for several sites at once.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -242,7 +233,6 @@ impl Program {
         line
     }
 
-    /// Computes the lines of as many sites as there is room for, from the next one on.
     fn compute<L, const C: usize>(&self, gathered: &mut Gathered<'_, f64, L, C>, width: usize) {
         let Gathered { constants, x, c, level, site, .. } = *gathered;
         let numbers = &mut *gathered.registers;
@@ -250,7 +240,7 @@ impl Program {
             for (k, constant) in constants.iter().enumerate() {
                 numbers[self.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
             }
-            // A result that no instruction writes is zero for every state.
+            // Results that no instruction writes are zero for every state.
             numbers[..self.results * ROOM].fill(0.0);
         }
         let sites = ROOM / width;
@@ -260,8 +250,8 @@ impl Program {
 }
 
 impl Numbering<'_> {
-    /// Where an input stands: parameters of sites are one after the other among the states of
-    /// symbols, and site by site among what lines are given.
+    /// Returns the operand of an input. Symbols number the parameters of sites parameter by
+    /// parameter, behind the states; operands number them site by site.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
         match symbol {
@@ -275,7 +265,6 @@ impl Numbering<'_> {
     }
 }
 
-/// One run of a line, for as many sites as there is room for, from one on.
 struct Run<'a> {
     program: &'a Program,
     x: &'a [f64],
@@ -299,7 +288,7 @@ impl OverLanes<f64> for Run<'_> {
             for index in 0..count {
                 let to = &mut self.numbers[program.array(array + index)..];
                 let from = &gathered[(site - program.reach) * count * width..];
-                // Behind the last site there is nothing, and nobody asks for it.
+                // The last stencils may reach beyond the end; no result of those sites is read.
                 let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
                 for site in 0..seen {
                     for register in 0..width / L::WIDTH {
@@ -313,7 +302,7 @@ impl OverLanes<f64> for Run<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
-            // A macro, as closures need not be compiled for the instructions of lanes.
+            // A macro, because closures may not be compiled for the instructions of the level.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

@@ -1,4 +1,4 @@
-//! A family with values of its parameters: the lines that core's solver asks for.
+//! A family with values of its parameters, as the trait of `kahan-core`'s solver.
 
 use std::sync::Arc;
 
@@ -8,18 +8,15 @@ use kahan_core::Scalar;
 
 use super::Code;
 
-/// The equations of a chain that was read at run time.
 #[derive(Clone, Debug)]
 pub(super) struct Read {
     pub(super) code: Arc<Code>,
-    /// One number a parameter of the chain.
     pub(super) parameters: Arc<[f64]>,
-    /// A list of numbers a parameter of the sites, one a site.
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-/// Names and sizes are values of the code: as constants there are none. The energy is asked for
-/// where the family has a Hamiltonian.
+/// Names and sizes are values of the code; the constants of the trait are placeholders. Callers ask
+/// for the energy only where the family has a Hamiltonian.
 impl LatticeMap<f64> for Read {
     const ARRAYS: &'static [&'static str] = &[];
     const REACH: usize = 0;

@@ -1,4 +1,7 @@
-//! The code of a field, compiled when it is first asked for and shared by everyone who steps it.
+//! The machine code of a field, compiled at its first use and shared by all who step the field.
+//!
+//! In: an engine and the kind of step, with the shape of the code. Out: code from the tables of
+//! [`Codes`], or `None` where nothing can be compiled. The interpreter then does the work.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -11,18 +14,18 @@ use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
 use super::{SideBySide, StepKind, programs};
 
-/// Whether there is memory that code may run in. Where there is none, no program is written, so
-/// that a small binary holds neither the compiler nor the numbers that write for it.
+/// Whether code can run. Without the feature no program is written either, and small binaries
+/// contain neither the compiler nor the tracing numbers.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
-/// The fewest steps of a field after which the code of an elimination is compiled. Compiling saves
-/// its own time after some 300 steps of 9 dense variables, 2000 of 40 sparse ones (13 000
-/// operations) and 7000 of 50 (28 000).
+/// The steps of a field before the code of an elimination is compiled. Compiling pays after some
+/// 300 steps of 9 dense variables, 2000 of 40 sparse ones (13 000 operations) and 7000 of 50
+/// (28 000).
 const STEPS_BEFORE_CODE: u64 = 256;
-/// The operations of a step that put the compiling off by one step more.
+/// Operations per step that delay the compilation by one further step.
 const OPERATIONS_A_STEP: u64 = 8;
 
-/// What was asked for; `None` where there is none.
+/// Code by key; `None` where compiling failed.
 #[derive(Debug)]
 struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
 
@@ -37,33 +40,32 @@ impl<K: Eq + Hash, C> Table<K, C> {
         if !CAN_RUN {
             return None;
         }
-        // Nothing panics under the lock but what would panic again.
+        // A panic under the lock comes from `compile`, and would come again.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         table.entry(key).or_insert_with(|| compile().map(Arc::new)).clone()
     }
 }
 
-/// The code of a field over one float.
+/// The compiled code of a field over one float.
 #[derive(Debug, Default)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
-    /// Those of the objects, each in its place.
     functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
     columns: Table<(StepKind, Shape), ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
-/// The code of a field.
+/// The compiled code of a field.
 #[derive(Debug, Default)]
 pub struct Codes {
     pub(crate) single: CodesOf<f32>,
     pub(crate) double: CodesOf<f64>,
-    /// The steps that were asked for before the code of an elimination was compiled.
+    /// Steps asked for before the code of an elimination was compiled.
     steps: AtomicU64,
     operations: OnceLock<Option<u32>>,
 }
 
-/// The code of an orbit, whose step is one of the map or several of them.
+/// The code of an orbit: of the map's own step, or of a composition.
 #[derive(Debug)]
 pub(crate) struct OrbitCode<T> {
     step: StepCode<T>,
@@ -74,14 +76,13 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
-    /// No code of its own: the loops of dense fields.
+    /// The interpreter's loops for dense fields, without machine code.
     Loops(StepKind),
 }
 
-/// The code of columns.
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
-    /// From the parameters and ε of a register of trajectories to the constants of their step.
+    /// From parameters and ε of one register of trajectories to the constants of their step.
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
@@ -89,15 +90,14 @@ pub(crate) struct ColumnsCode<T> {
 }
 
 impl Codes {
-    /// The operations of a step of `engine`, whose codes these are, where that eliminates.
+    /// Returns the operations of a step of `engine`, the owner of these codes, if it eliminates.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
             .operations
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Whether code of a step of `engine` pays, once `steps` more steps are asked for. Code of a
-    /// straight line always does.
+    /// Counts further steps, and returns whether compiling pays; a straight-line step always does.
     pub(crate) fn pay_after(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
@@ -109,7 +109,6 @@ impl Codes {
         after >= needed
     }
 
-    /// The code of an orbit; `None` where there can be no code.
     pub(crate) fn orbit<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -129,7 +128,7 @@ impl Codes {
         })
     }
 
-    /// The code of points side by side, each with constants of its own; likewise.
+    /// Returns the code of points side by side, each with its own constants, or `None`.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -147,7 +146,7 @@ impl Codes {
         })
     }
 
-    /// The code of an object; likewise. Nothing in it is fused.
+    /// Returns the code of an object, with no multiply-add fused, or `None`.
     pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
@@ -163,7 +162,6 @@ impl Codes {
         functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
-    /// The code of columns; likewise.
     pub(crate) fn columns<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -176,24 +174,23 @@ impl Codes {
 }
 
 impl<T: MachineFloat> OrbitCode<T> {
-    /// The loops of a dense field.
     pub(crate) fn loops(kind: StepKind) -> Self {
         OrbitCode { step: StepCode::Loops(kind), is_guarded: true }
     }
 
-    /// Whether it is the loops of a dense field.
     pub(crate) fn has_loops(&self) -> bool {
         matches!(self.step, StepCode::Loops(_))
     }
 
-    /// Whether a guard comes behind the numbers of a state, which begins as 0: it is at most
-    /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) as long as each step has the
-    /// operations of the interpreter, or leads to a number that is not finite.
+    /// Returns whether a guard, initially 0, follows the numbers of a state.
+    ///
+    /// The guard is at most [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while each
+    /// step has the interpreter's operations, or leads to a number that is not finite.
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
     }
 
-    /// The numbers of the state one step later; `stages` as for [`advance`](Self::advance).
+    /// Writes the state one step later into `next`; `stages` as in [`advance`](Self::advance).
     pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
         match &self.step {
             StepCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
@@ -204,8 +201,8 @@ impl<T: MachineFloat> OrbitCode<T> {
         }
     }
 
-    /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
-    /// differ, the middle one last.
+    /// Advances the numbers of a state by `steps` steps. Each entry of `stages` holds one distinct
+    /// stage's constants; the middle stage is last.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
         match &self.step {
             StepCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
@@ -225,7 +222,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         Some(ColumnsCode {
-            // Constants are rounded once each, whatever the step does.
+            // Constants are never fused, since each is rounded once.
             constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
             shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
             own: Sweep::compile(&program, shape, Constants::Own).ok()?,
@@ -233,26 +230,21 @@ impl<T: MachineFloat> ColumnsCode<T> {
         })
     }
 
-    /// Whether a guard comes behind the columns of a state, as behind a state of [`OrbitCode`].
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
     }
 
-    /// How many trajectories go side by side.
     pub(crate) fn width(&self) -> usize {
         self.shared.width()
     }
 
-    /// Appends the constants of a register of trajectories; `given` are their parameters and ε,
-    /// each a whole register.
     pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>) {
         let start = constants.len();
         constants.resize(start + self.constants.results(), T::default());
         self.constants.run(&[], given, &mut constants[start..]);
     }
 
-    /// Advances columns of whole registers, all with these constants, or each register with its
-    /// own.
+    /// Advances columns of whole registers, with shared or own constants.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T]],

@@ -1,10 +1,9 @@
-//! Double-double arithmetic in the instructions of doubles: the operations of
-//! [`Dd`](kahan_core::Dd) in their order, where nothing overflows or underflows.
+//! Double-double arithmetic written as a program of doubles: the operations of
+//! [`Dd`](kahan_core::Dd) in their order, as far as nothing overflows or underflows.
 //!
-//! What would have to be computed otherwise is not branched upon but noted: every operation that
-//! looks at the size of a number adds to a guard, which is 0 as long as all sizes were moderate and
-//! not a number from the first one on that was not. Whoever runs the program looks at the guard
-//! now and then, and steps again by other means where it is not 0.
+//! The program does not branch on the size of a number. Operations that need moderate sizes add to
+//! a guard. The guard is 0 while all sizes are moderate, and NaN from the first other one on. The
+//! caller checks the guard now and then; where it is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -15,24 +14,21 @@ use kahan_jit::{Input, Program};
 
 use super::traced::{self, Traced};
 
-/// A double of the program.
 type Double = Traced<f64>;
 
-/// A number as its two parts.
+/// A number as the unevaluated sum of two doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pair {
     high: Double,
     low: Double,
 }
 
-/// What is known of the program that is being written.
 #[derive(Debug, Default)]
 struct Notes {
-    /// Whether multiply-adds are fused, which decides how the error of a product is found.
+    /// Whether multiply-adds are fused, which decides how the error of a product is computed.
     fuses: bool,
-    /// What the guard is the sum of.
     of_sizes: Vec<Double>,
-    /// Leading parts that are known to be neither large nor small.
+    /// High parts known to be moderate.
     moderate: Vec<Double>,
 }
 
@@ -40,25 +36,23 @@ thread_local! {
     static NOTES: RefCell<Notes> = RefCell::default();
 }
 
-/// A divisor between 2^−DIVISORS and 2^DIVISORS is taken for one that leaves room for everything.
+/// Divisors between 2^−DIVISORS and 2^DIVISORS cause no overflow or underflow.
 const DIVISORS: i32 = 400;
 
-/// The program of the numbers that `compute` gives, each as its two parts, and of a guard behind
-/// them that was 0 before.
+/// Writes the program of the numbers that `compute` returns, two doubles each, with the guard last.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     NOTES.set(Notes { fuses, ..Notes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // The sum of a step's notes does not wait for the step before.
+        // A separate sum lets a step's notes be added without waiting for the previous step.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
     })
 }
 
-/// 2^exponent
 fn power_of_two(exponent: i32) -> f64 {
     f64::exp2(f64::from(exponent))
 }
@@ -67,25 +61,24 @@ fn fuses() -> bool {
     NOTES.with_borrow(|notes| notes.fuses)
 }
 
-/// Notes 0 where |a|·2^exponent is finite, and else what is not a number.
+/// Adds to the guard: 0 where |a|·2^exponent is finite, else NaN.
 fn note_below(a: Double, exponent: i32) {
     let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
     NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Notes whether a is too large or too small to be divided, or to be divided by; `inverse` is near
-/// 1/a.
+/// Adds to the guard unless 2^−DIVISORS < |a| < 2^DIVISORS; `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
     note_below(a, 1024 - DIVISORS);
     note_below(inverse, 1024 - DIVISORS);
 }
 
-/// A leading sum or product leaves room for what is added to it: else it is noted.
+/// Adds to the guard unless |leading| < 2^1022, which leaves room for the rest of the sum.
 fn leaves_room(leading: Double) {
     note_below(leading, 1024 - 1022);
 }
 
-/// a + b and its error (Knuth).
+/// Returns a + b and its rounding error (Knuth).
 fn two_sum(a: Double, b: Double) -> (Double, Double) {
     let sum = a + b;
     let from_a = sum - b;
@@ -93,13 +86,13 @@ fn two_sum(a: Double, b: Double) -> (Double, Double) {
     (sum, (a - from_a) + (b - from_b))
 }
 
-/// The same where |a| ≥ |b| (Dekker).
+/// Returns a + b and its rounding error where |a| ≥ |b| (Dekker).
 fn fast_two_sum(a: Double, b: Double) -> Pair {
     let high = a + b;
     Pair { high, low: b - (high - a) }
 }
 
-/// a·b and its error: by one fused operation, or by halves (Dekker).
+/// Returns a·b and its rounding error: by one fused operation, or by halves (Dekker).
 fn two_product(a: Double, b: Double) -> (Double, Double) {
     let product = a * b;
     if fuses() {
@@ -110,7 +103,7 @@ fn two_product(a: Double, b: Double) -> (Double, Double) {
     (product, left + a_low * b_low)
 }
 
-/// Two floats of 26 bits with the sum a (Veltkamp); a beyond 2⁹⁹⁵ is noted.
+/// Splits a into two floats of 26 bits (Veltkamp); adds to the guard beyond 2⁹⁹⁵.
 fn split(a: Double) -> (Double, Double) {
     note_below(a, 1024 - 995);
     let spread = Double::number(power_of_two(27) + 1.0) * a;
@@ -118,7 +111,6 @@ fn split(a: Double) -> (Double, Double) {
     (high, a - high)
 }
 
-/// whole − a·b, where that is a float.
 fn remainder(whole: Double, a: Double, b: Double) -> Double {
     if fuses() {
         return whole.subtract_product(a, b);
@@ -128,7 +120,6 @@ fn remainder(whole: Double, a: Double, b: Double) -> Double {
 }
 
 impl Pair {
-    /// The numbers that a program begins with, `entry` being those of the state or the constants.
     pub(super) fn of(entry: fn(usize) -> Input, place: usize) -> Self {
         Pair { high: Double::input(entry(2 * place)), low: Double::input(entry(2 * place + 1)) }
     }
@@ -153,7 +144,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // So that the quotient can be divided once more.
+            // The range leaves room for a further division of the quotient.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

@@ -1,8 +1,8 @@
-//! Steps and objects as machine code: their programs, compiled when they are first asked for.
+//! Steps and objects of a field as machine code, compiled at their first use.
 //!
-//! In: the plans of a field, and how it is to be stepped. Out: code, kept for everyone who steps
-//! the same field so. What numbers mean is known here; what instructions there are is
-//! `kahan-jit`'s. Where it has no code, as without the feature `jit`, everything is interpreted.
+//! In: the plans of a field, and the kind of step. Out: code, shared by all who step the field in
+//! this way. This module knows the meaning of numbers; `kahan-jit` knows the instructions. Without
+//! code (no feature `jit`, or another processor) the interpreter does the work.
 
 mod codes;
 mod double_double;

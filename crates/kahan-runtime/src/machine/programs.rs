@@ -1,4 +1,7 @@
-//! What code is compiled from: the interpreter's work, over numbers that write it down.
+//! Programs to compile, written by running the interpreter over [`Traced`] numbers.
+//!
+//! In: an engine with its plans. Out: a `Program` of `kahan-jit` with the interpreter's operations
+//! in their order, or `None` where the step is not a straight line or too long.
 
 use kahan_core::Scalar;
 use kahan_dynamics::Precision;
@@ -11,15 +14,14 @@ use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
 use super::{Carrying, InstructionSet, StepKind};
 
-/// The most operations of an elimination that is compiled.
 const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
-    /// The program from the numbers of a state to those of the next, for the prepared constants of
-    /// the step; `None` where that is no straight line, and for compensated double-double.
+    /// Returns the program from a state to the next one, with the prepared constants of the step.
+    /// `None` where the step is not a straight line, and for compensated double-double.
     ///
-    /// The numbers are x₁, …, xₙ; compensated, what each of them lacks comes behind. In
-    /// double-double each is two numbers, the high one first, and the guard comes last.
+    /// A state is x₁, …, xₙ, followed by their n rounding errors if compensated. In double-double
+    /// each xᵢ is two numbers, the high one first, and the guard comes last.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
@@ -36,7 +38,6 @@ impl StepKind {
         traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
-    /// The program of a step, and whether a guard comes last.
     pub(super) fn guarded_program<T: MachineFloat>(self, engine: &Engine) -> Option<(Program, bool)> {
         match self.program::<T>(engine) {
             Some(program) => Some((program, self.precision == Precision::DoubleDouble)),
@@ -44,10 +45,10 @@ impl StepKind {
         }
     }
 
-    /// The program of a step that eliminates: constants are the parameters and ε, and a guard comes
-    /// last. The guard stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots
-    /// large enough and all numbers are finite. `None` in double-double, where multiply-adds are not
-    /// those of this build, and where it takes too many operations.
+    /// Returns the program of a step that eliminates, with the parameters and ε as constants and
+    /// a guard as the last number. The guard is at most [`LARGEST_FACTOR`] as long as the
+    /// interpreter accepts all pivots and all numbers are finite. `None` in double-double, for
+    /// multiply-adds other than this build's, and beyond [`MOST_OPERATIONS`].
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
@@ -83,9 +84,9 @@ impl StepKind {
         })
     }
 
-    /// Whether there is code of a step that eliminates: this processor has instructions for it, the
-    /// float is no double-double, the multiply-adds are those of this build, and the operations are
-    /// few enough.
+    /// Returns whether a step that eliminates can be compiled: the processor is supported, states
+    /// are no double-doubles, multiply-adds are those of this build, and the operations are at most
+    /// [`MOST_OPERATIONS`].
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
@@ -98,7 +99,7 @@ impl StepKind {
         self.advanced(step, numbers, constant, Traced::rounded_to_single)
     }
 
-    /// The numbers of a state one step later; `None` where the step is no straight line.
+    /// Returns the state one step later, or `None` where the step is not a straight line.
     fn advanced<V: Scalar + Copy>(
         self,
         step: &Step,
@@ -117,9 +118,8 @@ impl StepKind {
 }
 
 impl Carrying {
-    /// The program of a point with tangent vectors behind it, each as many numbers as the point;
-    /// `None` where it is no straight line. Squares of lengths are results of states that nothing
-    /// reads.
+    /// Returns the program of a point with tangent vectors behind it; `None` where it is not a
+    /// straight line. Squared lengths are further states, which are only written.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
@@ -131,7 +131,7 @@ impl Carrying {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors have the same point; equal operations are compiled once.
+                // All vectors share one point; equal operations are compiled once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;
@@ -152,8 +152,8 @@ impl Carrying {
     }
 }
 
-/// A tangent vector at the next point, from a state of [`Object::Tangent`]. Constants are those of
-/// the step, then the parameters and ε.
+/// Returns the tangent vector at the next point, from a state of [`Object::Tangent`]. The constants
+/// of the step precede the parameters and ε.
 fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
     let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
     let (line, first) = (engine.line(Object::Tangent)?, prepared.outputs());
@@ -162,8 +162,7 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// The program of an object from a state, and the parameters with ε behind them; `None` where the
-/// field has none, or no straight line for it.
+/// Returns the program of an object from a state, if the field has a straight line for it.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
@@ -188,8 +187,7 @@ pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option
     })
 }
 
-/// The program of the constants that the step of columns is prepared with; a step that eliminates
-/// takes the parameters and ε as they are.
+/// Returns the program of the constants of a step of columns.
 pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Option<Program> {
     let lines = engine.steps().form(is_general).lines();
     traced::program(|| {
@@ -201,7 +199,6 @@ pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Op
     })
 }
 
-/// The program of a state that stays as it is, and the integrals behind it.
 pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let state = Traced::<T>::states(0..engine.dimension());
@@ -210,7 +207,6 @@ pub(super) fn integrals_behind_the_state<T: MachineFloat>(engine: &Engine) -> Op
     })
 }
 
-/// The parameters, and ε behind them.
 fn constants<T: MachineFloat>(engine: &Engine) -> Vec<Traced<T>> {
     (0..=engine.derived.system.field.symbols.parameters.len())
         .map(|k| Traced::input(Input::Constant(k)))

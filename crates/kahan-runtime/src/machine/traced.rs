@@ -1,5 +1,5 @@
-//! A number whose operations are written down: what the interpreter does with it becomes a program,
-//! so that code has the interpreter's operations in their order.
+//! A number whose operations are recorded. Run over [`Traced`] numbers, the interpreter writes the
+//! program of its own operations in their order.
 
 use core::ops::Neg;
 use std::cell::{Cell, RefCell};
@@ -14,13 +14,13 @@ use kahan_program::Operation::{
 use kahan_program::{Float, Node};
 
 thread_local! {
-    /// What this thread is writing.
+    /// The program that this thread records.
     static OPERATIONS: RefCell<Vec<Instruction>> = RefCell::default();
-    /// Whether multiply-adds are written as products and sums.
+    /// Whether multiply-adds are recorded as products and sums.
     static IS_UNFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Numbers whose multiply-adds are two operations, also in a program that fuses others.
+/// Records the multiply-adds of `compute` as two operations each, even in a program that fuses.
 pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     IS_UNFUSED.set(true);
     let result = compute();
@@ -28,14 +28,13 @@ pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     result
 }
 
-/// The program of the numbers that `compute` gives, if it gives some.
+/// Returns the program of the numbers that `compute` returns; `None` if `compute` does.
 pub(super) fn program<T>(compute: impl FnOnce() -> Option<Vec<Traced<T>>>) -> Option<Program> {
     OPERATIONS.take();
     let outputs = compute()?.into_iter().map(|number| number.place).collect();
     Some(Program { operations: OPERATIONS.take(), outputs })
 }
 
-/// The result of an operation over the float T.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Traced<T> {
     place: Node,
@@ -43,7 +42,6 @@ pub(super) struct Traced<T> {
 }
 
 impl<T> Traced<T> {
-    /// Writes an operation.
     fn of(operation: Instruction) -> Self {
         let place = OPERATIONS.with_borrow_mut(|operations| {
             operations.push(operation);
@@ -52,48 +50,40 @@ impl<T> Traced<T> {
         Traced { place, float: PhantomData }
     }
 
-    /// Writes a number.
     pub(super) fn number(value: f64) -> Self {
         Self::of(Constant(Float::of(value)))
     }
 
-    /// Writes an entry of the state or of the constants.
     pub(super) fn input(entry: Input) -> Self {
         Self::of(Instruction::Input(entry))
     }
 
-    /// Writes entries of the state.
     pub(super) fn states(places: impl IntoIterator<Item = usize>) -> Vec<Self> {
         places.into_iter().map(|place| Self::input(Input::State(place))).collect()
     }
 
-    /// The number of single precision nearest to it.
     pub(super) fn rounded_to_single(self) -> Self {
         Self::of(Call(Called::RoundToSingle, self.place, self.place))
     }
 
-    /// |self|
+    /// Records |self| as the maximum of self and −self.
     pub(super) fn magnitude(self) -> Self {
         Self::of(Call(Called::Maximum, self.place, self.neg().place))
     }
 
-    /// The larger of two numbers.
     pub(super) fn larger(self, other: Self) -> Self {
         Self::of(Call(Called::Maximum, self.place, other.place))
     }
 
-    /// The smaller of two numbers.
     pub(super) fn smaller(self, other: Self) -> Self {
         Self::of(Call(Called::Minimum, self.place, other.place))
     }
 
-    /// The number that it is, where that is known.
     pub(super) fn literal(self) -> Option<f64> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// The place of −self where this is a number whose sign was changed: a subtraction takes that
-    /// instead, with the same bits.
+    /// Returns a such that self = −a, if known: b − a has the bits of b + self.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }
@@ -127,7 +117,7 @@ impl<T: Copy> Zero for Traced<T> {
         Self::number(0.0)
     }
 
-    /// Nothing is known of a number before the program runs.
+    /// Returns `false`: no value is known before the program runs.
     fn is_zero(&self) -> bool {
         false
     }

@@ -1,10 +1,9 @@
-//! The orbits of a group, whose points and tangent vectors one loop of code carries along.
+//! Observation of a group of orbits whose points and tangent vectors are advanced by compiled code.
 //!
-//! In: maps, the points of a group, and observers that need not see each point. Out: the points and
-//! the observers, with the bits of orbits that are followed alone. The loop makes [`PAUSE`] steps
-//! at once, and shows nothing on the way. Observers take their vectors back at the steps at which
-//! they look. An orbit that has left the range of floats goes back those steps, and is followed
-//! alone.
+//! In: maps, points, and observers that do not need every point. Out: points and observers, with
+//! the bits of orbits that are followed singly. The code makes [`PAUSE`] steps in one call; then
+//! observers that look at this step read their vectors. An orbit that has left the range of floats
+//! repeats the steps of the last call singly.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;
@@ -14,11 +13,10 @@ use kahan_core::observe::{GROUP, Group, Observer, PAUSE, are_moderate};
 use crate::at::group::{Aligned, MOST, RuntimeGroup};
 use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 
-/// The most columns of a group: points, and three tangent vectors.
+/// The largest number of columns of a group: points, and three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits for `steps` steps. Returns `false` where that is not possible, and
-/// nothing was done.
+/// Follows a group of orbits by code; returns `false`, with nothing done, where it cannot.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,
@@ -78,7 +76,6 @@ pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     true
 }
 
-/// Writes the tangent vectors of orbits that go on into columns.
 fn take_vectors<T: MachineFloat, O: Observer<T>>(
     observers: &mut [WhileFinite<O>],
     columns: &mut [Group<T>],
@@ -94,7 +91,6 @@ fn take_vectors<T: MachineFloat, O: Observer<T>>(
     }
 }
 
-/// Gives an observer its point and its vectors.
 fn resume<T: MachineFloat, O: Observer<T>>(
     own: &mut WhileFinite<O>,
     step: u64,
@@ -109,7 +105,6 @@ fn resume<T: MachineFloat, O: Observer<T>>(
     }
 }
 
-/// Whether the point of each orbit is finite.
 fn are_finite<T: MachineFloat>(points: &[Group<T>]) -> [bool; GROUP] {
     let mut all = [true; GROUP];
     for column in points {
@@ -118,7 +113,6 @@ fn are_finite<T: MachineFloat>(points: &[Group<T>]) -> [bool; GROUP] {
     all
 }
 
-/// Whether the length of each vector is moderate.
 fn have_moderate<T: MachineFloat>(vectors: &[Group<T>], variables: usize) -> bool {
     vectors.chunks_exact(variables).all(|vector| {
         let mut squares = [T::zero(); GROUP];

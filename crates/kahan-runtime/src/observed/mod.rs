@@ -1,8 +1,8 @@
-//! What can be observed of an orbit, and the loops that observe it.
+//! Observables of orbits, and the loops that observe orbits over `f32` and `f64`.
 //!
-//! In: maps, first points, and what is asked of each orbit. Out: what was seen, in that order. The
-//! loops are compiled here, for the floats of the machine, because the steps and the group of
-//! orbits that they look at are: in another unit of compilation they take up to twice the time.
+//! In: maps, first points, and a list of observables for each orbit. Out: the values seen, in the
+//! order of the list. The loops are instantiated here, beside the steps that they call: in another
+//! unit of compilation they take up to twice the time.
 
 mod carried;
 mod observable;
@@ -19,42 +19,41 @@ pub use observable::Seen;
 pub use running::Observable;
 pub use tangent::Relations;
 
-/// What is asked of orbits.
+/// A request: observables of orbits, with their settings.
 #[derive(Clone, Copy, Debug)]
 pub struct Observing<'a> {
-    /// What is observed, each once.
+    /// The observables, each once.
     pub of: &'a [Observable],
-    /// The most steps of each orbit.
+    /// The largest number of steps of each orbit.
     pub steps: u64,
-    /// Steps between two times that tangent vectors are made orthogonal, at least 1.
+    /// Steps between two orthonormalizations of the tangent vectors, at least 1.
     pub renormalize: u64,
-    /// The number of exponents in the spectrum, at least 1 and at most the number of variables: the
-    /// largest ones.
+    /// The number of exponents in the spectrum, the largest ones, from 1 to that of the variables.
     pub exponents: usize,
-    /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
+    /// The bound on |xᵢ| beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
-    /// The relations of a lifted field, whose tangent vectors are those of its original variables.
+    /// The relations of a lifted field; its tangent vectors are those of the original variables.
     pub relations: Option<&'a dyn Relations>,
 }
 
 impl Observing<'_> {
-    /// The size beyond which [`Observable::Escape`] looks where there is no bound.
+    /// The bound of [`Observable::Escape`] where [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
-    /// The size of a variable beyond which orbits end.
     fn bound(&self) -> f64 {
         self.escape.unwrap_or(f64::MAX)
     }
 }
 
-/// A float of the machine whose orbits are observed.
+/// A machine float whose orbits can be observed.
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
-    /// Observes the orbit of `start`, which ends where its points are not finite or are beyond the
-    /// bound. `step` makes the orbit, or the map where that is `None`; observers always ask the
-    /// map. `tell` hears of steps, and may stop the orbit.
+    /// Observes the orbit of `start`, which ends where a point is not finite or beyond the bound.
+    ///
+    /// The orbit is made by `step`, or by `at` where `step` is `None`; observers always evaluate
+    /// `at`. The callback `tell` receives numbers of steps, and may stop the orbit.
     ///
     /// # Errors
-    /// [`DimensionError`] if the start has not an entry a variable.
+    /// [`DimensionError`] if `start` does not have one entry for each variable.
     fn alone(
         step: Option<&dyn Step<Scalar = Self>>,
         at: &MapAt<Self>,
@@ -63,12 +62,13 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<Seen>>, DimensionError>;
 
-    /// The same of many orbits, side by side where there is code for that: a map an orbit, and
-    /// column c has variable c of all first points. An orbit has the same numbers alone. What was
-    /// seen when `tell` stopped the work is of no use.
+    /// Observes many orbits, side by side where compiled code can do so.
+    ///
+    /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
+    /// Numbers equal those of [`alone`](Self::alone), but are useless if `tell` stops the work.
     ///
     /// # Errors
-    /// [`DimensionError`] for columns that do not fit the maps, or each other.
+    /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
     fn abreast(
         maps: &[&MapAt<Self>],
         starts: &[Vec<Self>],

@@ -1,19 +1,18 @@
-//! What is said of an observable: its name, the columns of a table that hold it, and its place in
-//! answers and charts; and what was seen as numbers of these columns.
+//! Descriptions of observables (name, table columns, place in answers and charts), and the values
+//! seen, as numbers of these columns.
 //!
-//! The list of observables is in its neighbour `running`, with the observers.
+//! The list of observables, with their observers, is in `running.rs`.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
 
 use super::running::Observable;
 use crate::Passed;
 
-/// What an observable says of itself.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct About {
     pub(super) name: &'static str,
     of: Of,
-    /// Names with `{}` for the part of the orbit that they are of, and meanings.
+    /// Column names, with `{}` for the variable, integral or number, and their meanings.
     columns: &'static [(&'static str, &'static str)],
     follows: Follows,
     is_usual: bool,
@@ -21,20 +20,16 @@ pub(super) struct About {
     is_logarithmic: bool,
 }
 
-/// The parts of an orbit that have columns.
+/// The parts of an orbit for which an observable has columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Of {
-    /// The orbit as a whole.
     Orbit,
-    /// Each variable.
     Variables,
-    /// Each integral.
     Integrals,
-    /// Each number from 1 up to that of the variables.
+    /// A set for each number from 1 to the number of variables.
     Numbers,
 }
 
-/// What an observer needs beside the points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Follows {
     Points,
@@ -43,7 +38,6 @@ enum Follows {
 }
 
 impl About {
-    /// An observable of points, by its name in questions and its columns.
     pub(super) const fn new(
         name: &'static str,
         of: Of,
@@ -53,63 +47,59 @@ impl About {
         About { name, of, columns, follows, is_usual, label, is_logarithmic }
     }
 
-    /// Follows tangent vectors.
     pub(super) const fn of_tangent_vectors(self) -> Self {
         About { follows: Follows::TangentVectors, ..self }
     }
 
-    /// Asks the map at each point.
     pub(super) const fn of_the_map(self) -> Self {
         About { follows: Follows::Map, ..self }
     }
 
-    /// Is observed unless others are named.
     pub(super) const fn usual(self) -> Self {
         About { is_usual: true, ..self }
     }
 
-    /// Colours charts, whose legend has this label.
+    /// Lets charts be coloured by the observable, with this label in the legend.
     pub(super) const fn colour(self, label: &'static str) -> Self {
         About { label: Some(label), ..self }
     }
 
-    /// Is charted as its logarithm.
     pub(super) const fn logarithmic(self) -> Self {
         About { is_logarithmic: true, ..self }
     }
 }
 
-/// What was seen.
+/// The value of an observable at the end of an orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seen {
     /// The last point.
     Point(Vec<f64>),
-    /// How far each integral drifted, relative to its first value.
+    /// The drift of each integral, relative to its first value.
     Drift(Vec<Drifted>),
-    /// The extremes of each variable; `None` where no value was a number.
+    /// The extremes of each variable; `None` where all values were NaN.
     Extrema(Vec<Option<Extremes<f64>>>),
-    /// The largest exponent, with how far it has converged.
+    /// The largest Lyapunov exponent, with an estimate of its convergence.
     Exponent(Exponent),
-    /// All exponents, in descending order.
+    /// Lyapunov exponents in descending order.
     Spectrum(Vec<Exponent>),
-    /// An indicator.
+    /// A chaos indicator, or the mean of log |det ∂x̃/∂x|.
     Number(f64),
-    /// Turns a step of each variable.
+    /// The rotation of each variable, in turns per step.
     Turns(Vec<Turns>),
-    /// The step of the escape.
+    /// The step of the escape; `None` without one.
     Step(Option<u64>),
-    /// The steps over poles.
+    /// The number of steps over poles of the map.
     Passed(Passed),
 }
 
 impl Observable {
-    /// Returns the observable of this name.
+    /// Returns the observable called `name`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|one| one.name() == name)
     }
 
-    /// Returns the observable with a column of this name, or of this name itself.
+    /// Returns the observable called `name`, or else the one with a column of this name.
     #[must_use]
     pub fn of_column(name: &str) -> Option<Self> {
         let is_its = |(column, _): &(&str, &str)| match column.split_once("{}") {
@@ -120,58 +110,57 @@ impl Observable {
             .or_else(|| Self::ALL.iter().copied().find(|one| one.about().columns.iter().any(is_its)))
     }
 
-    /// Returns the observables where none are named.
+    /// Returns the default list of observables.
     #[must_use]
     pub fn usual() -> Vec<Self> {
         Self::ALL.iter().copied().filter(|one| one.about().is_usual).collect()
     }
 
-    /// Its name in questions.
+    /// Returns the name in questions.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.about().name
     }
 
-    /// Its name in answers: that of its first column, where the orbit as a whole has one.
+    /// Returns the name in answers: for observables of the whole orbit, that of the first column.
     #[must_use]
     pub fn key(self) -> &'static str {
         let About { name, of, columns, .. } = self.about();
         if of == Of::Orbit { columns[0].0 } else { name }
     }
 
-    /// Whether it follows tangent vectors, which are those of the original variables where a field was
-    /// lifted.
+    /// Returns whether tangent vectors are followed; a lifted field has those of the original
+    /// variables.
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
         self.about().follows == Follows::TangentVectors
     }
 
-    /// Whether it needs the points of an orbit alone, by whatever steps they are made.
+    /// Returns whether the points suffice, whichever steps made them.
     #[must_use]
     pub fn is_of_points(self) -> bool {
         self.about().follows == Follows::Points
     }
 
-    /// How often the orbit is followed.
+    /// Returns the number of passes over the orbit.
     #[must_use]
     pub fn runs(self) -> u64 {
         if self == Self::Rotation { 2 } else { 1 }
     }
 
-    /// Its label in charts, where they show it.
+    /// Returns the legend's label, for observables that can colour a chart.
     #[must_use]
     pub fn label(self) -> Option<&'static str> {
         self.about().label
     }
 
-    /// Whether charts show its logarithm.
+    /// Returns whether charts show the logarithm.
     #[must_use]
     pub fn is_logarithmic(self) -> bool {
         self.about().is_logarithmic
     }
 
-    /// The columns of a table that hold it, of a field with these variables and integrals: names
-    /// and meanings.
+    /// Returns the columns (names and meanings) for a field with these variables and integrals.
     #[must_use]
     pub fn columns(self, variables: &[String], integrals: &[String]) -> Vec<(String, &'static str)> {
         let About { of, columns, .. } = self.about();
@@ -190,7 +179,7 @@ impl Observable {
 }
 
 impl Seen {
-    /// The numbers of the columns, in their order; what there is none of is not a number.
+    /// Returns the numbers of the columns, in their order; NaN stands for a missing value.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
         match self {

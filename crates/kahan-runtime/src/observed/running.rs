@@ -1,11 +1,11 @@
-//! The list of observables with their observers, and the orbits that they see.
+//! The list of observables with their observers, and the observation of one or many orbits.
 //!
-//! In: a map, or one an orbit, first points, and what is asked of each orbit. Out: what was seen,
-//! in that order. An orbit has the same numbers alone and beside others.
+//! In: a map for each orbit, first points, and the observables. Out: the values seen, in the order
+//! asked for. An orbit has equal numbers singly and in a group.
 //!
-//! An observable is a file in `running/`, as `last.rs` is one: `ABOUT` tells its name and columns,
-//! `Own` is its observer, `observer` makes one, and `seen` says what it saw. Where its observer is
-//! one of `kahan_core`, the list has all that. The order of the list is that of answers.
+//! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
+//! describes it, `Own` is the observer's type, `observer` makes one, `seen` reads it. Observers of
+//! `kahan_core` are given in the list itself. The order of the list is the order of answers.
 
 use std::ops::ControlFlow;
 
@@ -23,9 +23,8 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable, and of each rate of change.
+/// The extremes of each variable and of each rate of change, about whose middles orbits turn.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
-/// A number of a point.
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
 macro_rules! observables {
@@ -35,20 +34,20 @@ macro_rules! observables {
     )*) => {
         $($(mod $module;)?)*
 
-        /// What can be observed of an orbit.
+        /// An observable of an orbit.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Observable {
             $(#[doc = $meaning] $name,)*
         }
 
         impl Observable {
-            /// All of them.
+            /// All observables.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
-            /// Their names, in the same order.
+            /// The names of [`ALL`](Self::ALL), in its order.
             pub const NAMES: &'static [&'static str] = &[$(($($module::ABOUT)? $($about)?).name),*];
 
-            /// What it is, as a sentence.
+            /// Returns the meaning, as a sentence.
             #[must_use]
             pub fn meaning(self) -> &'static str {
                 match self {
@@ -63,8 +62,8 @@ macro_rules! observables {
             }
         }
 
-        /// An observer of one thing; `M` sees what the rotation turns about, and `B` tells what is
-        /// beyond the size of an escape.
+        /// The observer of one observable; `M` finds the extremes for the rotation, and `B` tells
+        /// whether a point is beyond the bound of an escape.
         enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($($module::Own<'a, T>)? $($type)?),)*
         }
@@ -92,7 +91,7 @@ macro_rules! observables {
                 }
             }
 
-            /// The observers at one place of all orbits, which are of one variant.
+            /// Shows a burst to one observable's observers in all lanes, which are of one variant.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
                     $(Some(Running::$name(_)) => {
@@ -165,7 +164,7 @@ observables! {
     Rotation, "Turns a step of each variable about the middle of its extremes.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
-            // The second run finds them.
+            // The second pass replaces these.
             Seen::Turns(Vec::new())
         },
         About::new("rotation", Of::Variables, &[
@@ -205,9 +204,8 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
     Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
 }
 
-/// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
+/// The observers of one orbit. The report is the values seen, and the extremes for a second pass.
 struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
-    /// The carrier of the tangent vectors of all observers.
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
 }
@@ -241,8 +239,8 @@ where
         }
     }
 
-    /// Each observable of all orbits at once, so that their tangent vectors and integrals go side
-    /// by side; one orbit after the other where a plane of tangent vectors goes along.
+    /// Shows a burst to one observable after the other, for all orbits at once: tangent vectors and
+    /// integrals are computed side by side. A carried plane takes one orbit after the other.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {
@@ -269,7 +267,6 @@ where
     }
 }
 
-/// Its vectors are those of all observers, one after another.
 impl<T: MachineFloat + EmbedScalar, M, B> Resumed<T> for All<'_, T, M, B>
 where
     T: PartialOrd,
@@ -301,9 +298,7 @@ where
     }
 }
 
-/// Observes the orbit of `start` by these steps, which goes as far as its points are finite;
-/// a second run counts turns, where they are asked for. `tell` hears of steps, and may stop the
-/// orbit.
+/// Observes the orbit of `start` under `step`; a second pass counts turns, if asked for.
 pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,
@@ -315,10 +310,10 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
-    // A run that its observers end has the end that they saw.
+    // The observers' end, if any, replaces the run's.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // Who stopped the first run wants no second one.
+        // A stopped first pass gets no second one.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
@@ -327,8 +322,6 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     Ok(Followed { report: seen, end })
 }
 
-/// The same of many orbits, side by side where there is code for that: a map an orbit, and column c
-/// has variable c of all first points.
 pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],
@@ -361,12 +354,10 @@ pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     Ok(seen.collect())
 }
 
-/// Puts turns in their place.
 fn put(seen: &mut [Seen], turns: Seen) {
     seen.iter_mut().filter(|seen| matches!(seen, Seen::Turns(_))).for_each(|seen| seen.clone_from(&turns));
 }
 
-/// Columns as maps take them.
 fn slices<T>(columns: &mut [Vec<T>]) -> Vec<&mut [T]> {
     columns.iter_mut().map(Vec::as_mut_slice).collect()
 }

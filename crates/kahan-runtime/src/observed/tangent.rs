@@ -1,15 +1,10 @@
-//! The map that observers of tangent vectors follow: the field's own, or, where variables stand
-//! for functions of others, the derivative of the others alone.
+//! The map that carries tangent vectors, in a lifted field those of the original variables.
 //!
-//! In: the points of an orbit. Out: how tangent vectors of the original variables are carried, as
-//! many entries as these have, so that lengths and determinants are theirs.
-//!
-//! With w = g(x), a tangent vector e of x belongs to (e, Dg·e). The map takes the plane of these
-//! vectors at one point to a plane at the next one. That plane is as near to the vectors
-//! (e, Dg·e) there as the orbit is to w = g(x), and it stays so where the map keeps the relations.
-//! Taking it for the plane of the (e, Dg·e) at every step would change exponents by a multiple of ε,
-//! and let vectors on regular orbits grow exponentially. So the plane is carried, and replaced
-//! only where the direction of a relation outgrows the contracting ones.
+//! Lifting adds variables w = g(x); a tangent vector e of x then belongs to (e, Dg·e). The map
+//! carries the plane of these vectors from point to point. The plane stays near the vectors
+//! (e, Dg·e) where the map preserves the relations. Resetting the plane to (e, Dg·e) at every step
+//! would change exponents by a multiple of ε, and let vectors on regular orbits grow exponentially.
+//! Therefore the plane is replaced only where its distance from (e, Dg·e) exceeds [`FARTHEST`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -21,31 +16,26 @@ use kahan_core::{EmbedScalar, Scalar, Step, Stopped, Workspace};
 use crate::engine::determinant;
 use crate::{MachineFloat, MapAt};
 
-/// Variables that stand for functions of the variables before them.
+/// Relations w = g(x) of a lifted field, whose added variables w stand for functions.
 pub trait Relations: fmt::Debug + Sync {
-    /// The number of the original variables, which come first.
+    /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;
 
-    /// The derivatives of the functions by the original variables at a point of all variables, with
-    /// these values of the map's parameters: a row of entries for each function.
+    /// Returns the matrix ∂g/∂x by rows at a point of all variables and these parameters.
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The largest error of a carried derivative, relative to the largest derivative of that function
-/// along the orbit, before the plane is replaced. Errors of relations that the map keeps are of the
-/// order ε².
+/// The largest error of a carried derivative before the plane is replaced, relative to the
+/// function's largest derivative. A map that preserves the relations has errors of order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
-/// The map along which tangent vectors are carried.
 #[derive(Clone, Debug)]
 pub(super) struct Carrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
-    /// A plane that goes along the orbit and carries original variables; `None` where the map
-    /// carries all variables.
+    /// The carried plane of a lifted field; `None` where tangent vectors have all variables.
     pub(super) plane: Option<Rc<RefCell<Plane<'a, T>>>>,
 }
 
-/// The tangent vectors of the original variables at a point of an orbit.
 #[derive(Clone, Debug)]
 pub(super) struct Plane<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
@@ -54,9 +44,9 @@ pub(super) struct Plane<'a, T: MachineFloat> {
     place: Vec<T>,
     /// Row i: the tangent vector whose original entries are those of axis i.
     basis: Vec<Vec<T>>,
-    /// Row i: the original entries of the image of `basis[i]` by the last step.
+    /// Row i: the original entries of the image of `basis[i]` under the last step.
     images: Vec<Vec<T>>,
-    /// The largest derivative of each function.
+    /// The largest squared norm of each function's gradient so far.
     largest: Vec<f64>,
 }
 
@@ -74,14 +64,12 @@ impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
         Carrier { map, plane: relations.map(|relations| Rc::new(RefCell::new(plane(relations)))) }
     }
 
-    /// Goes along to the next point, before observers see it.
     pub(super) fn follow(&self, step: u64, x: &[T]) {
         if let Some(plane) = &self.plane {
             plane.borrow_mut().follow(step, x);
         }
     }
 
-    /// The part of a point that observers of tangent vectors see.
     pub(super) fn seen<'x>(&self, x: &'x [T]) -> &'x [T] {
         &x[..Step::dimension(self)]
     }
@@ -117,7 +105,7 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
         self.replace_if_far(x, true);
     }
 
-    /// Replaces the plane by that of the relations where it is far from it, or `must` be.
+    /// Resets the plane to (e, Dg·e) if it is farther away than [`FARTHEST`], or if `must`.
     fn replace_if_far(&mut self, x: &[T], must: bool) {
         let (n, slopes) = (self.basis.len(), self.slopes(x));
         let mut is_far = must;
@@ -126,7 +114,7 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // A variable without a function has no slopes, and no equation has it.
+            // Variables without a function have slopes of 0, and no equation contains them.
             let is_near = error <= FARTHEST * FARTHEST * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }
@@ -140,8 +128,7 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
     }
 }
 
-/// Brings rows to reduced row echelon form, a unit matrix first; `false` where their first
-/// columns are singular.
+/// Brings rows to reduced row echelon form; returns `false` for a singular leading block.
 fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     for k in 0..rows.len() {
         let better =
@@ -160,7 +147,6 @@ fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     rows.iter().flatten().all(|entry| entry.approximate().is_finite())
 }
 
-/// A carrier is a map for the sake of its ε and the length of its vectors.
 impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
     type Scalar = T;
     type State = Vec<T>;
@@ -174,7 +160,6 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
         Step::eps(self.map)
     }
 
-    /// Steps of the map, on all variables.
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         Step::advance(self.map, x, steps, workspace)
     }
@@ -185,7 +170,7 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
-    /// On a plane, to the point that it followed last.
+    /// Carries a vector by the last followed step where there is a plane, else by the map at `x`.
     fn carry(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.carry(x, v) };
         let mut sum = vec![T::zero(); v.len()];

@@ -1,9 +1,7 @@
-//! Exact orbits: projective integers from point to point, fractions only where a point is looked
-//! at.
+//! Exact orbits: projective integer coordinates between points, and fractions on demand.
 //!
-//! An integral has one value along the whole orbit. That it has it at a point is checked by
-//! multiplication (N q = D p for N/D the integral there, p/q at the first point), which is far
-//! cheaper than to reduce N/D again; only where that fails is it reduced.
+//! An integral is constant along the orbit. Products check that (N q = D p for N/D at the point and
+//! p/q at the first one), at far lower cost than the reduction of N/D, which is the last resort.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
@@ -13,33 +11,32 @@ use crate::fraction::Fractions;
 use crate::heights::{HeightsOrbit, ProjectiveMap};
 use crate::{DimensionError, Fraction, Map};
 
-/// An orbit in exact numbers that is at some point; begun by [`Map::exact_orbit`].
+/// An orbit in exact numbers with its current point; begun by [`Map::exact_orbit`].
 #[derive(Clone, Debug)]
 pub struct ExactOrbit {
     map: Map,
     eps: Rational,
     orbit: HeightsOrbit,
-    /// The integrals at the first point.
     first: Vec<Option<Fraction>>,
 }
 
 impl Map {
-    /// The orbit in exact numbers with ε, half the time step, from a first point. The values of the
-    /// parameters are put into the reduced map.
+    /// Begins the orbit in exact numbers at ε, half the time step, from a first point. Substitutes
+    /// the parameters into the reduced map.
     ///
     /// # Errors
-    /// [`DimensionError`] if the point has not an entry a variable.
+    /// [`DimensionError`] if `start` does not have one entry for each variable.
     pub fn exact_orbit(&self, eps: &Rational, start: &[Rational]) -> Result<ExactOrbit, DimensionError> {
         DimensionError::check(Argument::State, start.len(), self.field().variables().len())?;
         let (system, parameters) = (self.field().system(), self.parameters());
         let map = match &self.field().derived().map {
             map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
-            // In many variables what is derived has none.
+            // In many variables the derived plans contain no rational map.
             None => ProjectiveMap::new(system, parameters, eps),
         };
         let map = map.expect("a map is at parameters where its field is defined");
         let mut orbit = HeightsOrbit::begin(map, start);
-        // The first item is the first point itself.
+        // The first item of the iterator is the first point itself.
         orbit.next();
         let mut exact = ExactOrbit { map: self.clone(), eps: eps.clone(), orbit, first: Vec::new() };
         let first = exact.integrals(&exact.state());
@@ -49,17 +46,17 @@ impl Map {
 }
 
 impl ExactOrbit {
-    /// One point on; `false` where there is none, because det A = 0.
+    /// Makes one step; returns `false` at a pole, det A = 0.
     ///
     /// Cost: products and gcds of numbers as long as the coordinates.
     pub fn advance(&mut self) -> bool {
         self.orbit.next().is_some()
     }
 
-    /// The coordinates of the point, and the integrals that are claimed without `when`, `None` for
-    /// one that divides by zero there; all in lowest terms.
+    /// Returns the coordinates of the point, and the integrals claimed without `when`, all in
+    /// lowest terms. `None` stands for an integral that divides by zero at the point.
     ///
-    /// Cost: a gcd and two divisions a coordinate, and some products an integral.
+    /// Cost: a gcd and two divisions for each coordinate, and some products for each integral.
     #[must_use]
     pub fn values(&self) -> (Vec<Fraction>, Vec<Option<Fraction>>) {
         let state = self.state();
@@ -72,19 +69,18 @@ impl ExactOrbit {
         (state.into_iter().map(Fraction::reduced).collect(), integrals)
     }
 
-    /// The map.
+    /// Returns the map.
     #[must_use]
     pub fn map(&self) -> &Map {
         &self.map
     }
 
-    /// The coordinates of the point.
+    /// Returns the coordinates of the point.
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.orbit.point()
     }
 
-    /// σX/W, not reduced.
     fn state(&self) -> Vec<Fraction> {
         let unit = Fraction::from(self.orbit.projective_map().unit());
         let (weight, x) = self.orbit.projective_point().split_last().expect("W stands last");

@@ -1,4 +1,4 @@
-//! Orbits that are more than steps of floats: exact ones, and those through poles.
+//! Exact orbits, and orbits through poles.
 
 mod exact;
 mod projective;

@@ -1,8 +1,8 @@
-//! Orbits through poles, in a scalar that is chosen at compile time.
+//! Orbits through poles, over a scalar chosen at compile time.
 //!
 //! In: a map of at most [`LARGEST_DIMENSION`](crate::interpreted::LARGEST_DIMENSION) variables, ε,
-//! a first point. Out: its points, those at infinity too. What is generic over scalars is compiled
-//! here, once for all programs that follow such orbits.
+//! and a first point. Out: points, including those at infinity. Generic code is compiled here once,
+//! for all programs that follow orbits through poles.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
@@ -12,32 +12,31 @@ use kahan_core::{Dd, KahanMap, Projective, ProjectivePoint, SingularStep, Throug
 use crate::Map;
 use crate::interpreted::{LARGEST_DIMENSION, Padded, UnsupportedDimension, round};
 
-/// An orbit through poles that is at some point; begun by [`Map::projective_orbit`].
+/// An orbit through poles with its current point; begun by [`Map::projective_orbit`].
 pub trait ProjectiveOrbit<T> {
-    /// One point on, or why there is none.
+    /// Makes one step, or returns why there is no next point.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
-    /// The coordinates; at infinity 0 for those that are not infinite.
+    /// Returns the coordinates; at infinity the finite ones are 0.
     fn coordinates(&self) -> &[T];
 
-    /// Whether the point is at infinity.
+    /// Returns whether the point is at infinity.
     fn is_infinite(&self) -> bool;
 
-    /// The integrals that are claimed without `when`, at a point that is not at infinity; `None`
-    /// for one that divides by zero there in an exact scalar.
+    /// Returns the integrals claimed without `when`, at a finite point. `None` stands for an
+    /// integral that divides by zero there in an exact scalar.
     fn integrals(&self) -> Vec<Option<T>>;
 }
 
-/// A scalar over which a map that is read at run time has orbits through poles: `f32`, `f64`,
-/// [`Dd`] and `BigRational`.
+/// A scalar for orbits through poles of a map read at run time: `f32`, `f64`, [`Dd`] and
+/// `BigRational`.
 pub trait ProjectiveScalar: ThroughPoles {
-    /// The orbit of a map at its first point.
+    /// Begins the orbit of a map at its first point.
     #[doc(hidden)]
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-/// Scalars for which this crate compiles the orbit: a provided method would be compiled where it is
-/// called.
+/// Implements the trait in this crate; a provided method would be compiled where it is called.
 macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {
@@ -51,11 +50,11 @@ macro_rules! compile_for {
 compile_for!(f32, f64, Dd, BigRational);
 
 impl Map {
-    /// The orbit through poles with ε, half the time step, from a first point; each number is
-    /// rounded once. Coordinates that the point lacks are 0.
+    /// Begins the orbit through poles at ε, half the time step, from a first point. Each number is
+    /// rounded once; coordinates missing in `start` are 0.
     ///
     /// # Errors
-    /// [`UnsupportedDimension`] if the field has more variables than there is a type for.
+    /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.
     pub fn projective_orbit<T: ProjectiveScalar>(
         &self,
         eps: &Rational,
@@ -65,7 +64,6 @@ impl Map {
     }
 }
 
-/// An orbit and the point that it is at.
 struct At<T: ThroughPoles> {
     map: Padded<T>,
     eps: T,
@@ -79,7 +77,7 @@ impl<T: ThroughPoles> At<T> {
             SVector::from_fn(|i, _| start.get(i).map_or_else(T::zero, round));
         let eps: T = round(eps);
         let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
-        // The first item is the first point itself.
+        // The first item of the iterator is the first point itself.
         orbit.next();
         Box::new(At { map, eps, orbit, point: start.into() })
     }

@@ -1,15 +1,13 @@
-//! Where the roots of a polynomial over ℚ lie, inside the unit circle, on it, or outside, exactly.
+//! Positions of the roots of a polynomial over ℚ relative to the unit circle, decided exactly.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::periodic::Stability;
 
-/// The variable of characteristic polynomials.
 pub(super) const Z: Variable = Variable(0);
 
 type Matrix = [Vec<Rational>];
 
-/// a·b
 pub(super) fn product(a: &Matrix, b: &Matrix) -> Vec<Vec<Rational>> {
     let entry = |row: &[Rational], j: usize| {
         row.iter().zip(b).fold(Rational::zero(), |sum, (left, right)| &sum + &(left * &right[j]))
@@ -17,11 +15,11 @@ pub(super) fn product(a: &Matrix, b: &Matrix) -> Vec<Vec<Rational>> {
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
-/// det(z·I − M), by the recurrence of Faddeev and Le Verrier.
+/// Returns det(z·I − M), by the recurrence of Faddeev and Le Verrier.
 pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     let n = matrix.len();
     let mut terms = vec![(Monomial::power(Z, n as u32), Rational::one())];
-    // Nₖ = M·(Nₖ₋₁ + c·I), where c is the coefficient before, and the next one is −tr Nₖ/k.
+    // Nₖ = M·(Nₖ₋₁ + c·I) with the previous coefficient c; the next coefficient is −tr Nₖ/k.
     let mut power = vec![vec![Rational::zero(); n]; n];
     for k in 1..=n {
         let (_, last) = &terms[k - 1];
@@ -35,10 +33,10 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     Polynomial::from_terms(terms)
 }
 
-/// What multipliers say that are the roots of a polynomial.
+/// Classifies a cycle by its multipliers, the roots of `polynomial`.
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
-    // A root 0 is lost where the polynomial is reversed.
+    // A root 0 lowers the degree of the reversed polynomial.
     let is_smaller = reversed.degree() < polynomial.degree() || has_root_outside(&reversed);
     match (has_root_outside(polynomial), is_smaller) {
         (true, true) => Stability::Saddle,
@@ -48,7 +46,7 @@ pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     }
 }
 
-/// zᵈ·p(1/z), whose roots are one over those of p.
+/// Returns zᵈ·p(1/z), whose roots are the reciprocals of those of p.
 fn reversed(polynomial: &Polynomial) -> Polynomial {
     let degree = polynomial.degree();
     Polynomial::from_terms(
@@ -58,20 +56,20 @@ fn reversed(polynomial: &Polynomial) -> Polynomial {
     )
 }
 
-/// Whether a root is larger than 1 in size.
+/// Returns whether a root lies outside the unit circle.
 fn has_root_outside(polynomial: &Polynomial) -> bool {
-    // Roots on the circle are also roots of the reversed polynomial, since their conjugates are one
-    // over them; so are pairs m, 1/m.
+    // Roots on the circle, and pairs m, 1/m, are also roots of the reversed polynomial: the
+    // conjugate of a root on the circle is its reciprocal.
     let shared = gcd(polynomial, &reversed(polynomial));
-    // Cohn: a polynomial that is its own reversed one has all roots on the circle just where its
-    // derivative has none outside.
+    // Cohn: a self-reciprocal polynomial has all roots on the circle iff its derivative has none
+    // outside.
     if shared.as_constant().is_none() && has_root_outside(&shared.derivative(Z)) {
         return true;
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
-    // Schur and Cohn: no root of the rest lies on the circle. The product of all is the last
-    // coefficient over the leading one. Where it is 1 or larger, a root lies outside; else, by
-    // Rouché, what follows has as many roots outside, and one root less.
+    // Schur and Cohn: the rest has no root on the circle. Up to sign, the product of its roots is
+    // the last coefficient over the leading one. If it is at least 1 in size, a root lies outside.
+    // Otherwise, by Rouché, the next polynomial has as many roots outside and one root less.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -88,7 +86,6 @@ fn has_root_outside(polynomial: &Polynomial) -> bool {
 mod tests {
     use super::*;
 
-    /// Σ cₖ zᵏ, the lowest first.
     fn polynomial(coefficients: &[Rational]) -> Polynomial {
         let powers = (0..).map(|k| Monomial::power(Z, k));
         Polynomial::from_terms(powers.zip(coefficients.iter().cloned()))
@@ -99,7 +96,7 @@ mod tests {
         let of = |coefficients: &[i64], below: i64| {
             polynomial(&coefficients.iter().map(|c| Rational::new(*c, below)).collect::<Vec<_>>())
         };
-        // Each with whether it has roots inside, on, and outside of the circle.
+        // Each factor with whether it has roots inside, on, and outside of the circle.
         let factors = [
             (of(&[0, 1], 1), [true, false, false]),
             (of(&[-1, 2], 2), [true, false, false]),
@@ -109,7 +106,6 @@ mod tests {
             (of(&[-1, 1], 1), [false, true, false]),
             (of(&[1, 1], 1), [false, true, false]),
             (of(&[5, -6, 5], 5), [false, true, false]),
-            // z⁴ + … + 1, roots of unity of order 5.
             (of(&[1, 1, 1, 1, 1], 1), [false, true, false]),
             (of(&[-3, 1], 1), [false, false, true]),
             (of(&[2, 1], 1), [false, false, true]),

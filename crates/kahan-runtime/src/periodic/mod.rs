@@ -1,8 +1,7 @@
-//! Periodic points of maps that are read at run time, and proofs over ℚ of those that are rational.
+//! Periodic points of maps read at run time, with proofs over ℚ of the rational ones.
 //!
-//! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle that this found. Out: fractions
-//! whose orbit closes exactly ([`rational`]), where there are such near the cycle, and how stable
-//! it is ([`circle`]).
+//! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle found in floats. Out: fractions
+//! near the cycle whose orbit closes exactly ([`rational`]), and their stability ([`circle`]).
 
 mod circle;
 mod rational;
@@ -19,7 +18,7 @@ pub use rational::{MOST_DIGITS, RationalCycle};
 
 impl Differentiable for MapAt<f64> {
     /// # Panics
-    /// If `x` has not an entry a variable.
+    /// If the length of `x` is not the dimension of the map.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         let mut rows = vec![0.0; x.len() * x.len()];
         assert!(self.jacobian(x, &mut rows).is_ok(), "{} numbers for another number of variables", x.len());
@@ -27,21 +26,20 @@ impl Differentiable for MapAt<f64> {
     }
 }
 
-/// A map whose derivative by one of its parameters, or by ε, is known, too; made by
-/// [`MapAt::by`].
+/// A map with its derivative by one parameter, or by ε; made by [`MapAt::by`].
 #[derive(Clone, Debug)]
 pub struct ParametricAt {
     at: MapAt<f64>,
-    /// The place of the parameter; that of ε is behind all of them.
+    /// The index of the parameter; the number of parameters stands for ε.
     place: usize,
 }
 
 impl MapAt<f64> {
-    /// This map, as one of those at all values of ε, or of the parameter at this place in
-    /// [`Field::parameters`](crate::Field::parameters).
+    /// Returns the map with its derivative by a parameter, given by its index in
+    /// [`Field::parameters`](crate::Field::parameters), or by ε for `None`.
     ///
     /// # Panics
-    /// If there is no such parameter.
+    /// If the index is out of range.
     #[must_use]
     pub fn by(&self, parameter: Option<usize>) -> ParametricAt {
         let parameters = self.map().parameters().len();
@@ -51,14 +49,13 @@ impl MapAt<f64> {
 }
 
 impl ParametricAt {
-    /// The place of the parameter that the derivative is by; that of ε is behind all parameters.
+    /// Returns the index of the parameter of the derivative; the number of parameters stands for ε.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place
     }
 }
 
-/// Steps are those of the map.
 impl Step for ParametricAt {
     type Scalar = f64;
     type State = Vec<f64>;
@@ -90,7 +87,7 @@ impl Differentiable for ParametricAt {
 
 impl Parametric for ParametricAt {
     /// # Panics
-    /// If `x` has not an entry a variable.
+    /// If the length of `x` is not the dimension of the map.
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.at.by_constant(self.place, x).expect("x has an entry a variable")
     }

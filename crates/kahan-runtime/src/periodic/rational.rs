@@ -1,7 +1,7 @@
-//! Cycles over ℚ near those that are known in floats.
+//! Cycles over ℚ near cycles known in floats.
 //!
 //! In: a cycle in floats. Out: fractions near it whose orbit closes exactly, and the exact
-//! characteristic polynomial of the derivative of the map along it.
+//! characteristic polynomial of the derivative along the cycle.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -14,27 +14,26 @@ use crate::heights::HeightsOrbit;
 
 use super::circle::{Z, characteristic_polynomial, product, stability};
 
-/// The most decimal digits of a coordinate of a cycle over ℚ. The heights of what is no cycle grow
-/// with every step, most often by a factor; those of a cycle come back, to a few digits.
+/// The most decimal digits of a coordinate of a cycle over ℚ. Heights of other orbits grow with
+/// every step, usually by a factor; those of a cycle return to few digits.
 pub const MOST_DIGITS: u64 = 200;
-/// The most products of fractions for the characteristic polynomial of the derivative along a
-/// cycle.
+/// The most products of fractions for the characteristic polynomial of a cycle.
 const MOST_PRODUCTS: usize = 200_000;
 
-/// A cycle over ℚ, and what is proved of it.
+/// A cycle over ℚ, with its multipliers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RationalCycle {
-    /// The map carries each into the next one, by `==`, and the last one into the first.
+    /// The points; the map takes each to the next by exact arithmetic, and the last to the first.
     pub points: Vec<Vec<Rational>>,
-    /// det(z·I − ∂φᵖ/∂x), p the period: its roots are the multipliers. z is the only variable.
+    /// det(z·I − ∂φᵖ/∂x) for the period p, in the variable z; its roots are the multipliers.
     pub polynomial: Polynomial,
-    /// What the multipliers say, decided without rounding.
+    /// The stability by the multipliers, decided without rounding.
     pub stability: Stability,
 }
 
 impl RationalCycle {
-    /// Returns the cycle with the multipliers on the common level of `integrals` independent
-    /// integrals. Each integral has a multiplier 1 of its own, which is left out.
+    /// Returns the cycle with its multipliers on the level set of `integrals` independent
+    /// integrals. Each integral accounts for one multiplier 1, which is divided out.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();
@@ -45,17 +44,15 @@ impl RationalCycle {
 }
 
 impl Map {
-    /// The rational cycle of the map at this ε, half the time step, near one in floats. `None`
-    /// where no fractions with denominators of a few digits are, and where the proof takes numbers
-    /// of more than 200 digits, or more than 200 000 products of them: that is a cycle of a point
-    /// in more than 20 variables.
+    /// Searches for a rational cycle of the map at ε, half the time step, near one in floats.
     ///
-    /// Cost: an exact orbit over the period for each of some guesses, and the exact derivative at
-    /// each point.
+    /// Returns `None` where no fractions with small denominators form a cycle. The proof also gives
+    /// up on numbers of more than 200 digits, and on more than 200 000 products, as for a fixed
+    /// point in more than 20 variables. Cost: an exact orbit over the period for each of up to four
+    /// guesses, and the exact derivative at each point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        /// How far the simplest fraction may be from a number, relative to the size of the cycle,
-        /// the nearest first.
+        /// The largest distances of the simplest fraction, relative to the size of the cycle.
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;
@@ -71,7 +68,6 @@ impl Map {
         Some(RationalCycle { stability: stability(&polynomial), points, polynomial })
     }
 
-    /// ∂φᵖ/∂x along a cycle of p points.
     fn exact_derivative(&self, eps: &Rational, points: &[Vec<Rational>]) -> Option<Vec<Vec<Rational>>> {
         let interpreter = Interpreter::new(self.field().system());
         let jacobians = points.iter().map(|x| {
@@ -81,7 +77,6 @@ impl Map {
         jacobians.reduce(|before, here| Some(product(&here?, &before?)))?
     }
 
-    /// The orbit of a point, if it closes after so many steps.
     fn closed(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
         let orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
         let mut orbit = orbit.within_digits(MOST_DIGITS);
@@ -94,13 +89,12 @@ impl Map {
     }
 }
 
-/// The products of fractions for the derivative along a cycle, a product of matrices a point, and
-/// for its characteristic polynomial, a product of matrices a variable.
+/// Counts the products of fractions for the derivative and its characteristic polynomial.
 fn products(variables: usize, period: usize) -> usize {
     variables.saturating_pow(3).saturating_mul(variables.saturating_add(period))
 }
 
-/// The fraction with the smallest denominator that is at most `near` from a number.
+/// Returns the fraction with the smallest denominator at a distance of at most `near` from x.
 fn simplest(x: f64, near: f64) -> Option<Rational> {
     let (low, high) = (Rational::from_f64(x - near)?, Rational::from_f64(x + near)?);
     let zero = Rational::zero();
@@ -110,10 +104,9 @@ fn simplest(x: f64, near: f64) -> Option<Rational> {
     if high < zero { Some(-between(&-high, &-low)?) } else { between(&low, &high) }
 }
 
-/// The simplest fraction from `low` to `high`, both above 0, by their continued fractions.
+/// Returns the simplest fraction in [low, high], both positive, by continued fractions.
 fn between(low: &Rational, high: &Rational) -> Option<Rational> {
     let (mut low, mut high) = (low.clone(), high.clone());
-    // What was taken off, from the outside to the inside.
     let mut taken = Vec::new();
     let last = loop {
         let floor = Rational::from_f64(low.to_f64().floor()).filter(|floor| *floor <= low)?;
@@ -127,7 +120,7 @@ fn between(low: &Rational, high: &Rational) -> Option<Rational> {
         let one = Rational::one();
         (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
         taken.push(floor);
-        // Doubles have no more than this.
+        // Doubles have shorter continued fractions.
         if taken.len() > 100 {
             return None;
         }

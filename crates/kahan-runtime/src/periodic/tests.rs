@@ -1,4 +1,4 @@
-//! Derivatives and cycles that are known in closed form.
+//! Derivatives and cycles known in closed form.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +11,6 @@ use kahan_dynamics::periodic::{
 
 use crate::Field;
 
-/// Σ cₖ zᵏ, the lowest first.
 fn polynomial(coefficients: &[(i64, i64)]) -> Polynomial {
     let term = |(power, &(above, below)): (u32, &(i64, i64))| {
         (Monomial::power(Variable(0), power), Rational::new(above, below))
@@ -21,7 +20,7 @@ fn polynomial(coefficients: &[(i64, i64)]) -> Polynomial {
 
 #[test]
 fn equilibria_of_the_flow_are_fixed_points_of_the_map() {
-    // Roots 1/3 and −2, and the line between them.
+    // The field has equilibria at x = 1/3 and x = −2, with y = x − 1/3.
     let map = Field::parse("xdot = (3*x - 1)*(x + 2); ydot = x - 1/3 - y;").unwrap().map().unwrap();
     let eps = Rational::new(1, 9);
     for (start, x, y) in [
@@ -35,8 +34,8 @@ fn equilibria_of_the_flow_are_fixed_points_of_the_map() {
 
 #[test]
 fn a_rational_cycle_of_three_is_proved() {
-    // In one variable the map is a Möbius transformation, here of order 3: with the discriminant
-    // −3 of the field it turns by the angle whose tangent is √3.
+    // In one variable the map is a Möbius transformation. Here it has order 3: the field has the
+    // discriminant −3, and the map turns by the angle with tangent √3.
     let map = Field::parse("xdot = x^2 + x + 1;").unwrap().map().unwrap();
     let eps = Rational::one();
     let at = map.at(1.0);
@@ -45,7 +44,7 @@ fn a_rational_cycle_of_three_is_proved() {
     let proved = map.rational_cycle(&eps, &cycle).unwrap();
     let points = [(1, 5), (-6, 1), (-5, 6)].map(|(above, below)| [Rational::new(above, below)]);
     assert_eq!(proved.points, points);
-    // All points have the period: the multiplier is 1.
+    // All points have period 3, so that the multiplier is 1.
     assert_eq!((proved.polynomial, proved.stability), (polynomial(&[(-1, 1), (1, 1)]), Stability::Neutral));
 }
 
@@ -79,7 +78,7 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
 
 #[test]
 fn the_derivative_by_eps_goes_through_elimination_too() {
-    // In ten variables the step is elimination along the couplings.
+    // In ten variables the step eliminates along the couplings.
     let equation = |i: usize| format!("x{i}dot = x{i}*x{} - x{}/2 + 1/3;", (i + 1) % 10, (i + 7) % 10);
     let map = Field::parse(&(0..10).map(equation).collect::<String>()).unwrap().map().unwrap();
     let (eps, x) = (0.125, [0.5, -0.25, 1.0, 0.75, -0.5, 0.25, -1.0, 0.125, 0.375, 0.625]);
@@ -89,7 +88,7 @@ fn the_derivative_by_eps_goes_through_elimination_too() {
     at.matrix(&x, &mut rows).unwrap();
     for (i, row) in rows.chunks(10).enumerate() {
         let left: f64 = row.iter().zip(&slope).map(|(entry, slope)| entry * slope).sum();
-        // The slopes are below 4, and some tens of roundings.
+        // The slopes are below 4, with some tens of roundings.
         assert!((left - (next[i] - x[i]) / eps).abs() < 1e-14, "{i}: {left}");
     }
 }
@@ -104,7 +103,7 @@ fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
 
 #[test]
 fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
-    // The map is linear in y and z, which turn differently at each point of x ↦ x̃ ↦ … of order 3.
+    // The map is linear in y and z, which turn differently at each point of the cycle x ↦ x̃ ↦ ….
     let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
     let map = Field::parse(text).unwrap().map().unwrap();
     let at = map.at(1.0);
@@ -128,13 +127,13 @@ fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
     }
 }
 
-/// Hénon and Heiles' system; the square of the frequency of x is a.
+/// The Hénon–Heiles system; a is the square of the frequency of x.
 const HENON_HEILES: &str = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -y - x^2 + y^2;";
 
-/// A cycle of three of it in the plane x = p = 0.
+/// Returns a cycle of three points of the Hénon–Heiles system in the plane x = p = 0.
 ///
-/// (y, q) goes (d, 0) → (b, c) → (b, −c) → (d, 0), with b = (ε² − 3)/2ε², c = ε(b − b²) and
-/// d = b − εc.
+/// The map takes (y, q) = (d, 0) to (b, c), to (b, −c), and back, where b = (ε² − 3)/2ε²,
+/// c = ε(b − b²) and d = b − εc.
 fn cycle_of_three(eps: &Rational) -> [[Rational; 4]; 3] {
     let square = eps * eps;
     let b = (&square - &Rational::from(3)).checked_div(&(&square + &square)).unwrap();
@@ -153,13 +152,13 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
         let cycle = periodic_point(&map.at(eps.to_f64()), &start, 3).unwrap();
         let proved = map.rational_cycle(&eps, &cycle).unwrap();
         assert_eq!(proved.points, expected);
-        // The map keeps a volume, and that of the plane x = p = 0: multipliers come as m and 1/m.
+        // The map preserves a volume and an area in x = p = 0: multipliers are pairs m, 1/m.
         let coefficient = |k| proved.polynomial.coefficient(&Monomial::power(Variable(0), k));
         assert_eq!([coefficient(0), coefficient(1)], [coefficient(4), coefficient(3)]);
         assert_eq!(proved.stability, Stability::Saddle);
         let [a, b, c, d] = cycle.multipliers[..] else { panic!("four") };
         for product in [a * d, b * c] {
-            // Some tens of roundings, times the condition of multipliers that are up to 100 apart.
+            // Some tens of roundings, times the condition of multipliers up to 100 apart.
             assert!((product - Complex::new(1.0, 0.0)).norm1() < 1e-12, "{eps}: {product}");
         }
     }
@@ -170,7 +169,7 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }
 
-/// Whether a branch has these changes, each within a bound of its parameter.
+/// Returns whether a branch has these changes, each within a bound of its parameter.
 fn has_turns(branch: &Branch, expected: &[(Change, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     let is_near = |(turn, (change, at, bound)): (&Turn, &(Change, f64, f64))| {
@@ -181,23 +180,23 @@ fn has_turns(branch: &Branch, expected: &[(Change, f64, f64)]) -> bool {
 
 #[test]
 fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
-    // At ε = 2 the multipliers across the plane x = p = 0 are m and 1/m with
-    // m + 1/m − 2 = (11 − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)): they leave the circle at 11/8.
+    // At ε = 2 the multipliers across the plane x = p = 0 are m and 1/m with m + 1/m − 2 = (11 −
+    // 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). They leave the circle at a = 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
     let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
     for (from, to) in [(1.0, 2.0), (2.0, 1.0)] {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
         let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
-        // A multiplier counts from 1 + 10⁻⁶ on, at a distance of about its square.
+        // A multiplier leaves the circle from 1 + 10⁻⁶ on, at a distance of about the square in a.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
 }
 
 #[test]
 fn the_lorenz_system_changes_where_the_flow_does() {
-    // Equilibria and where their eigenvalues λ cross the imaginary axis are the same for the map,
-    // whose multipliers are (1 + ελ)/(1 − ελ).
+    // The map shares equilibria with the flow. Multipliers (1 + ελ)/(1 − ελ) cross the circle where
+    // eigenvalues λ cross the imaginary axis.
     let field = Field::parse("xdot = s*(y - x); ydot = r*x - y - x*z; zdot = x*y - b*z;").unwrap();
     let place = field.parameters().iter().position(|name| name == "r");
     let b = Rational::new(8, 3);
@@ -208,15 +207,15 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let origin = periodic_point(&map(0.5), &[0.0; 3], 1).unwrap();
     for steps in [1, 7] {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
-        // The multiplier is known to a rounding, and 2ε·10/11 times as far from 1 as r is.
+        // The multiplier is known up to rounding, and differs from 1 by 2ε·10/11 times r − 1.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
-    // At r = 1 the other equilibria come together in the origin: their branch turns back.
+    // At r = 1 the other equilibria meet at the origin, where their branch turns back.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (Change::ThroughCircle, 470.0 / 19.0, 1e-9);
-    // Near there what the map leaves open is the cube of the distance from the branch, and r − 1 is
-    // its square: 10⁻¹² gives 10⁻⁸.
+    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is the square
+    // of the distance: 10⁻¹² gives 10⁻⁸.
     let fold = (Change::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();
@@ -225,7 +224,7 @@ fn the_lorenz_system_changes_where_the_flow_does() {
 
 #[test]
 fn cycles_of_maps_that_keep_a_volume_keep_it() {
-    // A density has the same value where the cycle begins and ends: the product of the multipliers
+    // A density takes one value at the beginning and end of a cycle: the product of the multipliers
     // is 1, and in the plane they are m and 1/m.
     let plane = "xdot = y - x^2/3 + y^2; ydot = -x + 2*x*y/3 - x^2/2;";
     let top = "xdot = y*z; ydot = -2*x*z; zdot = x*y;";
@@ -242,14 +241,14 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
         assert_eq!(cycle.points.len(), period, "{text}");
         let one = Complex::new(1.0, 0.0);
         let product = cycle.multipliers.iter().fold(one, |product, multiplier| product * multiplier);
-        // Some tens of roundings a step, in derivatives whose entries are below 100.
+        // Some tens of roundings in each step, in derivatives with entries below 100.
         assert!((product - one).norm1() < 1e-12, "{text}: {product}");
     }
 }
 
 #[test]
 fn rounding_of_multipliers_of_1_is_no_change() {
-    // All multipliers are 1, of a derivative that can't be made diagonal and has entries up to 100.
+    // All multipliers are 1, of a derivative that is not diagonalisable and has entries up to 100.
     let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
     let map = |eps: f64| top.at(eps).by(None);
     let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();

@@ -1,5 +1,4 @@
-//! Any field: exact against rational arithmetic, growth of linear and periodic orbits, poles,
-//! bounds.
+//! Heights of any field: orbits against rational arithmetic, growth, poles, bounds.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -17,7 +16,7 @@ fn lotka_volterra() -> HeightsOrbit {
     orbit(&catalog("lv"), "", "9/14", "1/2,5/3")
 }
 
-/// log max(|p|, |q|), by the decimal digits of the number: nothing in common with the library.
+/// Computes log max(|p|, |q|) from decimal digits, independently of the library.
 fn height(value: &Rational) -> f64 {
     let text = value.to_string();
     let parts = text.trim_start_matches('-').split('/');
@@ -32,7 +31,7 @@ fn digits(value: &Rational) -> u64 {
     value.to_string().trim_start_matches('-').split('/').map(|part| part.len() as u64).max().unwrap_or(0)
 }
 
-/// Follows an orbit beside the interpreter, which computes with reduced fractions.
+/// Compares an orbit with the interpreter, which computes with reduced fractions.
 fn agrees_with_fractions(text: &str, parameters: &str, eps: &str, start: &str, steps: usize) {
     let system = field(text);
     let interpreter = Interpreter::new(&system);
@@ -74,13 +73,13 @@ fn orbits_are_those_of_rational_arithmetic() {
         "3/7,11/13,23/47",
         120,
     );
-    // Nothing moves at eps = 0.
+    // At ε = 0 all points are fixed.
     agrees_with_fractions("xdot = x^2; ydot = x*y;", "", "0", "2/3,5", 4);
 }
 
 #[test]
 fn a_field_without_a_reduced_map_is_solved_exactly() {
-    // Six variables, each coupled to all: far beyond the budget of terms.
+    // Six variables, all coupled, are far beyond the budget of terms.
     let equation = |i: usize| {
         let products: Vec<String> =
             (1..=6).map(|j| format!("{}*x{j}*x{}", (i * j) % 5 + 1, (i + 2 * j) % 6 + 1)).collect();
@@ -101,10 +100,10 @@ fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     assert_eq!(growth("xdot = a*x;", "1", "1/5", "3/7", 60), Growth::Linear);
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1/5", "3/7,2", 60), Growth::Linear);
     assert_eq!(growth("xdot = y; ydot = -x + 1/2; zdot = x - z;", "", "1/5", "3/7,2,0", 60), Growth::Linear);
-    // A constant field: x grows like n, its height like log n.
+    // A constant field: x grows like n, and the height of x like log n.
     assert_eq!(growth("xdot = 2/3;", "", "1/2", "0", 200), Growth::Logarithmic);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1,1", 20), Growth::Bounded);
-    // At eps = 1 the rotation turns by a right angle: period 4.
+    // At ε = 1 the rotation turns by a right angle, with period 4.
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1", "3/7,2", 30), Growth::Bounded);
     // Not integrable, in few steps and in many.
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 7), Growth::Exponential);
@@ -137,14 +136,14 @@ fn sequences_are_classified_by_their_differences() {
 
 #[test]
 fn an_orbit_ends_at_a_pole_and_says_so() {
-    // x~ = x/(1 − 2εx): 1/x falls by two in each step, and 1/2 is a pole.
+    // With x̃ = x/(1 − 2εx), 1/x falls by two in each step, and 1/2 is a pole.
     let mut orbit = orbit(&field("xdot = x^2;"), "", "1", "1/6");
     let heights: Vec<Heights> = orbit.by_ref().take(9).collect();
     assert_eq!(heights.len(), 3);
     assert_eq!(orbit.point(), vec![Rational::new(1, 2)]);
     assert_eq!(orbit.stopped(), Some(Stop::Pole));
     assert_eq!(orbit.next(), None);
-    // A removable pole is none: E1 at 1 + eps x = 0.
+    // E1 has a removable pole at 1 + εx = 0, which does not end the orbit.
     let mut removable = self::orbit(&catalog("e1"), "", "1/2", "-2,1,1/3");
     assert!(removable.nth(1).is_some());
 }
@@ -164,8 +163,8 @@ fn bounds_end_an_orbit_and_keep_what_is_known() {
     assert_eq!(within_digits(1).heights.len(), 1);
 }
 
-/// A clock that shows a second more after each reading: as there is one before a step and one after
-/// it, step n ends at 2n + 1 seconds, and takes one.
+/// Uses a clock that advances a second at each reading. Readings come before and after a step, so
+/// that step n ends at 2n + 1 seconds, and takes one second.
 #[test]
 fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
     let within = |seconds: f64| {
@@ -176,10 +175,10 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
         assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Seconds), None));
         survey.heights.len()
     };
-    // Without time there is no step. The first is begun at 2 seconds, with nothing to foresee from.
+    // Without time no step is made. The first step begins at 2 seconds, without an estimate.
     assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
-    // Digits double, so that a step is expected to take a bit more than four times as long as the
-    // last: of step n it is foreseen that it ends at 2n + 4 seconds and a bit.
+    // Digits double, so that a step is estimated at slightly more than four times the last one:
+    // step n to end slightly after 2n + 4 seconds.
     assert_eq!([20.0, 22.0].map(within), [8, 9]);
 }
 
@@ -203,8 +202,7 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Where noise hides the growth, no class is better than a wrong one; a tall coordinate that hardly
-/// moves decides nothing.
+/// Noise that hides the growth gives `Undecided`; a large height that hardly moves decides nothing.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

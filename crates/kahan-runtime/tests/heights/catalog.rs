@@ -1,5 +1,5 @@
-//! Systems of the catalog. The orbits of the paper's figures are compared height by height in the
-//! tests of `kahan-paper`, which measures them anyway.
+//! Growth classes of systems of the catalog. The tests of `kahan-paper` compare the orbits of the
+//! paper's figures height by height.
 
 use kahan_runtime::heights::{Growth, Survey};
 
@@ -13,7 +13,7 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // Where E9 is E3 and E4, it grows as they do, though the factor that E3 loses stays.
+        // E9 is E3 or E4 here, and grows like them, though the factor that E3 loses stays.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

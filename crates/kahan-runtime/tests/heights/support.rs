@@ -1,4 +1,4 @@
-//! Reading systems and numbers.
+//! Systems and numbers read from text.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
@@ -25,7 +25,6 @@ pub(crate) fn catalog(name: &str) -> System {
     field(find(name).unwrap_or_else(|| panic!("no system {name}")).text())
 }
 
-/// An orbit from numbers as text, separated by commas.
 pub(crate) fn orbit(system: &System, parameters: &str, eps: &str, start: &str) -> HeightsOrbit {
     HeightsOrbit::new(system, &numbers(parameters), &number(eps), &numbers(start)).expect("a defined field")
 }

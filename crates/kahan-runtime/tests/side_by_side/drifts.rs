@@ -1,4 +1,4 @@
-//! Drifts of integrals.
+//! Drifts of integrals in a group of orbits.
 
 use kahan_core::observe::Observer;
 use kahan_runtime::{Field, IntegralDrift, MapAt};

@@ -1,4 +1,4 @@
-//! Orbits that are observed side by side have the points and the reports that each has alone.
+//! Orbits observed side by side have the points and reports of single orbits.
 
 mod drifts;
 mod observed;

@@ -1,4 +1,4 @@
-//! Observables of many orbits, bit for bit those of each alone.
+//! Observables of many orbits have the bits of single orbits.
 
 use std::ops::ControlFlow;
 
@@ -21,13 +21,13 @@ fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observing<'
     found.iter().map(|found| found.end).collect()
 }
 
-/// Steps that end at a look of the observers, between two looks, and before the first.
+/// The numbers of steps end at a look of the observers, between two looks, and before the first.
 #[test]
 fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};
 
     let mut ends = Vec::new();
-    // The last field has no code.
+    // The last field, with nine variables, has no code and is left out.
     for (field, map) in maps().take(5) {
         let starts = columns::<f64>(field.variables().len(), ORBITS);
         for of in [&[Last][..], &[Lyapunov], &[Sali, Last], &[Lyapunov, Sali], &[Sali, Fli], &[Extrema]] {

@@ -1,4 +1,4 @@
-//! The catalog, read, against the catalog, compiled: bit for bit.
+//! Systems of the catalog read at run time have the bits of the compiled ones.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::prelude::*;
@@ -9,7 +9,6 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 
 use super::support::{Random, assert_same, catalog, number, steps};
 
-/// The entries row by row, as slices have them.
 fn rows<T: Scalar + Copy, const N: usize>(matrix: &SMatrix<T, N, N>) -> Vec<T> {
     (0..N).flat_map(|i| (0..N).map(move |j| matrix[(i, j)])).collect()
 }

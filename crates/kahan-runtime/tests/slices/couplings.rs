@@ -1,25 +1,22 @@
-//! Random fields of up to 200 variables, of every kind of coupling, against partial pivoting on the
-//! whole matrix.
+//! Random fields of up to 200 variables with all kinds of couplings, against partial pivoting.
 
 use kahan_runtime::Field;
 
 use super::support::Random;
 
-/// Which variables act on which.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    /// So many others each, anywhere.
+    /// Each variable depends on this number of others, anywhere.
     Anywhere(usize),
-    /// So many before it only.
+    /// Each variable depends on this number of variables up to itself.
     Triangular(usize),
-    /// The first acts on all, and all on it.
+    /// The first variable is coupled with all others, in both directions.
     Arrow,
-    /// Those at these distances, around a ring.
+    /// Each variable depends on neighbours around a ring.
     Ring(usize),
     All,
 }
 
-/// A random field: each variable's equation has products with those that act on it.
 fn field(kind: Kind, n: usize, random: &mut Random) -> String {
     let mut below = |modulus: usize| random.below(u32::try_from(modulus).expect("small")) as usize;
     let mut text = String::new();
@@ -46,7 +43,6 @@ fn field(kind: Kind, n: usize, random: &mut Random) -> String {
     text
 }
 
-/// A⁻¹f by partial pivoting on the whole matrix.
 fn pivoted(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for k in 0..n {
@@ -72,7 +68,7 @@ fn norm(x: impl IntoIterator<Item = f64>) -> f64 {
     x.into_iter().fold(0.0, |most, entry| most.max(entry.abs()))
 }
 
-/// ‖A·d − 2εf‖/(‖A‖·‖d‖ + ‖2εf‖)
+/// Returns ‖A·d − 2εf‖/(‖A‖·‖d‖ + ‖2εf‖).
 fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
     let product = |row: &Vec<f64>| row.iter().zip(d).map(|(entry, d)| entry * d).sum::<f64>();
     let rest = norm(a.iter().zip(right).map(|(row, right)| product(row) - right));
@@ -80,8 +76,8 @@ fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
     rest / (size * norm(d.iter().copied()) + norm(right.iter().copied()))
 }
 
-/// Partial pivoting leaves n·u at most where entries do not grow (Higham 2002, §9.3), and the
-/// residual is rounded as often; what is divided by here lets products be 16 times as large as
+/// Partial pivoting has a backward error of at most n·u if entries do not grow (Higham 2002, §9.3);
+/// the residual has equally many roundings. The bound lets products be 16 times as large as
 /// entries, and x̃ − x is rounded to the size of x.
 #[test]
 fn steps_along_couplings_are_as_good_as_partial_pivoting() {

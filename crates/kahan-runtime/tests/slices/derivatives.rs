@@ -3,10 +3,10 @@
 use kahan_core::Dd;
 use kahan_runtime::{By, Composition, Field, Map, MapAt, Rational};
 
-/// A field with the values of its parameters and a first point.
+/// A field as text, with the values of its parameters and a first point.
 pub(crate) type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
 
-/// Fields with straight lines, eliminations, divisors, and sums as factors.
+/// Returns fields with straight lines, eliminations, divisors, and sums as factors.
 pub(crate) fn fields() -> Vec<Case> {
     let network: String = (0..7)
         .map(|i| {
@@ -33,7 +33,7 @@ pub(crate) fn fields() -> Vec<Case> {
     ]
 }
 
-/// The map over double-double with something added to a parameter.
+/// Returns the map with `by_how_much` added to the parameter `by`.
 fn moved(field: &Field, values: &[(&'static str, f64)], by: Option<&str>, by_how_much: &Rational) -> Map {
     let value = |(name, value): &(&'static str, f64)| {
         let exact = Rational::from_f64(*value).unwrap();
@@ -48,8 +48,8 @@ fn end(at: &MapAt<Dd>, start: &[Dd], steps: u64) -> Vec<Dd> {
     x
 }
 
-/// Differences in double-double over 2⁻⁴⁰ err by the third derivative times 2⁻⁸⁰ and by 2⁻¹⁰⁰ over
-/// 2⁻⁴⁰: both far below the bound, which is that of 40 steps in `f64`.
+/// Differences in double-double over 2⁻⁴⁰ err by the third derivative times 2⁻⁸⁰ and by 2⁻¹⁰⁰/2⁻⁴⁰,
+/// far below the bound, which is that of 40 steps in `f64`.
 #[test]
 fn derivatives_are_those_of_differences_in_double_double() {
     const STEPS: u64 = 40;

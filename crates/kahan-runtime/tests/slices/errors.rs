@@ -1,4 +1,4 @@
-//! What does not fit is an error that says what to do, and numbers are never a panic.
+//! Arguments that do not fit give errors with advice; no number causes a panic.
 
 use kahan_core::Composition;
 use kahan_runtime::{ClaimError, DimensionError, Field, MachineFloat, ParameterError};

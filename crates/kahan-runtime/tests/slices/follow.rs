@@ -1,4 +1,4 @@
-//! One orbit, followed: its points are those of single steps, and its end is told.
+//! `Follow` gives the points of single steps and reports the end of the orbit.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -13,7 +13,7 @@ fn go_on(_: u64) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// The points of so many steps, each made by a call of its own, as far as they are finite.
+/// Returns the finite points of up to `steps` steps, each made by a call of its own.
 fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> Vec<Vec<S::Scalar>> {
     let mut points = vec![start.to_vec()];
     for _ in 0..steps {
@@ -27,7 +27,7 @@ fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u6
     points
 }
 
-/// All ways of following an orbit agree with single steps; how it ended.
+/// Checks that all methods of `Follow` agree with single steps; returns how the orbit ended.
 fn agree<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> End {
     let expected = by_hand(map, start, steps);
     let made = expected.len() as u64 - 1;
@@ -90,7 +90,7 @@ fn points_are_those_of_single_steps() {
         map_agrees::<f64>(&catalog(name), 9000);
         map_agrees::<f32>(&catalog(name), 300);
     }
-    // Nine variables, which are interpreted.
+    // Nine variables, with elimination.
     let ring = |k: usize| format!("x{k}dot = x{k}*(x{} - x{});", (k + 1) % 9, (k + 8) % 9);
     map_agrees::<f64>(&Field::parse(&(0..9).map(ring).collect::<String>()).expect("a field"), 70);
 }
@@ -131,12 +131,12 @@ fn chains_are_followed_by_the_same_calls() {
         assert_eq!(agree(&chain(sites), &start, 50), End::Complete);
     }
     let mut x = vec![1.0; 200];
-    // Where a step takes longer, the watch is asked after fewer.
+    // In many variables the watch is called after fewer steps.
     let stopped = chain(200).follow(&mut x, 1000, |_| ControlFlow::Break(())).unwrap();
     assert!(matches!(stopped.end, End::Stopped(steps) if steps < 100), "{stopped:?}");
 }
 
-/// exp(2εn) leaves the range after 7092 steps, and what a step computes before; the pole takes one.
+/// A growth of exp(2εn) leaves the range near step 7092; the pole is at the first step.
 #[test]
 fn an_orbit_ends_at_its_last_finite_point() {
     let growth = Field::parse("xdot = x; ydot = x - y;").unwrap().map().unwrap();
@@ -145,7 +145,7 @@ fn an_orbit_ends_at_its_last_finite_point() {
     let pole = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.5);
     assert_eq!(agree(&pole, &[1.0], 5), End::Range(0));
     assert_eq!(agree(&pole, &[1.0], 0), End::Complete);
-    // A start that is not finite is seen, as it is, and nothing else.
+    // Observers see a start that is not finite, and nothing else.
     let (mut x, mut seen) = ([f64::INFINITY], 0);
     let followed = pole.observe(&mut x, 9, Visit::by(|_, _: &[f64]| seen += 1), go_on).unwrap();
     assert_eq!((followed.end, seen, x), (End::Range(0), 1, [f64::INFINITY]));
@@ -170,7 +170,7 @@ fn observers_and_a_watch_end_a_run() {
             told.push(steps);
             if told.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
-        // After the last step there is nothing to stop.
+        // After the last step a break has no effect.
         let end = [End::Stopped(4096), End::Stopped(8192), End::Complete][most - 1];
         assert_eq!(followed, Ok(Followed { report: (), end }));
         assert_eq!(told, [4096, 4096, 1808][..most]);

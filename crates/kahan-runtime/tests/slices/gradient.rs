@@ -1,4 +1,4 @@
-//! Gradients by a reverse sweep, against derivatives that are carried forward.
+//! Gradients by a reverse sweep, against derivatives carried forward.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ use super::support::Random;
 
 const GO_ON: fn(u64) -> ControlFlow<()> = |_| ControlFlow::Continue(());
 
-/// A field of one variable, and fields whose step solves a dense or a coupled system.
+/// Returns a field of one variable, and fields whose step solves a dense or a sparse system.
 fn larger_fields() -> Vec<Case> {
     let start = |n: usize| (0..n).map(|i| 0.25 + 0.5 / (2.0 + i as f64)).collect::<Vec<f64>>();
     let growing: String = chain(30).replace(" - ", " + a - b*").replace("dot = ", "dot = c + ");
@@ -27,7 +27,6 @@ fn number<T: RuntimeFloat>(value: f64) -> T {
     kahan_runtime::interpreted::round(&Rational::from_f64(value).unwrap())
 }
 
-/// The gradient by derivatives that are carried forward.
 fn carried<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], every: u64, weights: &[T]) -> Gradient<T> {
     let (n, parameters) = (start.len(), at.map().parameters().len());
     let by: Vec<By> =
@@ -82,7 +81,7 @@ fn gradients_are_those_carried_forward<T: RuntimeFloat>(
     }
 }
 
-/// Bounds are 8 to 100 times 39 steps of up to 17 stages, with 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴ for each stage.
+/// The bounds are 8 to 100 times 39 steps, up to 17 stages and 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴.
 #[test]
 fn gradients_are_those_of_derivatives_carried_forward() {
     let compositions = [Composition::KAHAN, Composition::SUZUKI_4, Composition::KAHAN_LI_8];
@@ -94,7 +93,7 @@ fn gradients_are_those_of_derivatives_carried_forward() {
 
 /// The step of 250 variables eliminates along the couplings and skips negligible entries. For
 /// a = ε = 1 the diagonal of A nearly vanishes, so that the solver chooses pivots. Differences over
-/// 2⁻⁴⁰ in 32 digits err by 5e-20 and by a third derivative times 1e-25; the bound is rounding.
+/// 2⁻⁴⁰ in 32 digits err by 5e-20 and by a third derivative times 1e-25; the bound is for rounding.
 #[test]
 fn gradients_of_sparse_fields_are_those_of_differences() {
     let n = 250;
@@ -113,7 +112,6 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
         let at = map.at(eps);
         let every = NonZeroU64::new(2).unwrap();
         let own = at.gradient(&start, every, &weights, GO_ON).unwrap().report.unwrap();
-        // The loss at another value of `a`, of ε and along a direction of starts.
         let tiny = 2.0_f64.powi(-40);
         let direction: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i % 3 == 0))).collect();
         let loss = |by: usize, sign: f64| {
@@ -147,7 +145,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
     }
 }
 
-/// For ε = 1/2, det A vanishes at z = −2 and nearly beside it, and the reduced map has a value.
+/// For ε = 1/2, det A vanishes at z = −2 and is small nearby; the reduced map has values there.
 #[test]
 fn gradients_near_removable_poles_are_those_of_the_reduced_map() {
     let map = super::support::catalog("e3").map().unwrap();
@@ -175,14 +173,14 @@ fn gradients_say_what_does_not_fit_and_how_orbits_end() {
     assert_eq!(error.to_string(), expected);
     let error = at.gradient(&[0.5], NonZeroU64::MIN, &[1.0; 2], GO_ON).unwrap_err();
     assert_eq!(error.to_string(), "the state has 1 entry; give 2, one a variable");
-    // 1/x falls by 2ε = 1/2 a step, so that the second step is at the pole 1 − 2εx = 0.
+    // Since 1/x falls by 2ε = 1/2 in a step, the second step is at the pole 1 − 2εx = 0.
     let at_pole = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[1.0; 8], GO_ON).unwrap();
     assert_eq!((at_pole.report, at_pole.end), (None, End::Range(1)));
     let none = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[], GO_ON).unwrap().report.unwrap();
     assert_eq!(none, Gradient { start: vec![0.0; 2], parameters: vec![0.0], eps: 0.0 });
 }
 
-/// The watch hears of all steps, forward and back, and can stop both.
+/// The watch receives all steps, forward and back, and can stop both sweeps.
 #[test]
 fn a_watch_stops_a_sweep() {
     let at = Field::parse("xdot = y; ydot = -x;").unwrap().map().unwrap().at(0.01);

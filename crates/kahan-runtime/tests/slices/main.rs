@@ -1,4 +1,4 @@
-//! Fields that are read and stepped as slices.
+//! Fields read at run time and stepped as slices.
 
 mod catalog;
 mod coefficients;

@@ -1,4 +1,4 @@
-//! Steps over poles are counted as exact arithmetic on the same floats counts them.
+//! Counts of steps over poles agree with exact arithmetic on the floats of the orbit.
 
 use std::ops::ControlFlow;
 
@@ -18,7 +18,6 @@ fn map(text: &str, eps: f64) -> MapAt<f64> {
     Field::parse(text).expect("a field").map().expect("no parameters").at(eps)
 }
 
-/// The count of an orbit.
 fn passed<T: MachineFloat>(at: &MapAt<T>, start: &[T], steps: u64) -> Passed {
     let followed = at.observe(&mut start.to_vec(), steps, PassedPoles::of(at), |_| ControlFlow::Continue(()));
     followed.expect("a number a variable").report
@@ -28,11 +27,11 @@ fn exactly(steps: u64) -> Passed {
     Passed { steps, is_lower_bound: false }
 }
 
-/// The coefficients of the denominator by powers of ε, in exact numbers.
+/// The coefficients of the denominator by powers of ε, at an exact point.
 type Denominator = fn(&[Rational]) -> Vec<Rational>;
 
-/// Whether Σ cₖtᵏ has a root between 0 and `end`, which is one, too: from the slopes in the middle
-/// of an interval follows how far all values lie from the one there.
+/// Returns whether Σ cₖtᵏ has a root between 0 and `end`, including `end`. Bounds on the slope give
+/// bounds on the values in an interval from the value in its middle.
 fn has_root(coefficients: &[Rational], end: &Rational) -> bool {
     let zero = Rational::ZERO;
     let at = |t: &Rational| coefficients.iter().rev().fold(zero.clone(), |sum, c| &(&sum * t) + c);
@@ -62,8 +61,7 @@ fn of_floats(x: &[f64]) -> Vec<Rational> {
     x.iter().map(|x| Rational::from_f64(*x).expect("finite")).collect()
 }
 
-/// How many steps of an orbit, as far as its points are finite, have a stage whose denominator has
-/// a root.
+/// Counts the steps of an orbit, up to its last finite point, over a root in some stage.
 fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: &[f64], steps: u64) -> u64 {
     let (mut x, mut count) = (start.to_vec(), 0);
     for _ in 0..steps {
@@ -81,17 +79,17 @@ fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: 
     count
 }
 
-/// 1 − 2xε
+/// d = 1 − 2xε
 fn of_riccati(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[0] * &Rational::from(-2)]
 }
 
-/// f′ = (1 − y, −x; y, x − 1)
+/// From f′ = (1 − y, −x; y, x − 1).
 fn of_lotka_volterra(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[1] - &x[0], &(&x[0] + &x[1]) - &Rational::ONE]
 }
 
-/// f′ = (−y, 2z − x, 2y; 2x, 0, −2z; −2y, z − 2x, y)
+/// From f′ = (−y, 2z − x, 2y; 2x, 0, −2z; −2y, z − 2x, y).
 fn of_e6(x: &[Rational]) -> Vec<Rational> {
     let [x, y, z] = x else { panic!("{x:?}") };
     let times = |k: i64, a: &Rational, b: &Rational| &(a * b) * &Rational::from(k);
@@ -105,7 +103,7 @@ fn of_name(name: &str, eps: f64) -> MapAt<f64> {
     if name == "riccati" { map(RICCATI, eps) } else { catalog(name).map().expect("no parameters").at(eps) }
 }
 
-/// 1/x falls by 2ε a step.
+/// In each step 1/x falls by 2ε.
 #[test]
 fn a_step_that_jumps_over_the_pole_is_counted_once() {
     assert_eq!(passed(&map(RICCATI, 0.07), &[1.0], 7), exactly(0));
@@ -113,12 +111,12 @@ fn a_step_that_jumps_over_the_pole_is_counted_once() {
     assert_eq!(passed(&map(RICCATI, 0.07), &[1.0], 100), exactly(1));
     let single = Field::parse(RICCATI).expect("a field").map().expect("no parameters").at(0.07_f32);
     assert_eq!(passed(&single, &[1.0], 100), exactly(1));
-    // Backwards in time there is a pole on the other side.
+    // Backwards in time the pole is on the other side.
     assert_eq!(passed(&map(RICCATI, -0.07), &[1.0], 100), exactly(0));
     assert_eq!(passed(&map(RICCATI, -0.07), &[-1.0], 100), exactly(1));
-    // The orbit ends before the pole that its tenth step is at.
+    // The tenth step is at the pole, and ends the orbit.
     assert_eq!(passed(&map(RICCATI, 0.05), &[1.0], 11), exactly(0));
-    // The flow of x² + 1 is tan t, which has a pole every π.
+    // The flow of x² + 1 is tan t, which has a pole in each interval of length π.
     assert_eq!(passed(&map("xdot = x^2 + 1;", 0.05), &[0.0], 1000), exactly(32));
 }
 
@@ -158,7 +156,7 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
         }
     }
     assert!(passes > 20, "{passes} poles");
-    // Stages go 1.35 of a step forth, 1.70 back and 1.35 forth: further than the step itself.
+    // Stages go 1.35 of a step forward, 1.70 back and 1.35 forward, and so beyond the step.
     let kahan = map(RICCATI, 0.1);
     for start in [1.0 / 0.23, -1.0 / 0.05] {
         assert_eq!(passed(&kahan, &[start], 1), exactly(0));
@@ -168,14 +166,14 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
 
 #[test]
 fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
-    // d = (1 − 2εx)² + 4ε²y², which has a double root for y = 0 alone.
+    // d = (1 − 2εx)² + 4ε²y² has a double root only for y = 0.
     let complex = map("xdot = x^2 - y^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&complex, &[1.0, 0.0], 12), exactly(1));
     assert_eq!(passed(&complex, &[0.1, 0.0], 12), exactly(0));
     for y in [1e-3, 1e-9, 1e-100, 5e-324] {
         assert_eq!(passed(&complex, &[8.0, y], 1), exactly(0), "{y}");
     }
-    // d is a square.
+    // Here d is a square.
     let square = map("xdot = x^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&square, &[1.0, 3.0], 12), exactly(1));
 }
@@ -184,7 +182,7 @@ fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
 fn a_denominator_without_states_has_its_roots_at_every_step_or_at_none() {
     assert_eq!(passed(&map("xdot = y; ydot = 1;", 1e6), &[1.0, 1.0], 9), exactly(0));
     assert_eq!(passed(&map("xdot = y; ydot = -x;", 50.0), &[1.0, 1.0], 9), exactly(0));
-    // d = 1 − ε
+    // Here d = 1 − ε.
     assert_eq!(passed(&map("xdot = x;", 0.99), &[1.0], 9), exactly(0));
     assert_eq!(passed(&map("xdot = x;", 1.5), &[1.0], 9), exactly(9));
     assert_eq!(passed(&map("xdot = x;", -1.5), &[1.0], 9), exactly(0));
@@ -212,7 +210,7 @@ fn counts_depend_on_no_unit() {
     assert!(passes > 10, "{passes} poles");
 }
 
-/// A field beyond the budget of terms, with more and with fewer variables than are expanded.
+/// Fields beyond the budget of terms, with fewer and more variables than are expanded.
 #[test]
 fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
     for text in [dense(7), chain(12)] {

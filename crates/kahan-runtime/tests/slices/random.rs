@@ -1,4 +1,4 @@
-//! Random fields against the map of the same field over types.
+//! Random fields as slices, against the typed map of the field.
 
 use kahan_core::KahanMap;
 use kahan_core::nalgebra::SVector;
@@ -9,8 +9,7 @@ use super::support::{Random, assert_same, steps};
 
 const NAMES: [&str; 6] = ["u", "v", "w", "x", "y", "z"];
 
-/// A field in n variables: each equation is a sum of a few terms of all degrees, some with one of
-/// two parameters.
+/// Returns a field in n variables, with a few terms of all degrees in each equation.
 fn field(random: &mut Random, n: u32) -> String {
     let name = |random: &mut Random| NAMES[random.below(n) as usize];
     let mut equation = |variable: &str| {

@@ -1,4 +1,4 @@
-//! Fields, points, and what it is to have the same bits.
+//! Fields, points, and comparison bit for bit.
 
 use std::fmt::Debug;
 
@@ -6,35 +6,33 @@ use kahan_core::Scalar;
 use kahan_runtime::{Field, MachineFloat};
 use kahan_systems::registry::find;
 
-/// A field of the catalog, read.
 pub(crate) fn catalog(command: &str) -> Field {
     Field::parse(find(command).expect("in the catalog").text()).expect("a field")
 }
 
-/// Numbers of a fixed sequence.
+/// A fixed pseudorandom sequence.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// A number below `modulus`.
     pub(crate) fn below(&mut self, modulus: u32) -> u32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         u32::try_from((self.0 >> 33) % u64::from(modulus)).expect("small")
     }
 
-    /// A point of ordinary size whose coordinates are no short floats.
+    /// Returns a point of ordinary size whose coordinates are no short floats.
     pub(crate) fn point<T: MachineFloat>(&mut self, n: usize) -> Vec<T> {
         (0..n).map(|_| number::<T>(f64::from(self.below(41)) - 20.0) / number(7.0)).collect()
     }
 }
 
-/// The float nearest to a number.
+/// Returns the float nearest to a number.
 pub(crate) fn number<T: MachineFloat>(value: f64) -> T {
     kahan_runtime::interpreted::round(
         &kahan_algebra::rational::Rational::from_f64(value).expect("a finite number"),
     )
 }
 
-/// Steps of every kind: ordinary ones, those that a step must not be divided by, and none.
+/// Returns ε of every kind: ordinary ones, ones too small or large to divide by, and 0.
 pub(crate) fn steps<T: MachineFloat>() -> Vec<T> {
     let powers = [-140, -70, -20, 15, 17, 65, 100].map(|power| f64::from(power).exp2());
     let sizes = [0.0, 0.05, 1.0 / 7.0, 0.5, 3.0].into_iter().chain(powers);
@@ -43,7 +41,7 @@ pub(crate) fn steps<T: MachineFloat>() -> Vec<T> {
     sizes.filter(fits).flat_map(|size| [number::<T>(size), -number::<T>(size)]).collect()
 }
 
-/// Whether two floats have the same bits, not a number being itself.
+/// Returns whether two numbers are equal with equal signs, or both NaN.
 pub(crate) fn same<T: Scalar>(a: &T, b: &T) -> bool {
     let is_number = |value: &T| *value == value.clone();
     let sign = |value: &T| (T::one() / value.clone()).approximate().is_sign_negative();
@@ -53,7 +51,7 @@ pub(crate) fn same<T: Scalar>(a: &T, b: &T) -> bool {
     }
 }
 
-/// That all numbers have the same bits.
+/// Asserts that all numbers are equal bit for bit.
 pub(crate) fn assert_same<'a, T: Scalar>(
     found: impl IntoIterator<Item = &'a T, IntoIter: ExactSizeIterator>,
     expected: impl IntoIterator<Item = &'a T, IntoIter: ExactSizeIterator>,

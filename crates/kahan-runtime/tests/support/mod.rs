@@ -6,20 +6,19 @@ use kahan_core::num_rational::BigRational;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{Field, Rational};
 
-/// A field read over ℚ, at values of its parameters in their order.
+/// Reads a field over ℚ, at values of its parameters in their order.
 pub(crate) fn read<const N: usize>(text: &str, parameters: &[BigRational]) -> Interpreted<BigRational, N> {
     let field = Field::parse(text).expect("a field");
     let map = field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter");
     map.as_kahan_map().expect("as many variables")
 }
 
-/// A rational number.
 pub(crate) fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-/// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths
-/// from a fixed sequence.
+/// Returns points and values of ε of ordinary size, sevenths and elevenths from a fixed sequence,
+/// so that no coordinate is a short float.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

@@ -1,4 +1,4 @@
-//! What was answered in some unit, brought back to ordinary ones.
+//! Answers in one unit, converted back to ordinary units.
 
 use core::fmt::Debug;
 
@@ -6,13 +6,13 @@ use kahan_core::{FloatScalar, nalgebra::SVector};
 
 use super::fields::{ORDINARY, Unit, two_to};
 
-/// Answers with their names, in the order in which they were asked.
+/// Named answers, in the order of the questions.
 pub(crate) struct Answers {
     unit: Unit,
     all: Vec<(String, Vec<f64>)>,
 }
 
-/// The powers of a length and of a time that a number is proportional to.
+/// The powers of length and time that a number is proportional to.
 #[derive(Clone, Copy)]
 pub(crate) struct Dimension {
     pub(crate) length: i32,
@@ -35,7 +35,7 @@ impl Answers {
     pub(crate) fn add<T: FloatScalar>(&mut self, name: &str, dimension: Dimension, numbers: &[T]) {
         let Dimension { length, time } = dimension;
         let back = |number: &T| {
-            // One after the other: the product of both may be beyond the range.
+            // One factor after the other, because their product may overflow.
             number.approximate() * two_to(self.unit.length * length) * two_to(self.unit.time * time)
         };
         self.all.push((name.to_owned(), numbers.iter().map(back).collect()));
@@ -45,18 +45,18 @@ impl Answers {
         self.add(name, LENGTH, point.as_slice());
     }
 
-    /// Adds what is no number.
+    /// Adds an answer that is not a number, as text.
     pub(crate) fn say(&mut self, name: &str, what: impl Debug) {
         self.all.push((format!("{name}: {what:?}"), Vec::new()));
     }
 }
 
-/// Whether two numbers have the same bits, what is not a number being itself.
+/// Returns whether two numbers have equal bits or are both NaN.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
 
-/// Panics where answers in one of the units differ from those in ordinary ones.
+/// Panics if answers in one of the units differ from those in ordinary units.
 pub(crate) fn check_units(name: &str, units: &[Unit], answer: impl Fn(Unit, &mut Answers)) {
     let of = |unit| {
         let mut answers = Answers::new(unit);

@@ -1,4 +1,4 @@
-//! Chains of any number of sites.
+//! Chains in all units.
 
 use kahan_core::prelude::*;
 use kahan_runtime::{FieldText, Lattice};
@@ -10,7 +10,7 @@ use crate::fields::{Unit, two_to};
 const SITES: usize = 700;
 
 kahan! {
-    /// Sites that run after each other, with damping and a force.
+    /// Lorenz's model of an atmosphere: advection around a ring, with damping and a force.
     struct Atmosphere { q, nu }
     for i in periodic {
         x[i]dot = nu*(q*x[i-1]*(x[i+1] - x[i-2]) - x[i] + 8/q);
@@ -18,7 +18,7 @@ kahan! {
 }
 
 kahan! {
-    /// Coupled springs that are not quite linear.
+    /// Coupled springs with a quadratic force.
     struct Springs { q, nu }
     for i in periodic {
         x[i]dot = nu*p[i];
@@ -48,7 +48,7 @@ fn add_orbit<M: LatticeMap<f64> + Clone>(
     let mut next = start.clone();
     at.step(&mut next);
     answers.add("residual", NUMBER, &[at.residual(&start, &next)]);
-    // What is promised may have other bits.
+    // Promised steps may have other bits.
     answers.say("promise", at.try_step(&mut next).is_ok());
 }
 

@@ -1,4 +1,4 @@
-//! Periodic points, and branches of them over ε and over a parameter.
+//! Periodic points, and branches of them over ε and over a parameter, in all units.
 
 use std::ops::ControlFlow;
 
@@ -56,7 +56,7 @@ fn cycles_and_branches_have_the_same_bits_in_every_unit() {
 
 #[test]
 fn branches_over_a_parameter_have_the_same_bits_in_every_unit() {
-    // A length, whose range begins where a cycle lies at 0, and a number.
+    // Parameters with the dimension of a length (from a cycle at 0) and without dimension.
     let fold = Field::parse("xdot = a - q*x^2 - x; ydot = x - y;").unwrap();
     let oscillator = Field::parse("xdot = y; ydot = b*y - x - q*x^2;").unwrap();
     for (field, name, [from, to], dimension, start) in [

@@ -1,6 +1,6 @@
-//! Twenty fields in any unit of length and of time.
+//! Twenty fields in any units of length and time.
 //!
-//! ẋ = ν·(q·Q(x) + Bx + c/q) is one field for all q and ν: with x in units of 1/q, and time in
+//! For all q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field, with x in units of 1/q and time in
 //! units of 1/ν.
 
 use kahan_runtime::{Field, Map};
@@ -9,13 +9,13 @@ use kahan_runtime::{Field, Map};
 #[derive(Debug)]
 pub(crate) struct Case {
     pub(crate) name: &'static str,
-    /// `q` stands before what is quadratic, and beneath what is constant.
+    /// The equations, with `q` as a factor of quadratic terms and a divisor of constants.
     text: &'static str,
     pub(crate) eps: f64,
     pub(crate) start: &'static [f64],
 }
 
-/// Lengths are measured in 2^length, times in 2^time: numbers are that much smaller.
+/// Units of 2^length for lengths and 2^time for times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unit {
     pub(crate) length: i32,
@@ -24,25 +24,22 @@ pub(crate) struct Unit {
 
 pub(crate) const ORDINARY: Unit = Unit { length: 0, time: 0 };
 
-/// A power of two.
 pub(crate) fn two_to(exponent: i32) -> f64 {
     f64::from(exponent).exp2()
 }
 
 impl Unit {
-    /// A length, in this unit.
     pub(crate) fn length(self, ordinary: f64) -> f64 {
         ordinary * two_to(-self.length)
     }
 
-    /// A time, in this unit.
     pub(crate) fn time(self, ordinary: f64) -> f64 {
         ordinary * two_to(-self.time)
     }
 }
 
 impl Case {
-    /// The field, whose parameters are `q`, where there is a length to be measured, and `nu`.
+    /// Returns the field, with the parameters `q`, if the text contains it, and `nu`.
     pub(crate) fn field(&self) -> Field {
         let timed = |statement: &str| match statement.split_once("dot = ") {
             Some((variable, rate)) => format!("{variable}dot = nu*({rate});"),
@@ -57,7 +54,6 @@ impl Case {
     }
 }
 
-/// The map of a field in a unit.
 pub(crate) fn map(field: &Field, unit: Unit) -> Map {
     let values = [("q", two_to(unit.length)), ("nu", two_to(unit.time))];
     let known = |name: &&str| field.parameters().iter().any(|known| known == *name);

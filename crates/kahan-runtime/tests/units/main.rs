@@ -1,8 +1,7 @@
-//! Answers do not depend on the units of length and time: every float of one is that in other
-//! units, times a power of two.
+//! Answers do not depend on the units of length and time: they scale by exact powers of two.
 //!
-//! Twenty fields in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of time
-//! in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16, too,
+//! Twenty fields run in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of
+//! time in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16,
 //! beyond which steps take another form.
 
 mod answers;
@@ -25,7 +24,5 @@ const fn units<const K: usize>(lengths_and_times: [[i32; 2]; K]) -> [Unit; K] {
     units
 }
 
-/// For `f64`.
 const UNITS: [Unit; 5] = units([[300, 0], [-300, 0], [0, 56], [0, -59], [-111, 17]]);
-/// For `f32`.
 const SHORT_UNITS: [Unit; 5] = units([[40, 0], [-40, 0], [0, 8], [0, -8], [-11, 5]]);

@@ -1,5 +1,4 @@
-//! Maps over points, compiled and read at run time: orbits of every kind, promises, ensembles, and
-//! the choice of a setting.
+//! Maps over points, compiled and read: orbits, promises, ensembles, and the choice of a setting.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
@@ -10,7 +9,6 @@ use crate::answers::{Answers, NUMBER, RATE, SPEED, TIME, check_units};
 use crate::fields::{CASES, Case, Unit, map, two_to};
 use crate::{SHORT_UNITS, UNITS};
 
-/// A map of a case in a unit, over the numbers that `to` makes of those of `f64`.
 struct Subject<'a, M, T, const N: usize> {
     case: &'a Case,
     unit: Unit,
@@ -52,7 +50,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_,
         answers.add("polarized field", SPEED, self.map.polarized(&x, &next).as_slice());
         answers.add_point("local error", &at.local_error(&x));
         answers.add_point("back", &self.map.step_back(&next, self.eps()));
-        // What is promised may have other bits.
+        // Promised steps may have other bits.
         answers.say("promise", at.try_step(&x).is_ok());
     }
 
@@ -95,7 +93,6 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Subject<'_, M, f64, N> {
     }
 }
 
-/// The map of a case over points.
 macro_rules! over_points {
     ($case:expr, $map:expr, $scalar:ty, |$points:ident| $body:expr) => {
         over_points!($case, $map, $scalar, |$points| $body; 1 2 3 4 5 6 8 10)
@@ -130,7 +127,7 @@ fn orbits_of_points_have_the_same_bits_in_every_unit() {
 fn scenes_are_chosen_for_in_the_same_way_in_every_unit() {
     for case in &CASES {
         let field = case.field();
-        // The settings that are tried have an ε of other sizes.
+        // Settings with ε of other sizes are tried too.
         let units =
             [&UNITS[..2], &UNITS[4..], &[[0, 40], [0, -40]].map(|[length, time]| Unit { length, time })]
                 .concat();

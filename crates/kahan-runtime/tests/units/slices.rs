@@ -1,4 +1,4 @@
-//! Maps over slices: orbits, what is derived of a map, and what observers say.
+//! Maps over slices: orbits, objects of the map, and reports of observers.
 
 use kahan_core::Composition;
 use kahan_core::observe::{
@@ -11,7 +11,6 @@ use crate::answers::{AREA, Answers, Dimension, LENGTH, NUMBER, RATE, SPEED, chec
 use crate::fields::{CASES, Case, Unit, map};
 use crate::{SHORT_UNITS, UNITS};
 
-/// A case in a unit, over the numbers that `to` makes of those of `f64`.
 struct Subject<'a, T: MachineFloat> {
     case: &'a Case,
     unit: Unit,

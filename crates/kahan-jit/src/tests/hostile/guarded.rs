@@ -1,5 +1,4 @@
-//! Slices at the edge of what may be touched: code that reads or writes one number too many stops
-//! the process.
+//! Slices between forbidden pages: code that reads or writes one number too many stops the process.
 #![expect(unsafe_code, reason = "only the system can forbid memory, and knows nothing of slices")]
 
 use std::ffi::c_void;
@@ -10,18 +9,17 @@ use std::slice;
 
 use rustix::mm::{MapFlags, MprotectFlags, ProtFlags, mmap_anonymous, mprotect, munmap};
 
-/// What the memory of x86-64 is protected by.
 const PAGE: usize = 4096;
 
-/// Which end of a slice borders on forbidden memory; at the other one it is a part of a page away.
+/// The end of a slice that borders on forbidden memory; the other end is part of a page away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
     Begin,
     End,
 }
 
-/// Numbers in pages of their own between two that are forbidden, at first all zero. Pages take room
-/// when they are touched, so there may be many more numbers than memory.
+/// Numbers in pages of their own between two forbidden pages, initially 0. Untouched pages take no
+/// memory, so that there may be more numbers than memory.
 pub(crate) struct Guarded<T> {
     pages: NonNull<c_void>,
     bytes: usize,
@@ -31,13 +29,12 @@ pub(crate) struct Guarded<T> {
 }
 
 impl<T: num_traits::Float> Guarded<T> {
-    /// So many zeros.
     pub(crate) fn zeros(len: usize, edge: Edge) -> Self {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the system chooses addresses that nobody uses. The inner pages are as long as the
-        // numbers, which are zeros as pages are at first, and are aligned at both of their ends.
+        // SAFETY: the system chooses unused addresses. The inner pages are as long as the numbers,
+        // are initially zero, and are aligned at both ends.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);
@@ -58,14 +55,15 @@ impl<T> Deref for Guarded<T> {
     type Target = [T];
 
     fn deref(&self) -> &[T] {
-        // SAFETY: so many numbers begin there, and live as long as `self`.
+        // SAFETY: `len` numbers begin there, and live as long as `self`.
         unsafe { slice::from_raw_parts(self.start.as_ptr(), self.len) }
     }
 }
 
 impl<T> DerefMut for Guarded<T> {
     fn deref_mut(&mut self) -> &mut [T] {
-        // SAFETY: so many numbers begin there, and live as long as `self`, which is borrowed alone.
+        // SAFETY: `len` numbers begin there, and live as long as `self`, which is borrowed
+        // exclusively.
         unsafe { slice::from_raw_parts_mut(self.start.as_ptr(), self.len) }
     }
 }
@@ -78,7 +76,7 @@ impl<T> AsMut<[T]> for Guarded<T> {
 
 impl<T> Drop for Guarded<T> {
     fn drop(&mut self) {
-        // SAFETY: these pages are its own, and nobody looks at them any more.
+        // SAFETY: the pages belong to `self`, and nothing borrows them any more.
         unsafe { munmap(self.pages.as_ptr(), self.bytes) }.expect("own pages");
     }
 }

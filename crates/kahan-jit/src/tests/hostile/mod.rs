@@ -1,7 +1,7 @@
-//! Hostile programs on slices at the edge of forbidden memory: whatever a caller can build without
-//! `unsafe` is refused, or computes what the program says and touches nothing else.
+//! Hostile programs on slices between forbidden pages. Every program that a caller can build
+//! without `unsafe` is refused, or computes its results and touches no other memory.
 //!
-//! The fuzz target `program` compiles these files once more: what they need of the crate is public.
+//! The fuzz target `program` compiles these files too, which therefore use only public items.
 
 mod guarded;
 #[cfg(test)]
@@ -20,7 +20,6 @@ use super::draw::{Draw, constant, literal, push, state};
 use super::run::{read, run_by, same};
 use guarded::{Edge, Guarded};
 
-/// How a program is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Routine {
     Function,
@@ -39,7 +38,6 @@ impl Routine {
     ];
 }
 
-/// A program and a way to run it.
 #[derive(Debug)]
 pub(crate) struct Case {
     program: Program,
@@ -48,11 +46,11 @@ pub(crate) struct Case {
     is_double: bool,
     edge: Edge,
     seed: u64,
-    /// Whether nothing about the program is a reason to refuse it.
+    /// Whether nothing in the program is a reason to refuse it.
     is_ordinary: bool,
 }
 
-/// Bytes that decide what is drawn; behind the last one come zeros.
+/// Bytes that decide random choices, followed by zeros.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -67,8 +65,8 @@ impl Source<'_> {
         of[self.byte() % of.len()]
     }
 
-    /// An entry of an array: mostly a near one, else one at the edge of what bytes, offsets and
-    /// addresses can count.
+    /// Returns an index of an array, usually small, else near limits of bytes, offsets or
+    /// addresses.
     fn entry(&mut self) -> usize {
         let near = self.byte();
         if near < 240 {
@@ -113,9 +111,8 @@ impl Source<'_> {
         }
     }
 
-    /// A program of whatever instructions, and whether nothing about it is a reason to refuse it.
+    /// Returns a program of arbitrary instructions, and whether nothing is a reason to refuse it.
     fn program(&mut self) -> (Program, bool) {
-        /// More than there is code for.
         const MANY: usize = 25_000;
 
         let mut program = Program::default();
@@ -123,13 +120,13 @@ impl Source<'_> {
             255 => MANY,
             results => results % 40,
         };
-        // Now and then the same bytes over and over.
+        // Sometimes the bytes repeat.
         let instructions = match self.byte() {
             255 => MANY,
             254 => 3000,
             _ => 0,
         };
-        // Now and then an operation that reads what is not computed before it.
+        // Sometimes an operation reads one that is not before it.
         let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
         let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
@@ -159,7 +156,6 @@ impl Source<'_> {
 }
 
 impl Case {
-    /// The case that these bytes stand for.
     pub(crate) fn of(bytes: &[u8]) -> Self {
         let mut source = Source(bytes);
         let routine = source.choice(&Routine::ALL);
@@ -182,10 +178,9 @@ impl Case {
         read(&self.program)[1]
     }
 
-    /// Runs the case; whether there was code.
     pub(crate) fn has_run(&self) -> bool {
         if self.routine != Routine::Function && self.states() > self.program.outputs.len() {
-            // Whoever asks for rounds without a result for each state is told so by a panic.
+            // `compile` panics if a state has no result.
             return false;
         }
         let refusal = if self.is_double { self.run::<f64>() } else { self.run::<f32>() };
@@ -206,7 +201,7 @@ impl Case {
         }
     }
 
-    /// So many numbers; of very many only the first and the last ones are not zero.
+    /// Returns `count` numbers; of very many only the first and last ones are not zero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 
@@ -217,7 +212,6 @@ impl Case {
         numbers
     }
 
-    /// A round of one lane.
     fn expected<T: num_traits::Float>(
         &self,
         state: impl Fn(usize) -> T,

@@ -1,4 +1,4 @@
-//! The reverse sweep of one step, stage after stage.
+//! The reverse sweep over one step, stage by stage.
 
 use kahan_core::{Composition, Scalar};
 
@@ -9,20 +9,18 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest growth of a cotangent by a transposed solve, which loses up to 10 bits then. A stage
-/// with larger growth is near a zero of det A, which may be a pole of the map or a removable one.
+/// The largest growth of a cotangent by a transposed solve, which then loses up to 10 bits. Larger
+/// growth indicates a zero of det A: a pole of the map, or a removable singularity.
 const LARGEST_GROWTH: f64 = 1024.0;
 
-/// Takes cotangents back over steps of a map.
 pub(super) struct Back<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
-    /// `None` where coefficients depend on ε: dual numbers then differentiate the whole step.
+    /// `None` where coefficients depend on ε: dual numbers then differentiate the whole stage.
     terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
-    /// The entries of f′ at the points before and behind a stage.
+    /// The entries of f′ at the points before and after a stage.
     slopes: [Vec<T>; 2],
-    /// A state or a cotangent at work.
     room: Vec<T>,
 }
 
@@ -42,7 +40,6 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         Back { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
     }
 
-    /// The number of stages of a step.
     pub(super) fn stages(&self) -> usize {
         2 * self.distinct.len() - 1
     }
@@ -51,14 +48,13 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         k.min(self.stages() - 1 - k)
     }
 
-    /// Begins the sweep at the last state of the orbit.
     pub(super) fn begin(&mut self, x: &[T]) {
         if let Some(terms) = &self.terms {
             terms.slopes(x, &mut self.slopes[1]);
         }
     }
 
-    /// Appends the states that the stages of a step lead to.
+    /// Appends the state after each stage of a step.
     pub(super) fn make_step(&mut self, points: &mut Vec<T>) {
         let n = self.distinct[0].0.dimension();
         for k in 0..self.stages() {
@@ -68,8 +64,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         }
     }
 
-    /// Takes the cotangent, `gradient.start`, back over the last step of these states, and removes
-    /// the step from them.
+    /// Carries `gradient.start` back over the last step of `points`, and removes the step.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -105,8 +100,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Takes the cotangent back near a zero of det A, or where coefficients depend on ε, by
-    /// derivatives of the reduced map.
+    /// Carries the cotangent back by derivatives of the stage, near a zero of det A too.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();
@@ -126,7 +120,6 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
     }
 }
 
-/// The largest magnitude.
 fn largest<T: Scalar>(numbers: &[T]) -> f64 {
     numbers.iter().fold(0.0, |most: f64, number| most.max(number.approximate().abs()))
 }

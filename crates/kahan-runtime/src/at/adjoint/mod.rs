@@ -18,13 +18,9 @@
 //! ∂L/∂ε += 2 μ·q(x,x̃)
 //! ```
 //!
-//! The states are computed forward again from about √steps checkpoints. A stage of a composition is
-//! a step with γε; γ times its derivative by γε is added to ∂L/∂ε.
-//!
-//! Where coefficients depend on ε, dual numbers through the whole step give λ and the derivatives.
-//!
-//! - `terms` has the coefficients of the field as numbers, and their derivatives.
-//! - `back` takes the cotangent back over one step.
+//! The states are recomputed from about √steps checkpoints. A stage of a composition is a step with
+//! γε; γ times its derivative by γε is added to ∂L/∂ε. Where coefficients depend on ε, dual numbers
+//! through the whole step give λ and the derivatives.
 
 mod back;
 mod terms;
@@ -42,11 +38,12 @@ use back::Back;
 /// [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
-    /// By the coordinates of the start.
+    /// The derivatives by the coordinates of the start.
     pub start: Vec<T>,
-    /// By the parameters, in the order of [`Field::parameters`](crate::Field::parameters).
+    /// The derivatives by the parameters, in the order of
+    /// [`Field::parameters`](crate::Field::parameters).
     pub parameters: Vec<T>,
-    /// By ε, half the time step.
+    /// The derivative by ε, half the time step.
     pub eps: T,
 }
 
@@ -61,22 +58,22 @@ impl<T: RuntimeFloat> Gradient<T> {
 }
 
 impl<T: RuntimeFloat> MapAt<T> {
-    /// Computes the gradient of a scalar L of the orbit from `start`. `weights` are the derivatives
-    /// of L by the rows of the orbit, the points after 0, `every`, 2·`every`, … steps, row after
-    /// row. The orbit ends with the last of these rows.
+    /// Computes the gradient of a scalar L of the orbit from `start`.
     ///
-    /// The gradient belongs to the computed orbit, also of a [composition](Self::composed), and not
-    /// to the flow. The report is `None` if the orbit ends before its last row.
+    /// The rows of `weights` are the derivatives of L by the points after 0, `every`, 2·`every`, …
+    /// steps; the orbit ends with the last of these points. The gradient is that of the computed
+    /// orbit, including [compositions](Self::composed), not of the flow. The report is `None` if
+    /// the orbit ends before its last row.
     ///
-    /// `watch` receives the number of steps made since its last call, as in [`Follow`]: steps
-    /// forward first, then as many steps of the sweep back. [`ControlFlow::Break`] stops the work.
+    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first steps
+    /// forward, then equally many backward. [`ControlFlow::Break`] stops the work.
     ///
     /// Cost: two steps of the map and one factorisation of A(x,ε)ᵀ for each step of the orbit, and
     /// a multiplication for each parameter of each term. Memory: about 2√`steps` states.
     ///
     /// # Errors
-    /// [`DimensionError`] if `start` needs another number of entries, or `weights` is not a whole
-    /// number of rows.
+    /// [`DimensionError`] if the length of `start` is not the dimension of the map, or the length
+    /// of `weights` is not a multiple of it.
     ///
     /// ```
     /// use std::num::NonZeroU64;
@@ -133,7 +130,7 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Each part has its own sums, since shorter sums lose fewer digits.
+            // Each part between checkpoints has its own sums: shorter sums lose fewer digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -153,8 +150,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(Followed { report: Some(total), end })
     }
 
-    /// Follows the orbit of `x`, which becomes its last state. Returns the earlier states after 0,
-    /// `length`, 2·`length`, … steps, and how the orbit ended.
+    /// Follows the orbit of `x` to its last state. Returns the states after 0, `length`,
+    /// 2·`length`, … steps, without the last one, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],
@@ -172,7 +169,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // `follow` says `Complete` when a watch stops it behind the last step of a part.
+            // `follow` returns `Complete` if the watch stops it after the last step of a part.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

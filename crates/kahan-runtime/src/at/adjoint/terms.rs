@@ -1,6 +1,6 @@
 //! The coefficients of a field, and their derivatives by parameters, at values of the parameters.
 //!
-//! In: a field and exact values. Out: lists of terms, whose coefficients are rounded once.
+//! In: a field, and exact values. Out: lists of terms whose coefficients are rounded once.
 
 use std::collections::BTreeMap;
 
@@ -11,22 +11,21 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::interpreted::round;
 use crate::{Map, RuntimeFloat};
 
-/// The states that a term multiplies: none for an entry of c, one for an entry of B.
+/// The states of a term: none for an entry of c, one for an entry of B, two for an entry of Q.
 type States = [Option<usize>; 2];
 
-/// The terms of a field.
 #[derive(Debug)]
 pub(super) struct Terms<T> {
     /// For each entry of f′ its constant term, and the end of its terms in `slopes`.
     entries: Vec<(T, usize)>,
-    /// The terms k·x of f′, entry after entry: the state x and the coefficient k.
+    /// The terms k·x of f′, entry by entry: the state x and the coefficient k.
     slopes: Vec<(usize, T)>,
-    /// The terms of f without products of states: component, state and coefficient.
+    /// The terms of f of degree 0 and 1: component, state and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: the component, the states, and the end of
-    /// the term's derivatives in `by_parameters`.
+    /// The terms with coefficients that depend on parameters: component, states, and the end of the
+    /// term's derivatives in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
-    /// The derivatives of varying coefficients, term after term: the parameter and the derivative.
+    /// The derivatives of these coefficients, term by term: parameter and derivative.
     by_parameters: Vec<(usize, T)>,
 }
 
@@ -38,9 +37,8 @@ struct Coefficient {
 }
 
 impl Coefficient {
-    /// Adds `number` times a product of powers of parameters.
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // Computes the product, with the exponent of the factor `lowered` reduced by 1.
+        // The product, with the exponent of the factor `lowered` reduced by 1.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -54,7 +52,7 @@ impl Coefficient {
         }
     }
 
-    /// Divides by a divisor that is not 0 and may depend on parameters, by the quotient rule.
+    /// Divides by a nonzero divisor that may depend on parameters, by the quotient rule.
     fn divide_by(&mut self, divisor: &Coefficient) {
         if divisor.value.is_one() && divisor.slopes.is_empty() {
             return;
@@ -69,7 +67,7 @@ impl Coefficient {
     }
 }
 
-/// The coefficients of a polynomial in the states, by the states that they multiply.
+/// Returns the coefficients of a polynomial by the states that they multiply.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
@@ -92,8 +90,6 @@ fn coefficients(
 }
 
 impl<T: RuntimeFloat> Terms<T> {
-    /// The terms of a map's field. `place` returns the index of ∂fᵢ/∂xⱼ among the entries of f′, of
-    /// which there are `count`.
     pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
         let (field, values) = (&map.field().system().field, map.parameters());
         let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
@@ -129,7 +125,6 @@ impl<T: RuntimeFloat> Terms<T> {
         Terms { entries, slopes, linear, varying, by_parameters }
     }
 
-    /// Writes the entries of f′(x).
     pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
         // Four independent sums, so that additions need not wait for one another.
         const SUMS: usize = 4;
@@ -148,7 +143,7 @@ impl<T: RuntimeFloat> Terms<T> {
         }
     }
 
-    /// Computes μ·(c + ½Bx).
+    /// Returns μ·(c + ½Bx).
     pub(super) fn along_linear(&self, x: &[T], mu: &[T]) -> T {
         let half = T::one() / (T::one() + T::one());
         self.linear.iter().fold(T::zero(), |sum, (i, state, coefficient)| {
@@ -156,7 +151,7 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a; q is the polarised field.
+    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a, for the polarised field q.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {

@@ -9,7 +9,6 @@ use crate::{MachineFloat, MapAt};
 pub(super) const ABOUT: About =
     About::new("final", Of::Variables, &[("final_{}", "value after the last step")]);
 
-/// Keeps the last point.
 pub(super) struct Last<T>(Vec<T>);
 
 pub(super) type Own<'a, T> = Last<T>;
