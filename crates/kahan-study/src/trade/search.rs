@@ -59,8 +59,8 @@ impl Ladders<'_> {
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // No point is nearer to a trajectory than its own rounding: one order shows how
-                // near that is.
+                // Rounding of states bounds the error from below, so one order suffices to show
+                // that a precision cannot reach the tolerance.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {
