@@ -285,8 +285,8 @@ impl<'a> Ladders<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // Compositions, with their shorter stages, follow trajectories with large errors up to a
-        // mean product of ε and rate near 2.
+        // The coarsest ε has a mean product of ε and rate of 4 along a trajectory, and of 1 at the
+        // start for integrals. Compositions, with their shorter stages, may be that coarse.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
