@@ -136,7 +136,7 @@ impl<'de, E: Entry> Visitor<'de> for Object<E> {
     }
 }
 
-/// Reads the values of one name, so that errors in the values carry their path.
+/// A reader of the values of one name, so that errors in the values carry their path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: Entry> DeserializeSeed<'de> for Named<'_, E> {

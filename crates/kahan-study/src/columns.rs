@@ -119,7 +119,6 @@ impl<'a> Wanted<'a> {
         ColumnError::Missing { state: state.to_owned(), found: names.to_vec(), nearest }
     }
 
-    /// The names that columns can have.
     fn known(&self, states: &[String]) -> Vec<String> {
         let is_used = self.others == Others::Used;
         let others = self.parameters.iter().cloned().chain(["eps".to_owned()]);

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_discover::{Progress, Watch};
 
-/// Counts the work done by all threads and reports the total to its watch.
+/// A count of the work done by all threads, reported to a watch.
 pub struct Count<'a> {
     what: &'static str,
     of: u64,

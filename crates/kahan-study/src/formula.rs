@@ -96,7 +96,6 @@ impl Calls<Called> for Exact {
 /// An operation of a formula; an input is an index of a variable or, after them, of a known number.
 type Operation = kahan_program::Operation<usize, Rational, Called>;
 
-/// A builder of the operations of a formula.
 type Builder = kahan_program::Builder<usize, Rational, Called>;
 
 /// A formula as a program with one output.
@@ -305,12 +304,10 @@ impl Names<'_> {
         Ok(Formula::new(builder.finish(&[value]), self.variables.len(), self.known))
     }
 
-    /// Adds the operations of the formula `text`, and returns its value.
     fn read(&self, builder: &mut Builder, text: &str) -> Result<Node, NoFormula> {
         read(text, |tokens| self.lower(builder, &parse_formula(tokens)?))
     }
 
-    /// Adds the operations of an expression, and returns its value.
     fn lower(&self, builder: &mut Builder, expr: &Expr<InFormula>) -> Result<Node, Diagnostic> {
         let operation = match &expr.kind {
             ExprKind::Number(value) => Operation::Constant(value.clone()),
@@ -422,7 +419,6 @@ fn mistake(span: Span, message: String, help: String) -> Diagnostic {
     Diagnostic::new(Kind::UnknownName, span, message, help)
 }
 
-/// Lists the names of all functions.
 fn functions() -> String {
     FUNCTIONS.map(|(name, _)| name).join(", ")
 }

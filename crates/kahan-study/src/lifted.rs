@@ -60,7 +60,6 @@ impl Lifting {
 #[derive(Clone, Debug)]
 pub(crate) struct Lifted {
     pub(crate) lift: Lift,
-    /// The text that was lifted.
     pub(crate) given: FieldText,
     lifting: Lifting,
     /// The original variables, without `t`.

@@ -24,8 +24,8 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Advances a point on the relations by means of a given step; returns `false` if the projection
-/// does not converge.
+/// A function that advances a point on the relations by a given step, and returns `false` if the
+/// projection does not converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason for which a point of a lifted field has no successor.

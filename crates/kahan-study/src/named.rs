@@ -5,7 +5,6 @@ use serde::{Serialize, Serializer};
 /// Values with their names.
 pub type Names<T> = Vec<(String, T)>;
 
-/// Writes the values as an object.
 pub(crate) fn by_name<T: Serialize, S: Serializer>(
     values: &Names<T>,
     serializer: S,

@@ -193,7 +193,6 @@ fn line(text: &[u8], row: &StringRecord) -> usize {
     1 + text[..behind + skipped].iter().filter(|byte| **byte == b'\n').count()
 }
 
-/// A parsed array of NumPy.
 struct Array<'a> {
     header: &'a str,
     /// The type of the entries, in quotes.
@@ -246,7 +245,6 @@ impl<'a> Array<'a> {
     }
 }
 
-/// Reads an array of numbers.
 fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     if array.descr.starts_with('[') {

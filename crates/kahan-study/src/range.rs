@@ -73,7 +73,6 @@ impl Range {
         Self::up_to(MANY, text)
     }
 
-    /// Reads a range of at most `most` values.
     fn up_to(most: usize, text: &str) -> Result<Self, NoRange> {
         let [from, to, third] = text.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
             return Err(NoRange(format!(

@@ -31,7 +31,6 @@ pub struct Rates {
     jacobian: Vec<f64>,
     /// The number of points inspected, and the number of points with a fast component.
     points: [u32; 2],
-    /// The largest |2ελ|.
     largest: f64,
 }
 

@@ -23,7 +23,6 @@ pub struct RelationErrors {
     pub steps: u64,
 }
 
-/// A function of all variables.
 type OfPoint = Box<dyn Fn(&[f64]) -> f64>;
 
 /// The error of a relation at a point.

@@ -255,7 +255,6 @@ pub struct Ending {
 }
 
 impl Ending {
-    /// Builds an ending without a reason.
     pub(crate) fn plain(end: End, step: u64) -> Self {
         Ending { end, step, why: None, instead: None, note: None }
     }

@@ -47,11 +47,9 @@ struct Read {
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
-    /// The lift, if the field was lifted.
     lifted: Option<Lifted>,
     /// The system, with claims not yet proved.
     system: System,
-    /// The result of proving the claims.
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
@@ -259,7 +257,6 @@ impl Study {
         Ok(self.at(given))
     }
 
-    /// Returns the index of a parameter.
     pub(crate) fn parameter(&self, name: &str) -> Result<usize, StudyError> {
         let place = self.parameters().iter().position(|known| known == name);
         place.ok_or_else(|| StudyError::UnknownParameter {
@@ -381,7 +378,6 @@ impl Study {
         Err(self.unknown("no parameter", &axis.name, &[self.parameters(), &["eps".to_owned()]]))
     }
 
-    /// Returns the index of a variable.
     pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
         let place = self.variables().iter().position(|known| known == name);
         place.ok_or_else(|| self.unknown("no variable", name, &[self.variables()]))

@@ -33,7 +33,6 @@ pub struct Subject {
     pub(crate) lifting: Option<Lifting>,
 }
 
-/// The source of a field.
 #[derive(Clone, Debug)]
 pub(crate) enum Given {
     /// A name in a catalog.

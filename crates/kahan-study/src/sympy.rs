@@ -136,7 +136,6 @@ fn list(texts: &[String]) -> String {
     format!("[{}]", quoted.join(", "))
 }
 
-/// Writes a matrix, row by row.
 fn matrix<'a>(rows: impl Iterator<Item = &'a [String]>) -> String {
     let rows: String = rows.map(|row| format!("    {},\n", list(row))).collect();
     format!("Matrix(sympify([\n{rows}], locals=names))")

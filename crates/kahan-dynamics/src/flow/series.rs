@@ -117,7 +117,6 @@ impl<T: Digits, const N: usize> Series<T, N> {
         T::PART_OF_RADIUS * self.radius
     }
 
-    /// Returns x(t₀ + s).
     pub(super) fn value(&self, s: T) -> SVector<T, N> {
         let (s, zero) = (s * T::from(self.rate), SVector::repeat(T::zero()));
         self.coefficients.iter().rev().fold(zero, |sum, coefficient| sum.map(|entry| entry * s) + coefficient)

@@ -22,7 +22,6 @@ const MOST_STEPS: f64 = 9e15;
 const PILOT: f64 = 4096.0;
 /// The factor by which the largest coordinate of an orbit may exceed that of a finer orbit.
 const LARGER: f64 = 2.0;
-/// The most halvings of ε.
 const HALVINGS: i32 = 16;
 
 pub(super) fn choose<M, const N: usize>(

@@ -13,10 +13,10 @@ trait Task<const N: usize> {
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
-/// Returns the point after this number of steps.
+/// The task of returning the point after this number of steps.
 struct Last(usize);
 
-/// Shows every point, up to this number of steps, while the visitor returns `true`.
+/// The task of showing every point, up to this number of steps, while the visitor returns `true`.
 struct While<F>(u64, F);
 
 impl<const N: usize> Task<N> for Last {

@@ -5,13 +5,11 @@ const BITS: usize = 32;
 /// The length of the sequence, after which it repeats.
 const LENGTH: u64 = 1 << BITS;
 
-/// The number of dimensions in the table.
 const DIMENSIONS: usize = 512;
 
 /// The primitive polynomial and the initial numbers m of each dimension from the second on.
 const NUMBERS: &str = include_str!("joe_kuo.txt");
 
-/// One dimension of the sequence.
 #[derive(Clone, Debug)]
 pub(crate) struct Sobol {
     directions: [u32; BITS],

@@ -21,9 +21,9 @@ use super::over::Varied;
 use super::section::{Crossed, Section, name_of, of_name};
 use super::usual_order;
 
-/// Asks for the values of one variable after a transient, at each value of a parameter or of ε, in
-/// doubles: at each step, or at crossings of a section. Each orbit starts at one fixed point, or at
-/// the end of the orbit before it.
+/// A request for the values of one variable after a transient, at each value of a parameter or of
+/// ε, in doubles: at each step, or at crossings of a section. Each orbit starts at one fixed point,
+/// or at the end of the orbit before it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
@@ -145,7 +145,6 @@ impl Diagram {
         Section { eps, over, transient, steps, direction, crossings, order, carry, reembed, ..plain }
     }
 
-    /// Shows the crossings of orbits with a section.
     fn of_section(
         &self,
         plane: &str,
@@ -171,7 +170,6 @@ impl Diagram {
         Ok(found)
     }
 
-    /// Shows all steps after the transient.
     fn of_steps(
         &self,
         mut found: DiagramFound,
@@ -225,7 +223,7 @@ impl Diagram {
     }
 }
 
-/// Collects one column of a table.
+/// A receiver that collects one column of a table.
 struct Shown {
     column: usize,
     values: Vec<f64>,

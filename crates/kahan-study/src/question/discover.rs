@@ -24,7 +24,7 @@ use crate::study::Study;
 use super::over::{AtCell, Entry, column};
 use super::seconds_since;
 
-/// Asks what the map of a field preserves.
+/// A request for the structures that the map of a field preserves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Discover {
@@ -160,7 +160,6 @@ impl Discovered {
         formulas.chain(brackets).chain(drifts.iter().map(|drift| (&*drift.text, &drift.claim)))
     }
 
-    /// Returns the texts of the claims of one kind.
     fn lines(&self, kind: ClaimKind) -> Vec<&str> {
         self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
     }

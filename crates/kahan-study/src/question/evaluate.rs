@@ -14,7 +14,8 @@ use crate::study::{NoStep, Study};
 
 use super::over::{AtCell, Entry, column};
 
-/// Asks for the field, the matrices, the map, its Jacobian and the values of the claims at a point.
+/// A request for the field, the matrices, the map, its Jacobian and the values of the claims at a
+/// point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Evaluate {

@@ -15,7 +15,7 @@ use crate::study::{NoStep, Study};
 use super::over::{AtCell, Entry, column};
 use super::{minute, seconds_since};
 
-/// Asks how the heights of an exact orbit grow.
+/// A request for the growth of the heights of an exact orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Heights {

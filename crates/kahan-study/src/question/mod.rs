@@ -60,7 +60,6 @@ macro_rules! questions {
             Over(Box<OverFound>),
         }
 
-        /// The values of `ask`.
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
@@ -180,7 +179,7 @@ impl Study {
     }
 }
 
-/// Passes on only the rows in a range.
+/// A receiver that passes on only the rows in a range.
 struct Within<'a> {
     range: Range<u64>,
     row: u64,

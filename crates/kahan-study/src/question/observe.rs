@@ -29,7 +29,7 @@ pub use kahan_runtime::{Observable, Seen};
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST: &str = "the last point was asked for";
 
-/// Asks for observations of the orbit of a point, in doubles.
+/// A request for observations of the orbit of a point, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Observe {
@@ -182,7 +182,6 @@ impl Observe {
         self.observe.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
     }
 
-    /// Returns the settings of the observers.
     pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
         let relations = study.relations();
         let exponents = self.spectrum.unwrap_or(usize::MAX);
@@ -382,7 +381,6 @@ impl Observed {
     }
 }
 
-/// Appends the last point to the observables.
 fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }

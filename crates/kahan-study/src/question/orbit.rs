@@ -35,9 +35,10 @@ use maps::Moving;
 pub use paces::Paces;
 use points::{Course, Halt, Points, ended};
 
-/// Asks for the points of an orbit: rows of n, the time t = 2εn, the variables, and the integrals
-/// claimed without a condition or under one that holds for this orbit. Claims concern Kahan's map.
-/// Compositions and other methods follow the flow; their integrals are the claims at ε = 0.
+/// A request for the points of an orbit: rows of n, the time t = 2εn, the variables, and the
+/// integrals claimed without a condition or under one that holds for this orbit. Claims concern
+/// Kahan's map. Compositions and other methods follow the flow; their integrals are the claims at ε
+/// = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
@@ -457,7 +458,7 @@ impl Orbit {
     }
 }
 
-/// Passes on a selection of the columns, and inspects rates along the way.
+/// A receiver that passes on a selection of the columns, and inspects rates along the way.
 struct Chosen<'a> {
     columns: &'a [Column],
     places: Vec<usize>,

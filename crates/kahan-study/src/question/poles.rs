@@ -15,7 +15,7 @@ use crate::study::Study;
 use super::discover::options;
 use super::seconds_since;
 
-/// Asks for the orbits of the curves, or surfaces in three variables, that the map loses.
+/// A request for the orbits of the curves, or surfaces in three variables, that the map loses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {
@@ -69,7 +69,6 @@ impl Poles {
     }
 }
 
-/// Writes the patterns of curves, and the degrees of iterates.
 fn patterns<S: Serializer>(found: &kahan_discover::Poles, serializer: S) -> Result<S::Ok, S::Error> {
     let image = |image: &Image| json!({"dimension": image.dimension, "infinite": image.is_infinite});
     let curve = |pattern: &Pattern| {
@@ -90,7 +89,6 @@ fn patterns<S: Serializer>(found: &kahan_discover::Poles, serializer: S) -> Resu
     object.end()
 }
 
-/// Writes the class of growth, and the entropy.
 fn class<S: Serializer>(verdict: &GrowthVerdict, serializer: S) -> Result<S::Ok, S::Error> {
     let mut object = serializer.serialize_map(None)?;
     object.serialize_entry("growth", verdict.growth.word())?;

@@ -16,11 +16,10 @@ use crate::study::Study;
 use super::discover::options;
 use super::{minute, seconds_since};
 
-/// The most points of a grid.
 const MOST_POINTS: usize = 1_000_000;
 
-/// Asks for the points of a grid at which degrees or ranks differ from the generic ones, and for
-/// relations between these points.
+/// A request for the points of a grid at which degrees or ranks differ from the generic ones, and
+/// for relations between these points.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
@@ -106,7 +105,6 @@ impl Scan {
     }
 }
 
-/// Writes a grid, its special points and the relations between them.
 fn grid<S: Serializer>(found: &Grid, serializer: S) -> Result<S::Ok, S::Error> {
     let seen = |sight: &Sight| {
         let Sight { integrals, hilbert, degrees } = sight;

@@ -29,8 +29,8 @@ use super::{Question, usual_order};
 use orbits::Orbits;
 pub use plane::Plane;
 
-/// Asks for crossings of orbits with a section, in doubles: of one orbit, or of an orbit for each
-/// of many first points and values of parameters.
+/// A request for crossings of orbits with a section, in doubles: of one orbit, or of an orbit for
+/// each of many first points and values of parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
@@ -219,7 +219,7 @@ impl Section {
     }
 }
 
-/// Collects rows up to the limit of an answer.
+/// A receiver that collects rows up to the limit of an answer.
 struct Few<'a> {
     rows: &'a mut Table,
     cells: u64,

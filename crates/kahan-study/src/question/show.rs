@@ -23,7 +23,7 @@ pub use plan::{Costs, Listing, Planned};
 /// The most variables of a field whose matrices are written out.
 const MOST_VARIABLES: usize = 500;
 
-/// Asks for the formulas of a field with its given parameters substituted, or for its plan.
+/// A request for the formulas of a field with its given parameters substituted, or for its plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Show {

@@ -15,7 +15,7 @@ use crate::study::Study;
 
 use super::seconds_since;
 
-/// Asks whether the claims of a field hold.
+/// A request to check the claims of a field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Verify {
@@ -156,7 +156,6 @@ impl Mutations {
     }
 }
 
-/// Writes verdicts as JSON.
 fn object<S: Serializer>(verdicts: &Verdicts, serializer: S) -> Result<S::Ok, S::Error> {
     let claim = |verdict: &Verdict| {
         let time = verdict.seconds.map(|seconds| format!(" ({:.1} ms)", 1000.0 * seconds));

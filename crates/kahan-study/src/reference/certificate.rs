@@ -58,7 +58,6 @@ pub enum Method {
 }
 
 impl Certificate {
-    /// Compares a path with a closed solution.
     pub(super) fn by_solution(path: &Flow<Dd>, solution: &dyn Fn(Dd) -> Vec<Dd>, allowed: f64) -> Self {
         let times = (1..=CLOSED_SAMPLES).map(|k| path.end() * f64::from(k) / f64::from(CLOSED_SAMPLES));
         let mut comparison = Comparison::new(allowed);

@@ -6,7 +6,6 @@ use kahan_core::num_rational::BigRational;
 use kahan_systems::registry::find;
 use kahan_systems::special::Precise;
 
-/// A solution as a function of time.
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
 /// Returns the closed solution of the system called `command` that starts at `start`. Returns

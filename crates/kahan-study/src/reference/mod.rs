@@ -107,7 +107,6 @@ impl Reference {
     }
 }
 
-/// Pads a point with zeros.
 fn padded(x: &[Dd], variables: usize) -> Vec<Dd> {
     (0..variables).map(|i| x.get(i).copied().unwrap_or_default()).collect()
 }

@@ -20,7 +20,7 @@ use super::stops::stops;
 /// The number of points at which integrals are evaluated if the need is the trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
-/// Measures settings of one scene, and collects the results.
+/// Measurements of settings in one scene, with all they need.
 pub(super) struct Measuring<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,

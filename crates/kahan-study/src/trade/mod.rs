@@ -42,7 +42,7 @@ use search::{Ladders, MEASURED};
 
 pub use object::need_name;
 
-/// Asks for the best setting of the integrator in one scene, and for its price.
+/// A request for the best setting of the integrator in one scene, and for its price.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
@@ -250,7 +250,6 @@ fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
 }
 
 impl<'a> Ladders<'a> {
-    /// Measures the settings of a scene.
     fn of(
         runner: &'a Runner<'a>,
         study: &Study,

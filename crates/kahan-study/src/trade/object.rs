@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::named::{Names, by_name};
 use crate::numbers::exact::Exactly;
 
-/// The JSON of a need: its name.
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Need", rename_all = "lowercase")]
 pub(super) enum NeedByName {

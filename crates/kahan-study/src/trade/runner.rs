@@ -24,17 +24,15 @@ pub(super) struct Runner<'a> {
     pub(super) clock: Clock<'a>,
 }
 
-/// Returns the time since a fixed moment.
+/// A function that returns the time since a fixed moment.
 pub(super) type Clock<'a> = &'a dyn Fn() -> Duration;
 
-/// Inspects a point, given the number of steps before it; decides whether to go on.
+/// A callback that gets the number of steps and the point, and decides whether to go on.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 
-/// Increasing numbers of steps.
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
 impl<'a> Runner<'a> {
-    /// Prepares a field at these parameters and this start.
     pub(super) fn new(
         field: &Field,
         parameters: &[Rational],

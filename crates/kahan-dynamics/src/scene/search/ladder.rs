@@ -18,7 +18,6 @@ const STALLS: u32 = 2;
 /// The part of the law's gain, in logarithms, below which a rung gains nothing, once the law has
 /// held.
 const LITTLE: f64 = 0.3;
-/// The most rungs of a ladder.
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
 const NEAR: f64 = 30.0;
@@ -60,7 +59,6 @@ pub struct Climb {
     stalls: u32,
     /// Whether the ladder ended because of rounding errors.
     has_stalled: bool,
-    /// The finest rung.
     pub(super) finest: Option<Setting>,
 }
 

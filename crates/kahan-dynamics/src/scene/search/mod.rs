@@ -27,7 +27,6 @@ const STALL: f64 = 0.7;
 const CLOSE: f64 = 1.06;
 /// The ratio of successive numbers of steps in a scan.
 const GRID: f64 = 1.1;
-/// The most trials of a refinement.
 const TRIALS: usize = 5;
 
 /// Runs settings, and prices their steps.

@@ -11,7 +11,6 @@ use kahan_core::Composition;
 use super::super::{Scheme, Setting};
 use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 
-/// The most trials for confirming the flow.
 const VOUCHERS: usize = 16;
 
 impl<L: Trials> Search<L> {

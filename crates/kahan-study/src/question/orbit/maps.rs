@@ -23,7 +23,6 @@ use super::{NoOrbit, Orbit};
 
 /// An arithmetic for moving points whose numbers are cells of tables.
 pub(super) trait Moving: Printable {
-    /// The type of a cell.
     type Cell: Clone;
 
     /// The cell of a coordinate at infinity.
@@ -156,7 +155,6 @@ impl Moving for Exact {
     }
 }
 
-/// An orbit in floats.
 struct Floats<'a, T: RuntimeFloat> {
     at: MapAt<T>,
     composition: Composition,
@@ -168,7 +166,6 @@ struct Floats<'a, T: RuntimeFloat> {
 }
 
 impl<T: RuntimeFloat> Floats<'_, T> {
-    /// Appends a point and its integrals.
     fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();

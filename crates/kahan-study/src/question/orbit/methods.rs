@@ -18,7 +18,6 @@ use super::maps::Moving;
 use super::points::{Halt, Points, Why, moment, one_by_one};
 use super::{Method, NoOrbit};
 
-/// An orbit of an explicit method in any scalar.
 struct Explicit<'a, A: Moving> {
     arithmetic: &'a A,
     derived: &'a Derived,
@@ -54,13 +53,11 @@ impl<A: Moving> Explicit<'_, A> {
         })
     }
 
-    /// Returns f(x).
     fn field(&self, x: &[A::Value]) -> Vec<A::Value> {
         let values = self.values(self.derived.field(), x).into_iter();
         values.map(|value| value.expect("the field is defined at its parameters")).collect()
     }
 
-    /// Returns x + h·k.
     fn moved(&self, h: &A::Value, k: &[A::Value]) -> Vec<A::Value> {
         let arithmetic = self.arithmetic;
         let entry = |(x, k)| arithmetic.add(x, &arithmetic.multiply(h, k));

@@ -20,7 +20,6 @@ use super::Orbit;
 use super::maps::Moving;
 use super::paces::Paces;
 
-/// The reason for which a point stops.
 pub(super) enum Halt {
     /// The watch stopped it, after this number of steps.
     Stopped(u64),
@@ -28,7 +27,6 @@ pub(super) enum Halt {
     Ended(u64, Why),
 }
 
-/// The reason for which there is no next point.
 #[derive(Clone, Copy)]
 pub(super) enum Why {
     /// det A = 0; only a reduced map is known to have no value there.
@@ -41,7 +39,6 @@ pub(super) enum Why {
     Range,
     /// A step of another method leaves the range of the scalar.
     TooLarge,
-    /// The flow escapes.
     Escapes,
     /// The lift of the field ends.
     Lift(LiftEnds),

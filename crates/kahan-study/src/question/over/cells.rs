@@ -46,7 +46,6 @@ pub(in crate::question) struct Cells<'a> {
     /// The values before axes replace them.
     exactly: Place<Rational>,
     in_doubles: Place<f64>,
-    /// The number of values of each drawn axis.
     draws: u64,
     /// The number of cells.
     pub(in crate::question) count: u64,
@@ -227,7 +226,6 @@ impl<'a> Cells<'a> {
 const STARTS: &str = "first value of the variable";
 
 impl Along<'_> {
-    /// Returns whether the axis has more than one value.
     fn varies(&self) -> bool {
         self.values.count() != Some(1)
     }

@@ -34,7 +34,7 @@ pub(super) use at_cell::{AtCell, column};
 pub use axis::{Source, Through, Varied};
 pub(super) use cells::{Cells, Entry};
 
-/// Asks a question at every value of some axes: [`Observe`](super::Observe), or a question about a
+/// A question asked at every value of some axes: [`Observe`](super::Observe), or a question about a
 /// point or a map, such as [`Heights`](super::Heights).
 ///
 /// Its JSON is the question's with `over`, and optionally `starts`, `draws` and `seed`: `{"ask":
@@ -247,7 +247,6 @@ impl Serialize for Over {
     }
 }
 
-/// The way in which cells are answered.
 enum Found<'a> {
     /// Side by side, as orbits.
     Orbits(Orbits<'a>),
@@ -255,7 +254,6 @@ enum Found<'a> {
     OneByOne(&'a dyn AtCell),
 }
 
-/// Appends a row.
 fn push(table: &mut Table, row: Vec<Entry>) {
     for (kept, entry) in table.values.iter_mut().zip(row) {
         match (kept, entry) {

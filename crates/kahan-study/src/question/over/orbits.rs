@@ -23,7 +23,6 @@ const AT_ONCE: u64 = 1 << 24;
 
 const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
 
-/// The orbits of all cells.
 pub(super) struct Orbits<'a> {
     study: &'a Study,
     cells: &'a Cells<'a>,

@@ -162,7 +162,6 @@ fn show<F: Fn(&[f64]) -> f64 + Copy, P: Grouped<f64>>(
     }
 }
 
-/// Makes the steps of the transient.
 pub(super) fn pass(asked: &Asked<'_>, maps: &[&MapAt<f64>], courses: &mut [Course]) {
     /// The number of steps of an orbit between checks of the watch.
     const AT_ONCE: u64 = 1 << 14;

@@ -42,7 +42,7 @@ impl Kept {
     }
 }
 
-/// Stores crossings in the form of the table.
+/// A sink that stores crossings in the form of the table.
 pub(super) struct Taking<'a> {
     pub(super) kept: &'a mut Kept,
     pub(super) study: &'a Study,
@@ -68,7 +68,7 @@ impl Sink<Crossing<Vec<f64>, f64>> for Taking<'_> {
     fn report(self) {}
 }
 
-/// Observes an orbit that was resumed, with steps counted from its start.
+/// An observer of a resumed orbit, with steps counted from its start.
 struct GoingOn<'a, O> {
     section: &'a mut O,
     before: u64,
@@ -96,13 +96,11 @@ impl Course {
         Course { x, made: 0, kept, jumps: 0, end: None }
     }
 
-    /// Ends the orbit before its first step.
     pub(super) fn never(mut self) -> Self {
         self.end = Some(End::Range(0));
         self
     }
 
-    /// Makes the steps of the transient.
     pub(super) fn pass(
         &mut self,
         by: &dyn Step<Scalar = f64>,

@@ -25,7 +25,6 @@ use super::{Cells, Crossed, Section};
 /// The capacity of all buffers of crossings together.
 const ROOM: usize = 1 << 21;
 
-/// All orbits of a question.
 pub(super) struct Orbits<'a> {
     asked: &'a Section,
     study: &'a Study,
@@ -38,7 +37,6 @@ pub(super) struct Orbits<'a> {
     room: usize,
 }
 
-/// The map and the plane of an orbit.
 struct Begun {
     at: MapAt<f64>,
     plane: Plane,
@@ -162,7 +160,6 @@ impl<'a> Orbits<'a> {
         Some(ends.in_words(self.study, course.made))
     }
 
-    /// Finds the crossings of all orbits, and passes them on.
     pub(super) fn find(&self, rows: &mut dyn Rows, watch: &dyn Watch) -> Vec<Crossed> {
         let all = self.limit.saturating_mul(self.cells.count);
         let count = Count::new("steps", all, watch);
