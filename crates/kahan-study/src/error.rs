@@ -103,7 +103,7 @@ pub enum StudyError {
         /// The given number.
         value: Rational,
     },
-    /// The map could not be prepared.
+    /// A search of the map is impossible.
     Discover {
         /// The field.
         system: String,

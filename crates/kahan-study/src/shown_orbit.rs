@@ -33,7 +33,7 @@ pub struct ShownOrbit {
 const STEPS: u64 = 4000;
 /// The size, in units of the first point's, beyond which an orbit counts as escaped.
 const REACH: f64 = 1e3;
-/// The error of a lift's relations beyond which an orbit is rejected.
+/// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
 /// Coordinates of first points: of small height, so that exact orbits are feasible, and different,
 /// so that the point lies on no symmetry axis.
@@ -259,8 +259,8 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. For a homogeneous quadratic field, returns the length that it moves by in time ε, or
-/// in a unit of time.
+/// balance. For a homogeneous quadratic field, returns the length at which a point moves by its own
+/// size in time ε, or in a unit of time.
 fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));

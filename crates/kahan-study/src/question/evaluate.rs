@@ -78,7 +78,7 @@ pub struct Evaluated {
     /// The drifts of the claims that apply: a function, and its next value by the recurrence.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
-    /// The reason for which there is no image.
+    /// The reason for which the point has no image.
     #[serde(skip)]
     pub no_step: Option<NoStep>,
 }

@@ -105,7 +105,7 @@ pub struct Sheet {
     /// The Jacobian ∂x̃/∂x of the map, row by row, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jacobian: Option<MatrixText>,
-    /// The factor divided out of the map; `None` if there is none.
+    /// The factor divided out of the map, if any was.
     pub removed_factor: Option<String>,
     /// The proved claims.
     pub claims: Vec<ClaimShown>,

@@ -1,9 +1,9 @@
-//! Reasons for which there is no reference trajectory.
+//! Reasons for refusing a reference trajectory.
 
 use super::PART_OF_TOLERANCE;
 use crate::error::{Spelling, by_name};
 
-/// The reason for which there is no reference trajectory.
+/// The reason for refusing a reference trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoReference {
     /// The solution escapes to infinity.

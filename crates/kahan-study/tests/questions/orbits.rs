@@ -77,7 +77,7 @@ fn cycles_and_their_branches() {
 
 #[test]
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
-    // The point a attracts for every a; at ε = 1/10 the distance falls by 9/11 in each step.
+    // The point a attracts for every a; at ε = 1/10 each step multiplies the distance by 9/11.
     let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
     let asked = json!({
         "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"a": "0:2:3"},

@@ -65,7 +65,7 @@ pub struct Rules {
     /// Whether ladders skip rungs once the law holds. Searches whose trials are drawn keep all
     /// rungs.
     pub leaps: bool,
-    /// A ladder ends if its last rung costs more than a known solution by this factor, by the law.
+    /// The factor by which the predicted cost of a ladder's end may exceed the least known cost.
     pub surely: f64,
     /// The part of the remaining time that one trial may take.
     pub share: f64,

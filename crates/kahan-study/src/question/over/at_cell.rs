@@ -19,7 +19,7 @@ pub(in crate::question) trait AtCell: Sync {
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
 
     /// Asks the question at another ε and point; for a lifted field, a point of its original
-    /// variables. Returns an entry for each column even if there is no answer.
+    /// variables. Returns an entry for each column even without an answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 
