@@ -26,7 +26,6 @@ pub(crate) use abreast::Abreast;
 
 type Unary = fn(f64) -> f64;
 
-/// The callable functions by name.
 const FUNCTIONS: [(&str, Unary); 15] = [
     ("sin", f64::sin),
     ("cos", f64::cos),
@@ -289,7 +288,6 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
     read(&lex(text).tokens).map_err(|mistake| NoFormula { text: text.to_owned(), mistake })
 }
 
-/// The meanings of the names in a formula.
 struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
@@ -389,7 +387,6 @@ impl Names<'_> {
         }
     }
 
-    /// Returns the called function and its argument.
     fn call<'a>(
         &self,
         builder: &mut Builder,

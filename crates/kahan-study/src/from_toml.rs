@@ -74,7 +74,6 @@ fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
     Some(inside(value, rest).unwrap_or_else(|| key.span()))
 }
 
-/// Returns the span of the last value on a path inside `value`.
 fn inside(value: &Spanned<DeValue<'_>>, path: &[String]) -> Option<Range<usize>> {
     match value.get_ref() {
         DeValue::Table(table) => in_table(table, path),

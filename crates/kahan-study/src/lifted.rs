@@ -56,7 +56,6 @@ impl Lifting {
     }
 }
 
-/// A lift with the text and options that it was made from.
 #[derive(Clone, Debug)]
 pub(crate) struct Lifted {
     pub(crate) lift: Lift,
@@ -126,7 +125,6 @@ impl Lifted {
         Ok((lifted, text, system))
     }
 
-    /// Adds the new variables to the variables in answers.
     pub(crate) fn showing_all(&self) -> Self {
         let names = self.lift.variables();
         let places = (0..self.original.len()).chain(self.lift.states.len()..names.len());

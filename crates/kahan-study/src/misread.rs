@@ -16,7 +16,6 @@ pub struct Misread {
 }
 
 impl Misread {
-    /// Describes a mistake at the value called `name`.
     pub(crate) fn at(name: &str, why: impl Into<String>) -> Self {
         Misread { path: vec![name.to_owned()], why: why.into() }
     }

@@ -108,7 +108,6 @@ impl Numbers<Option<Rational>> {
         values.chunks_exact(width).enumerate().map(point).collect()
     }
 
-    /// Returns whether the first column is 0, 1, 2, ….
     fn is_numbered(&self, width: usize) -> bool {
         let mut first = self.values.iter().step_by(width.max(1)).zip(0_i64..);
         first.all(|(value, row)| *value == Some(Rational::from(row)))
@@ -304,7 +303,6 @@ fn fields(header: &str) -> Option<Vec<(String, &str)>> {
     named.collect()
 }
 
-/// Reads the numbers of a structured array; `kinds` are the types of its columns.
 fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     let mut values = Vec::new();
     if kinds.is_empty() {
@@ -323,7 +321,6 @@ fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     Some(values)
 }
 
-/// Splits a file into the text of its header and the data.
 fn header(bytes: &[u8]) -> Option<(&str, &[u8])> {
     let (version, rest) = bytes.strip_prefix(b"\x93NUMPY")?.split_first_chunk::<2>()?;
     let (length, rest) = match version {

@@ -9,7 +9,6 @@ use kahan_runtime::MapAt;
 
 use crate::study::Study;
 
-/// The most points of an orbit to inspect.
 const MOST_POINTS: u64 = 16;
 
 /// The most points to inspect if the field has more than [`MANY`] variables.

@@ -25,7 +25,6 @@ pub struct RelationErrors {
 
 type OfPoint = Box<dyn Fn(&[f64]) -> f64>;
 
-/// The error of a relation at a point.
 enum Error {
     /// The distance of a new variable from its function, over max(1, |function|).
     Defined(usize),
@@ -34,7 +33,6 @@ enum Error {
 }
 
 impl Error {
-    /// Returns the error at a point, given the values of the functions of the new variables there.
     fn at(&self, point: &[f64], states: usize, functions: &[f64]) -> f64 {
         let size = match self {
             Error::Defined(place) => {

@@ -170,7 +170,7 @@ impl Display for Cell<'_> {
     }
 }
 
-/// Appends a line of CSV to a text. Cells of our tables, identifiers and numbers, need no quotes.
+/// Appends a line of CSV to a text, without quotes: cells are identifiers, numbers or quoted texts.
 pub fn csv_line(text: &mut String, cells: impl IntoIterator<Item = impl Display>) {
     for (place, cell) in cells.into_iter().enumerate() {
         let comma = if place == 0 { "" } else { "," };

@@ -29,7 +29,6 @@ pub struct ShownOrbit {
     pub stays: bool,
 }
 
-/// The number of steps of a trial orbit.
 const STEPS: u64 = 4000;
 /// The size, in units of the first point's, beyond which an orbit counts as escaped.
 const REACH: f64 = 1e3;
@@ -204,9 +203,7 @@ impl<'a> Way<'a> {
 struct Followed {
     shown: ShownOrbit,
     steps: u64,
-    /// Whether the orbit still moves in its second half.
     moves: bool,
-    /// The largest rate along the orbit.
     rate: f64,
     /// The largest error of the new variables of a lift.
     error: f64,
@@ -274,7 +271,6 @@ fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f
     .unwrap_or(1.0)
 }
 
-/// Returns the largest |coefficient| of terms of this degree.
 fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
     let at = |polynomial: &Polynomial| {
         let at_zero = polynomial.substitute(field.symbols.epsilon(), &Rational::ZERO);

@@ -43,12 +43,10 @@ pub struct Study {
 /// The field as read, with the plans for all values of the parameters.
 #[derive(Clone, Debug)]
 struct Read {
-    /// The entry of the catalog, for a field from the catalog.
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
     lifted: Option<Lifted>,
-    /// The system, with claims not yet proved.
     system: System,
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
@@ -178,7 +176,6 @@ impl Study {
         self.read.lifted.as_ref()
     }
 
-    /// Returns the text before the lift.
     fn given_text(&self) -> &FieldText {
         self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
     }
@@ -383,7 +380,6 @@ impl Study {
         place.ok_or_else(|| self.unknown("no variable", name, &[self.variables()]))
     }
 
-    /// Builds the error of an unknown name on an axis.
     pub(crate) fn unknown(&self, what: &'static str, name: &str, known: &[&[String]]) -> StudyError {
         let (system, name, known) = (self.name().to_owned(), name.to_owned(), known.concat());
         StudyError::UnknownAxis { what, system, name, known }
@@ -399,7 +395,6 @@ impl Study {
         self.embedded(at)
     }
 
-    /// Checks the number of coordinates of a point.
     pub(crate) fn has_coordinates(&self, at: &[Rational]) -> Result<(), StudyError> {
         let variables = self.coordinates();
         if [self.variables(), variables, self.shown()].iter().any(|known| known.len() == at.len()) {
@@ -441,7 +436,6 @@ impl Study {
         self.field().with(self.parameters().iter().zip(values)).ok()
     }
 
-    /// Returns the map at ε, and a point, in doubles.
     pub(crate) fn in_floats(
         &self,
         at: &[Rational],
@@ -454,7 +448,6 @@ impl Study {
         Ok((map.at(eps), start))
     }
 
-    /// Checks that a point and ε are finite doubles.
     pub(crate) fn within_range(&self, at: &[f64], eps: f64) -> Result<(), StudyError> {
         let beyond = at.iter().zip(self.variables()).find(|(value, _)| !value.is_finite());
         match beyond {
@@ -491,7 +484,6 @@ impl Study {
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
 
-    /// Builds the error of a field that divides by zero at this ε.
     pub(crate) fn undefined_field_at(&self, eps: &Rational) -> StudyError {
         let eps = self.system().field.depends_on_eps().then(|| ("eps".to_owned(), eps.clone()));
         let parameters = self.fixed().into_iter().chain(eps).collect();

@@ -141,7 +141,6 @@ fn matrix<'a>(rows: impl Iterator<Item = &'a [String]>) -> String {
     format!("Matrix(sympify([\n{rows}], locals=names))")
 }
 
-/// Writes a call that reads a formula; the dictionary `names` holds its symbols.
 fn read(formula: &str, names: &str) -> String {
     format!("sympify(\"{formula}\", locals={names})")
 }

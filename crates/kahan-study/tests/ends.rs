@@ -151,7 +151,6 @@ fn a_transient_is_not_observed() {
             assert!((&*ended, step) == ("complete", 1040) && plain["final"]["x"] == json!(last));
         }
     }
-    // 3ⁿ > 10⁶ from n = 13 on, counted from the start.
     let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
     for (transient, bound, end) in
         [(10, None, End::Complete), (10, Some(1e6), End::Escaped(13)), (20, Some(1e6), End::Escaped(13))]

@@ -28,7 +28,6 @@ fn an_orbit_shows_the_original_variables_and_what_is_kept() {
     assert_eq!(found.head.variables, ["x", "v"]);
     assert!(study.proved().is_ok());
     assert_eq!(study.point(&asked.at).unwrap()[2].to_f64(), libm::sin(1.0));
-    // A point of all variables stays unchanged.
     let all = rational(&[(1, 1), (0, 1), (3, 5), (4, 5)]);
     assert_eq!(study.point(&all).unwrap(), all);
     let one = study.point(&all[..1]);
@@ -98,7 +97,6 @@ fn claims_of_the_text_are_those_of_the_lift() {
     assert_eq!(study.system().claims.len(), 3);
     let wrong = lifted(&format!("{PENDULUM} integral H = v^2/2 - g*cos_x;"), &[]);
     assert!(matches!(wrong.proved(), Err(StudyError::Field(_))));
-    // A quadratic text stays unchanged.
     let lv = Subject::named("lv").lifted(Which::Automatic).study(&Systems).unwrap();
     assert_eq!(lv.text(), Subject::named("lv").study(&Systems).unwrap().text());
 }
@@ -176,7 +174,6 @@ fn what_is_not_quadratic_calls_for_a_lift() {
         ("xdot = abs(x);", false),
         ("xdot = sin(x", false),
         ("xdot = x*y*;", false),
-        // A false claim does not call for a lift.
         ("xdot = y; ydot = -x; integral H = x;", false),
     ] {
         assert_eq!(Subject::text(text).calls_for_a_lift(), calls, "{text}");

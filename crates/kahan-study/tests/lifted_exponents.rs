@@ -191,7 +191,6 @@ fn indicators_of_regular_motion_are_small() {
     assert_eq!(study(&PENDULUM, Some(Which::Automatic)).variables().len(), 4);
 }
 
-/// Cells of a table have the exponents of single orbits.
 #[test]
 fn cells_have_the_exponents_of_single_orbits() {
     let single = observed(&DAMPED, Some(Which::Automatic), (1, 20), 500);

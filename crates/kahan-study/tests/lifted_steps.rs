@@ -37,7 +37,6 @@ fn last(study: &Study, asked: Orbit) -> (Vec<f64>, End, Option<String>) {
     (last.collect(), found.ending.end, found.ending.why)
 }
 
-/// All questions about orbits make the projected steps of `kahan orbit --reembed`.
 #[test]
 fn every_question_about_orbits_projects_the_same_steps() {
     let study = lifted(PENDULUM);
@@ -137,7 +136,6 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
     }
 }
 
-/// A projection without a solution ends every kind of orbit as `reembed`.
 #[test]
 fn orbits_end_where_no_step_leads_back() {
     let text = "x' = 1 + x^2*y - 4*x; y' = 3*x - x^2*y";
@@ -278,7 +276,6 @@ fn steps_follow_like_those_of_any_map() {
     let followed = step.follow(&mut x, 1000, |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(followed.end, End::Range(64));
     assert_eq!((step.dimension(), x[1]), (2, 0.0));
-    // The map itself goes on.
     let end = at.follow(&mut [1.0, 1.0], 1000, |_| ControlFlow::Continue(())).unwrap().end;
     assert_eq!(end, End::Complete);
 }

@@ -82,7 +82,6 @@ fn crossings_of_many_orbits_have_the_bits_of_single_ones() {
     }
 }
 
-/// Orbits that leave the range, or have all their crossings, do not affect the others.
 #[test]
 fn orbits_end_alone_beside_others() {
     let study = henon_heiles();
@@ -208,7 +207,6 @@ fn a_carried_orbit_goes_on() {
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }
 
-/// A watch that ends the work keeps the crossings found so far.
 #[test]
 fn a_watch_ends_the_work() {
     struct Soon;

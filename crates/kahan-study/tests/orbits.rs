@@ -83,7 +83,6 @@ fn a_range_of_rows_is_the_slice_of_all_of_them() {
     }
 }
 
-/// Counts blocks and rows, and stops after `most` rows.
 struct Blocks {
     most: usize,
     blocks: Vec<usize>,
@@ -132,7 +131,6 @@ fn rows_of_doubles_have_the_bits_of_the_library() {
     }
 }
 
-/// Stops at the second look, and counts the looks.
 struct Impatient(AtomicU32);
 
 impl Watch for Impatient {
@@ -205,14 +203,12 @@ fn each_method_is_what_it_is_called() {
     ] {
         let table = answer(&growth, &Orbit { method, ..orbit.clone() }).rows;
         for (n, x) in [(0, 1.0), (1, factor), (2, factor * factor)] {
-            // Each step adds some rounding errors.
             assert!((doubles(&table, 2)[n] - x).abs() <= 8.0 * f64::EPSILON * x, "{method:?} {n}");
         }
     }
     let exact = Orbit { scalar: ScalarKind::Exact, method: Method::Rk4, ..orbit.clone() };
     let Kept::Exact(values) = &answer(&growth, &exact).rows.values[2] else { panic!("exact numbers") };
     assert_eq!(values[1], Exact::Number((&rational(65, 24)).into()));
-    // The flow backwards inverts the flow.
     let back = Orbit { eps: rational(-1, 2), method: Method::Flow, ..orbit };
     assert!((doubles(&answer(&growth, &back).rows, 2)[2] - (-2.0_f64).exp()).abs() < 1e-16);
 }
@@ -340,6 +336,5 @@ fn components_that_steps_do_not_resolve_are_noted() {
     let noted = Orbit::new(rational(1, 10), vec![Rational::zero(), Rational::one()], 3);
     assert!(json!(answer(&decay, &noted))["note"].is_string());
     assert_eq!(json!(answer(&oscillator, &noted)).get("note"), None);
-    // The flow resolves every component at any step.
     assert_eq!(answer(&decay, &Orbit { method: Method::Flow, ..noted }).ending.note, None);
 }

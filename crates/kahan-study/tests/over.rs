@@ -34,7 +34,6 @@ fn mixed() -> (Study, Over) {
     (study(Subject::text(field)), over)
 }
 
-/// Takes blocks, up to a number of rows.
 struct Few(Table, usize);
 
 impl Rows for Few {
@@ -171,7 +170,6 @@ fn who_watches_or_takes_rows_can_stop_them() {
     for threads in [1, 2] {
         let (some, end) = rows(&lv, &over, 0..4000, &Hands::of(threads, 7));
         assert!(end == End::Stopped(some.count() as u64) && some.count() < 4000, "{end:?}: {}", some.count());
-        // A table without rows has no columns.
         if some.count() > 0 {
             assert_eq!(bits(&some, 0..some.count()), bits(&all, 0..some.count()));
         }

@@ -78,7 +78,6 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!((1.66..5.0).contains(&reference.flow().scale()), "{}", reference.flow().scale());
 }
 
-/// The series of one field disagrees with the closed solution of another.
 #[test]
 fn a_path_that_is_not_the_solution_is_refused() {
     let start = ["3/10", "2/5", "-1/5"];
@@ -96,7 +95,6 @@ fn a_path_that_is_not_the_solution_is_refused() {
     }
 }
 
-/// A point with a NaN in any component is infinitely far.
 #[test]
 fn a_point_that_is_no_number_is_infinitely_far() {
     let reference = reference(&E6, "e6", &[], &["3/10", "2/5", "-1/5"], 1.0, 1e-9).expect("a reference");

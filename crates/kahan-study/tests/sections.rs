@@ -15,7 +15,6 @@ const SMALL: f64 = 1.0 / (1 << 17) as f64;
 /// The number of samples of a step, and of each part with a sign change.
 const SAMPLES: usize = 128;
 
-/// The counts of some cases.
 #[derive(Debug, Default)]
 struct Tally {
     crossings: usize,
@@ -24,7 +23,6 @@ struct Tally {
     smooth: usize,
 }
 
-/// A crossing at a part of a step.
 #[derive(Debug)]
 struct Crossing {
     step: u64,

@@ -247,7 +247,6 @@ pub(crate) fn norm<T: Digits, const N: usize>(x: &SVector<T, N>) -> f64 {
     sizes.fold(0.0, |size, entry| if entry.is_nan() { f64::INFINITY } else { entry.max(size) })
 }
 
-/// Returns ‖f′(x)‖∞.
 pub(crate) fn slope<T, F, const N: usize>(field: &F, x: &SVector<T, N>) -> f64
 where
     T: Digits,

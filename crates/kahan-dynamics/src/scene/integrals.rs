@@ -18,7 +18,6 @@ const SAFETY: f64 = 2.0;
 /// The most steps, within the integers of `f64`.
 const MOST_STEPS: f64 = 9e15;
 
-/// The most steps of a test orbit.
 const PILOT: f64 = 4096.0;
 /// The factor by which the largest coordinate of an orbit may exceed that of a finer orbit.
 const LARGER: f64 = 2.0;

@@ -107,7 +107,6 @@ impl Budget {
     }
 }
 
-/// A scene with a solution to compare with.
 struct Choice<'a, T, M, const N: usize> {
     scene: &'a Scene,
     map: &'a M,
@@ -117,7 +116,6 @@ struct Choice<'a, T, M, const N: usize> {
     others: &'static [Scheme],
 }
 
-/// The reason for which no setting was found.
 struct Refusal {
     why: NoSetting,
     /// Whether rounding errors caused it, so that a wider precision may succeed.

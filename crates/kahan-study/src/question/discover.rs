@@ -126,7 +126,6 @@ impl AtCell for Discover {
     }
 }
 
-/// Returns the options of a search in the field of a study, with its fixed parameters.
 pub(super) fn options(
     study: &Study,
     eps: &Option<Rational>,

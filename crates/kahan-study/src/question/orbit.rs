@@ -436,7 +436,6 @@ impl Orbit {
         Ok(Begun { head, go_on: Box::new(go_on) })
     }
 
-    /// Checks that method, order, scalar and projection are compatible.
     fn check(&self, study: &Study) -> Result<(), NoOrbit> {
         let is_kahans = self.method == Method::Kahan;
         let has_relations = study.lift().is_some() && self.scalar == ScalarKind::F64;
@@ -466,7 +465,6 @@ struct Chosen<'a> {
     looks: Option<Looks>,
 }
 
-/// The rates of the field at some of the rows.
 struct Looks {
     rates: Rates,
     /// The number of rows from an inspected one to the next.

@@ -262,7 +262,6 @@ impl SectionFound {
         }
     }
 
-    /// Returns the number of columns before n.
     fn front(&self) -> usize {
         self.rows.columns.len() - 2 - self.variables.len()
     }

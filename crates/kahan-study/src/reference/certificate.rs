@@ -21,7 +21,6 @@ const MOST_MORE: f64 = 2.0;
 const LOST: f64 = 0.1;
 /// The number of times at which a closed solution, which is slow, is compared.
 const CLOSED_SAMPLES: u32 = 64;
-/// The most times at which the composition is compared.
 const SAMPLES: u64 = 4096;
 
 /// The evidence for a reference trajectory.
@@ -108,7 +107,6 @@ impl Certificate {
     }
 }
 
-/// A comparison of two methods at increasing times.
 #[derive(Clone, Copy, Debug)]
 struct Comparison {
     allowed: f64,

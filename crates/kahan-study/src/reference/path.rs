@@ -10,7 +10,6 @@ use kahan_dynamics::{Flow, NoFlow};
 
 use super::refusal::NoReference;
 
-/// The most memory of a trajectory, in bytes.
 const MOST_MEMORY: usize = 1 << 30;
 
 /// Limits on the computation of a trajectory.
@@ -37,7 +36,6 @@ impl fmt::Debug for Limits<'_> {
     }
 }
 
-/// Follows the flow from `start` to the time `end`, and beyond by the margin.
 pub(super) fn path<M, const N: usize>(
     map: &M,
     start: SVector<Dd, N>,

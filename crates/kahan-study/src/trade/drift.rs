@@ -52,7 +52,6 @@ impl Integrals {
         Integrals { coefficients: coefficients.collect() }
     }
 
-    /// Returns whether no claim depends on the state.
     pub(super) fn is_empty(&self) -> bool {
         self.coefficients.iter().all(Option::is_none)
     }

@@ -9,14 +9,12 @@ use kahan_dynamics::{Need, Precision, Scheme};
 
 use super::runner::Runner;
 
-/// The nanoseconds of a step of each scheme.
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
 /// The number of rounds, with a turn for every scheme in each. The least time counts, because
 /// disturbances only slow a step down.
 const ROUNDS: usize = 15;
-/// The number of stages in a turn.
 const STAGES: u64 = 2040;
 
 impl Prices {

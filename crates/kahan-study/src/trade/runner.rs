@@ -15,10 +15,8 @@ use crate::map::CannotRun;
 
 use super::CannotTrade;
 
-/// A system at a start, with a clock.
 pub(super) struct Runner<'a> {
     pub(super) map: Map,
-    /// The map in double-double.
     pub(super) wide: Padded<Dd>,
     pub(super) start: Vec<Rational>,
     pub(super) clock: Clock<'a>,
@@ -53,7 +51,6 @@ impl<'a> Runner<'a> {
         Runner::new(&field.expect("a field"), &[], &start, clock)
     }
 
-    /// Returns whether steps run as machine code.
     pub(super) fn is_code(&self) -> bool {
         self.map.at(1.0).is_code()
     }

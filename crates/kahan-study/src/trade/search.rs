@@ -47,7 +47,6 @@ impl Ladders<'_> {
         }
     }
 
-    /// Climbs the ladder of every scheme that may be the cheapest.
     fn climb(&mut self, coarsest: u64) {
         let plain = |precision, composition| Scheme::of(precision).composed(composition);
         let [.., highest] = Composition::BEST;

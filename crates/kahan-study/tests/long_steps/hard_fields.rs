@@ -35,7 +35,6 @@ const HARD: [(&str, &str); 6] = [
 
 const STATES: [&str; 6] = ["x", "y", "z", "u", "v", "w"];
 
-/// The name and the block of a field.
 pub(crate) type Named = (String, String);
 
 pub(crate) fn known() -> Vec<Named> {

@@ -32,7 +32,6 @@ impl Errors {
         Errors(errors)
     }
 
-    /// Returns the quantile of the errors.
     fn quantile(&self, share: f64) -> f64 {
         self.0[((self.0.len() - 1) as f64 * share) as usize]
     }
@@ -90,7 +89,6 @@ impl<'a> Linear<'a> {
         Some(next.collect())
     }
 
-    /// Makes the step by elimination with partial pivoting.
     fn eliminated(&self, values: &[f64]) -> Vec<f64> {
         let (mut a, mut b) = self.system(&Float64, values);
         let n = b.len();
@@ -172,7 +170,6 @@ fn errors(
     (all[0].len() == points).then(|| all.into_iter().map(Errors::of).collect())
 }
 
-/// The counts over several fields.
 #[derive(Default)]
 struct Tally {
     fields: usize,

@@ -18,7 +18,6 @@ use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use seeded_fields::*;
 
-/// The outcome of a scene.
 #[derive(Clone, Debug)]
 enum Outcome {
     /// The truth is unknown; holds whether there was a choice.
@@ -108,7 +107,6 @@ where
     None
 }
 
-/// Reads a whole number from the environment.
 fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |text| text.parse().expect("a whole number"))
 }

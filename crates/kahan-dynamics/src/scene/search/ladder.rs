@@ -24,10 +24,8 @@ const NEAR: f64 = 30.0;
 /// The largest factor of a leap, once the law holds.
 const LEAP: u64 = 1 << 12;
 
-/// The gain of a rung over the rung before.
 #[derive(Clone, Copy, Debug)]
 struct Gain {
-    /// The error of the rung before.
     before: f64,
     /// The error before over the error now.
     factor: f64,
@@ -55,9 +53,7 @@ pub struct Climb {
     was_lawful: bool,
     /// Whether some rung gained less than the law.
     gained_little: bool,
-    /// The number of successive rungs without gain.
     stalls: u32,
-    /// Whether the ladder ended because of rounding errors.
     has_stalled: bool,
     pub(super) finest: Option<Setting>,
 }

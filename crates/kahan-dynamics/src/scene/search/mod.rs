@@ -77,7 +77,6 @@ pub struct Search<L> {
     trials: L,
     tolerance: f64,
     rules: Rules,
-    /// The tried settings, with their errors.
     tried: Vec<Setting>,
     /// Whether rounding errors were seen in some ladder, or in the flow.
     is_rough: bool,

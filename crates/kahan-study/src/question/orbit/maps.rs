@@ -28,7 +28,6 @@ pub(super) trait Moving: Printable {
     /// The cell of a coordinate at infinity.
     const INFINITE: Self::Cell;
 
-    /// The cell of an undefined value.
     const UNDEFINED: Self::Cell;
 
     /// The scalar of the library with these numbers.
@@ -42,7 +41,6 @@ pub(super) trait Moving: Printable {
         number.map_or(Self::UNDEFINED, |number| Self::cell(&number))
     }
 
-    /// Returns the values of a column from its cells.
     fn values(cells: &[Self::Cell]) -> Values<'_>;
 
     /// Rounds a count to the nearest number, faster than [`Printable::round`].
@@ -186,7 +184,6 @@ impl<T: RuntimeFloat> Floats<'_, T> {
     }
 }
 
-/// Classifies a step that divides by zero.
 fn pole(map: &Map) -> Why {
     Why::Pole { is_reduced: map.field().derived().map.is_some() }
 }
@@ -254,7 +251,6 @@ impl Points<Exact> for ExactOrbit {
     }
 }
 
-/// Prepares the orbit through poles at its first point.
 pub(super) fn projective<A: Moving>(
     map: &Map,
     eps: &Rational,

@@ -27,7 +27,6 @@ struct Explicit<'a, A: Moving> {
     x: Vec<A::Value>,
 }
 
-/// Prepares the orbit of an explicit method at its first point.
 pub(super) fn explicit<'a, A: Moving>(
     arithmetic: &'a A,
     map: &'a Map,
@@ -142,7 +141,6 @@ impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
     }
 }
 
-/// An orbit of the flow by Taylor series in double-double.
 struct Solution {
     field: Directed,
     /// The time step |2ε|.

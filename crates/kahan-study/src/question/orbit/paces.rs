@@ -36,7 +36,6 @@ impl Paces {
         (self.steps / self.every).saturating_add(1)
     }
 
-    /// Returns the number of steps before a row.
     pub(super) fn steps_to(&self, row: u64) -> u64 {
         self.transient + row * self.every.get()
     }

@@ -39,12 +39,12 @@ pub(super) enum Why {
     Range,
     /// A step of another method leaves the range of the scalar.
     TooLarge,
+    /// The flow escapes.
     Escapes,
     /// The lift of the field ends.
     Lift(LiftEnds),
 }
 
-/// A point that moves by steps.
 pub(super) trait Points<A: Moving> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
@@ -93,7 +93,6 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
     (steps / every).clamp(1, MOST) as usize
 }
 
-/// Makes `steps` steps, and reports each to `progress`.
 pub(super) fn one_by_one(
     steps: u64,
     progress: &Count<'_>,
@@ -128,7 +127,6 @@ impl Halt {
     }
 }
 
-/// The steps and columns of a table of rows.
 pub(super) struct Course<'a, A: Moving> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
@@ -179,7 +177,6 @@ impl<A: Moving> Course<'_, A> {
     }
 }
 
-/// A block of rows, stored by columns.
 struct Block<A: Moving> {
     counts: Vec<i64>,
     times: Vec<A::Cell>,
@@ -206,7 +203,6 @@ impl<A: Moving> Block<A> {
         }
     }
 
-    /// Passes on the rows, unless the block is empty.
     fn hand_on(&self, columns: &[Column], rows: &mut dyn Rows) -> ControlFlow<()> {
         if self.counts.is_empty() {
             return ControlFlow::Continue(());

@@ -62,7 +62,6 @@ impl From<Axis> for Varied {
     }
 }
 
-/// The JSON of drawn values.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Drawn {
@@ -114,7 +113,6 @@ impl Entry for Varied {
 /// A function that returns the number 0 ≤ u < 1 at an index.
 type Draw = dyn Fn(u64) -> f64 + Sync;
 
-/// The values of an axis, accessed by index.
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
     /// The numbers of bits of the scalars.

@@ -137,7 +137,6 @@ impl<'a> Cells<'a> {
         [index].into_iter().chain(starts).chain(axes).collect()
     }
 
-    /// Returns the entries of the columns that describe a cell.
     pub(super) fn entries(&self, index: u64, place: &Place<f64>, values: &[f64]) -> Vec<Entry> {
         let starts = if self.starts.is_empty() { &[] } else { &place.at[..] };
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());

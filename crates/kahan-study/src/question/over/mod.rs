@@ -97,7 +97,6 @@ impl Over {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }
     }
 
-    /// Reads the question from its fields without the name.
     pub(super) fn read(name: &str, mut object: Map<String, Value>) -> Result<Self, Misread> {
         let keys = ["over", "starts", "draws", "seed"];
         let beside = keys.into_iter().filter_map(|key| Some((key.to_owned(), object.remove(key)?)));

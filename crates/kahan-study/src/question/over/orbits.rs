@@ -27,7 +27,6 @@ pub(super) struct Orbits<'a> {
     study: &'a Study,
     cells: &'a Cells<'a>,
     asked: &'a Observe,
-    /// The number of columns with observations.
     numbers: usize,
 }
 
@@ -115,7 +114,6 @@ impl<'a> Orbits<'a> {
         Begun { index, place, values, order, bits }
     }
 
-    /// Observes orbits of one order in one scalar.
     fn found<T: ObservedFloat + EmbedScalar>(
         &self,
         begun: &[Begun],
@@ -215,7 +213,6 @@ impl Known {
     }
 }
 
-/// Returns whether numbers agree bit for bit.
 fn is_same(a: &[f64], b: &[f64]) -> bool {
     a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()))
 }

@@ -40,7 +40,6 @@ struct Lane<'a, F> {
     x: &'a mut Vec<f64>,
     made: &'a mut u64,
     end: &'a mut Option<End>,
-    /// The formula at the last seen point.
     height: f64,
     direction: Direction,
 }
@@ -144,7 +143,6 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
     }
 }
 
-/// Returns whether a number changes its sign or becomes 0.
 fn changes(before: &Group<f64>, now: &Group<f64>) -> bool {
     let mut any = false;
     for (before, now) in before.iter().zip(now) {

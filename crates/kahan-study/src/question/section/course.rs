@@ -14,7 +14,6 @@ use crate::study::Study;
 pub(super) struct Course {
     /// The last point, in all variables.
     pub(super) x: Vec<f64>,
-    /// The number of steps to the last point.
     pub(super) made: u64,
     pub(super) kept: Kept,
     pub(super) jumps: u64,
@@ -28,11 +27,8 @@ pub(super) struct Kept {
     steps: Vec<i64>,
     times: Vec<f64>,
     points: Vec<Vec<f64>>,
-    /// The number of all crossings so far.
     pub(super) all: u64,
-    /// The number of requested crossings.
     most: u64,
-    /// The capacity of the buffer.
     room: usize,
 }
 
@@ -156,7 +152,6 @@ impl Course {
         }
     }
 
-    /// Records the steps and the end of a run of `asked` steps.
     fn ends(&mut self, end: End, asked: u64) {
         let before = self.made;
         self.made += end.steps(asked);

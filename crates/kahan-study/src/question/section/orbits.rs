@@ -150,7 +150,6 @@ impl<'a> Orbits<'a> {
         flow.map_continue(|()| course)
     }
 
-    /// Describes the reason for which the lift ended an orbit.
     fn why(&self, index: u64, end: End, course: &Course) -> Option<String> {
         if !end.is_early() || self.study.lift().is_none() {
             return None;
@@ -225,7 +224,6 @@ mod tests {
     use crate::rows::{Table, Values};
     use crate::{Direction, Subject, Systems};
 
-    /// A table with the length of its longest block.
     #[derive(Default)]
     struct Counted(Table, usize);
 
