@@ -127,7 +127,7 @@ pub struct ClaimShown {
     pub kind: &'static str,
     /// The claim in the language of `kahan!`, ready to paste.
     pub statement: String,
-    /// The condition of the claim, in that language; empty if it always holds.
+    /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
     /// The expressions that must not vanish, such as `a2 != 0`; empty if they are numbers.
     pub nonzero: String,
