@@ -1,7 +1,7 @@
-//! Arrays of NumPy's as slices, and what is refused.
+//! Conversion of NumPy arrays to slices, and its errors.
 //!
-//! Arrays of `float64` and `float32` in C order are taken as they are; lists, integers and other
-//! layouts are copied by NumPy itself first.
+//! Arrays of `float64` and `float32` in C order are used in place. NumPy first copies lists,
+//! integers and other layouts.
 
 use kahan_study::columns::{Others, Wanted};
 use kahan_study::numbers::number;
@@ -12,7 +12,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 
-/// ε: the float nearest to what was given.
+/// ε, rounded to a double.
 pub(crate) struct Eps(pub(crate) f64);
 
 impl FromPyObject<'_, '_> for Eps {
@@ -23,7 +23,7 @@ impl FromPyObject<'_, '_> for Eps {
     }
 }
 
-/// The float nearest to a number, or to the number that a text says.
+/// Returns the float nearest to a number, or to a number written as text.
 fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(number) = given.extract() {
         return Ok(number);
@@ -36,7 +36,7 @@ fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     Ok(number.to_f64())
 }
 
-/// The value of ε, half the time step, where it or the time step is given.
+/// Returns ε, half the time step, from either ε or the time step.
 pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
     match (eps, dt) {
         (Some(eps), None) => nearest(eps, "eps"),
@@ -48,15 +48,15 @@ pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, Py
     }
 }
 
-/// An array that is read.
+/// An array for reading.
 pub(crate) enum Floats<'py> {
-    /// Of doubles.
+    /// Double precision.
     Double(PyReadonlyArrayDyn<'py, f64>),
-    /// Of single precision.
+    /// Single precision.
     Single(PyReadonlyArrayDyn<'py, f32>),
 }
 
-/// What a caller gave as numbers; `name` is the argument.
+/// Reads numbers given by a caller; `name` is the argument.
 pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Floats<'py>> {
     let is_usable = |array: &Bound<'py, PyArrayDyn<f64>>| array.is_c_contiguous();
     if let Ok(array) = given.cast::<PyArrayDyn<f64>>()
@@ -72,7 +72,7 @@ pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Flo
     Ok(Floats::Double(readonly(array, name)?))
 }
 
-/// Reads numbers as [`floats`] does, and converts `f32` to `f64`.
+/// Reads numbers like [`floats`], and converts `f32` to `f64`.
 pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     match floats(given, name)? {
         Floats::Double(array) => Ok(array),
@@ -83,13 +83,13 @@ pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Py
     }
 }
 
-/// An array of floats in C order, made by `kahan._arrays`.
+/// Converts numbers to an array of floats in C order, by `kahan._arrays`.
 fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     static FLOATS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
 }
 
-/// Reads numbers by `kahan._arrays`: those with names are put in the order of the variables of a
+/// Reads numbers by `kahan._arrays`, which sorts named ones into the order of the variables of a
 /// field or a chain.
 pub(crate) fn named<'py>(
     given: &Bound<'py, PyAny>,
@@ -104,11 +104,11 @@ pub(crate) fn named<'py>(
     NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
 }
 
-/// The columns of the states in a table, and those of parameters and `eps` with their names.
+/// The columns of the states in a table, and the columns of parameters and `eps` with their names.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
 /// Finds the columns of a table, which needs one for each of the first `least` states. With
-/// `varies` it may have columns of parameters and `eps`. `name` is the argument of the caller.
+/// `varies`, parameters and `eps` may have columns, too. `name` is the argument of the caller.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),
@@ -122,7 +122,7 @@ pub(crate) fn places(
     Ok((found.states, found.others))
 }
 
-/// [`places`] for `kahan._formula`, which has names without a field.
+/// Calls [`places`] for `kahan._formula`, which has names without a field.
 #[pyfunction]
 pub(crate) fn columns(
     names: Vec<String>,
@@ -142,7 +142,7 @@ fn readonly<'py, T: Element>(
     borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
 }
 
-/// The array that a result is to be written into: of these sizes and this type, in C order.
+/// Checks the array for a result: it must have these sizes and this type, in C order.
 pub(crate) fn out<'py, T: Element>(
     given: &Bound<'py, PyAny>,
     sizes: &[usize],

@@ -1,4 +1,4 @@
-//! Hirota–Kimura bases: what a discovery found, and their coefficients along orbits.
+//! Hirota–Kimura bases: results of a discovery, and their coefficients along orbits.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::basis::BasisError;
@@ -13,11 +13,11 @@ use crate::beside::{Listener, apart, beside};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
-/// Monomials with one linear relation along every orbit: what `kahan.Basis` stands on.
+/// Monomials with one linear relation along every orbit; the basis of `kahan.Basis`.
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Relation(kahan_discover::Basis);
 
-/// All that makes a relation: exponents, terms, the unit, the integrals and what proves it.
+/// The parts of a relation: exponents, terms, the unit, the integrals and the proof.
 type Parts = (Vec<Vec<u32>>, Vec<Vec<(usize, i64)>>, usize, Vec<usize>, Option<u32>);
 
 #[pymethods]
@@ -42,27 +42,27 @@ impl Relation {
         Ok(Relation(kahan_discover::Basis { monomials, terms, unit, integrals, proof }))
     }
 
-    /// What pickling hands to the constructor.
+    /// Returns the arguments of the constructor, for pickling.
     fn __getnewargs__(&self) -> Parts {
         let kahan_discover::Basis { monomials, terms, unit, integrals, proof } = self.0.clone();
         (monomials, terms, unit, integrals, proof)
     }
 
-    /// The exponents of the variables, a row a monomial.
+    /// The exponents of the variables, with a row for each monomial.
     #[getter]
     fn exponents(&self) -> Vec<Vec<u32>> {
         self.0.monomials.clone()
     }
 
-    /// The places of the coefficients that are independent integrals.
+    /// The indices of the coefficients that are independent integrals.
     #[getter]
     fn places(&self) -> Vec<usize> {
         self.0.integrals.clone()
     }
 
-    /// The coefficients along orbits, of shape (orbits, monomials), and the condition of the
-    /// equations they solve. `orbits` has shape (orbits, points, variables), consecutive points of
-    /// each. What the points do not determine is NaN.
+    /// Returns the coefficients along orbits, of shape (orbits, monomials), and the condition of
+    /// the equations that they solve. `orbits` has the shape (orbits, points, variables), with
+    /// consecutive points of each. Coefficients that the points do not determine are NaN.
     fn solve<'py>(
         &self,
         orbits: &Bound<'py, PyAny>,
@@ -99,7 +99,8 @@ impl Relation {
         Ok((values.into_any(), PyArray1::from_vec(py, conditions)))
     }
 
-    /// The coefficients along the orbit with these consecutive points, exactly; numbers are text.
+    /// Returns the exact coefficients along the orbit with these consecutive points; numbers are
+    /// text.
     fn solve_exactly(&self, orbit: Vec<Vec<String>>) -> PyResult<Vec<String>> {
         let point = |point: &Vec<String>| point.iter().map(|value| number(value)).collect();
         let orbit: Result<Vec<Vec<Rational>>, _> = orbit.iter().map(point).collect();
@@ -115,7 +116,7 @@ fn refused(error: &BasisError) -> PyErr {
 
 #[pymethods]
 impl Field {
-    /// The answer to a question that discovers, both as JSON, and the bases that it names.
+    /// Answers a discovery. The question and the answer are JSON; also returns the bases found.
     #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,

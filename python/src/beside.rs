@@ -1,9 +1,8 @@
-//! Long work beside the interpreter: its lock is released, Ctrl-C ends the work within a moment,
-//! and whoever wants to see how far it is hears it.
+//! Long work beside the interpreter, with its lock released, Ctrl-C and reports of progress.
 //!
-//! Python handles signals on its main thread only, and only where that thread runs Python's code.
-//! So the work has a thread of its own, while the caller's looks at signals a hundred times a
-//! second.
+//! Python handles signals only on its main thread, and only while that thread runs Python code. The
+//! work therefore has its own thread, while the caller's thread checks for signals a hundred times
+//! a second.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,16 +16,16 @@ use kahan_study::{Finding, Progress, Watch};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// How often the caller's thread looks at signals.
+/// The time between checks for signals.
 const LOOK: Duration = Duration::from_millis(10);
-/// How often a program is told how far work is.
+/// The time between reports of progress.
 const TOLD: Duration = Duration::from_millis(100);
-/// The most numbers that are computed without a look at signals: some milliseconds of work.
+/// The most numbers computed without a check for signals: some milliseconds of work.
 const SHORT: u64 = 1 << 16;
-/// Recursions over long formulas need more than threads usually have.
+/// The stack of a worker; recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// What work sees of its caller, as its [`Watch`].
+/// The caller as seen by the work: its [`Watch`].
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -34,9 +33,9 @@ pub(crate) struct Caller {
     waiting: thread::Thread,
     since: Instant,
     threads: usize,
-    /// The steps that were made, where they are counted here.
+    /// The number of steps, if counted here.
     made: AtomicU64,
-    /// What there is to tell, since it was told last.
+    /// The news since the last report.
     news: Mutex<News>,
 }
 
@@ -59,30 +58,30 @@ impl Caller {
         }
     }
 
-    /// So many more of all steps were made; `Break` where the work is to end.
+    /// Adds finished steps out of `of`; returns `Break` if the work must end.
     pub(crate) fn made(&self, steps: u64, of: u64) -> ControlFlow<()> {
         let done = self.made.fetch_add(steps, Ordering::Relaxed) + steps;
         self.look(&Progress { what: "steps", done, of: Some(of) })
     }
 
-    /// Whether the work is to end.
+    /// Returns whether the work must end.
     pub(crate) fn wants_no_more(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// `Break` where the work is to end.
+    /// Returns `Break` if the work must end.
     pub(crate) fn goes_on(&self) -> ControlFlow<()> {
         if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Does the work, and wakes the thread that waits for it, also where the work panics.
+    /// Does the work, and wakes the waiting thread, even after a panic.
     fn does<R>(&self, work: impl FnOnce(&Caller) -> R) -> R {
         let _woken = Woken(self);
         work(self)
     }
 
-    /// Waits for the work, looks at signals, and tells of news. What a signal's handler or the
-    /// listener raises tells the work to end.
+    /// Waits for the work, checks for signals, and reports news. An exception of a signal's handler
+    /// or of the listener ends the work.
     fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
         let mut told = Instant::now();
         while !self.is_done.load(Ordering::Acquire) {
@@ -126,8 +125,8 @@ impl Watch for Caller {
     }
 }
 
-/// Who in Python hears how far work is: called with what is counted, how many are done, and of how
-/// many; and with `found`, kind, name and text of a finding.
+/// A listener in Python, called with the unit of the count, the count and the total, or with
+/// `found` and the kind, name and text of a finding.
 pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
 
 impl Listener<'_> {
@@ -143,11 +142,11 @@ impl Listener<'_> {
     }
 }
 
-/// Does the work on another thread, with the interpreter's lock released.
+/// Does work on another thread, with the interpreter's lock released.
 ///
 /// # Errors
-/// What a signal's handler or the listener raised: then the work was told to end, and its result is
-/// dropped. A panic of the work, which is a mistake of this package.
+/// An exception of a signal's handler or of the listener, which ends the work and drops its result;
+/// or a panic of the work, which is a bug of this package.
 pub(crate) fn beside<R: Send>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -158,7 +157,7 @@ pub(crate) fn beside<R: Send>(
     thread::scope(|scope| {
         let worker = worker().spawn_scoped(scope, || caller.does(work)).map_err(no_thread)?;
         let raised = caller.wait(py, listener);
-        // Told to end, the work ends within a moment.
+        // The work ends within a moment after the request.
         let result = py.detach(|| worker.join());
         raised?;
         listener.hears(caller.news())?;
@@ -166,8 +165,8 @@ pub(crate) fn beside<R: Send>(
     })
 }
 
-/// Like [`beside`] on one thread, but works on the caller's thread if at most `SHORT` numbers are
-/// computed: to begin another thread takes some tens of microseconds.
+/// Works like [`beside`] on one thread, but on the caller's thread for at most `SHORT` numbers,
+/// because starting a thread takes some tens of microseconds.
 ///
 /// # Errors
 /// See [`beside`].
@@ -186,8 +185,8 @@ pub(crate) fn beside_if_long<R: Send>(
     Ok(result)
 }
 
-/// Like [`beside`], but does not wait for work that is told to end: work on numbers of a million
-/// digits may take seconds until it notices. The work must not borrow.
+/// Works like [`beside`], but does not wait for work that was asked to end: with numbers of a
+/// million digits, it may take seconds to notice. The work must not borrow.
 ///
 /// # Errors
 /// See [`beside`].
@@ -218,7 +217,7 @@ fn mistaken() -> PyErr {
     PyRuntimeError::new_err("kahan has a mistake here; please report what was asked")
 }
 
-/// When it is dropped, says that the work is done, and wakes the thread that waits for it.
+/// On drop, marks the work as done and wakes the waiting thread.
 struct Woken<'a>(&'a Caller);
 
 impl Drop for Woken<'_> {

@@ -1,4 +1,4 @@
-//! Many trajectories at once, over all processors.
+//! Many trajectories, on all processors.
 
 use std::mem::discriminant;
 use std::num::NonZeroU64;
@@ -17,17 +17,17 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// Trajectories that a thread takes at once: their columns stay in its cache.
+/// The number of trajectories that a thread takes at once; their columns stay in its cache.
 const TOGETHER: usize = 1024;
-/// Steps of all of them between two looks at signals.
+/// The number of steps, of all trajectories together, between checks for signals.
 const AT_ONCE: u64 = 1 << 22;
-/// Steps of all of them that a caller is told of at once.
+/// The number of steps, of all trajectories together, between reports.
 const TOLD: u64 = 1 << 18;
 
 #[pymethods]
 impl Field {
     /// Advances many trajectories by `steps` steps. Returns their last points, NaN if a trajectory
-    /// ended early; how each ended, and after how many steps. `eps` and each parameter have one
+    /// ended early; how each ended; and the number of its steps. `eps` and each parameter have one
     /// value, or one for each trajectory.
     #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
@@ -50,7 +50,7 @@ impl Field {
     }
 
     /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
-    /// each orbit, how each ended, and after how many steps. `of` names observables.
+    /// each orbit, how each ended, and the number of its steps. `of` names observables.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -99,7 +99,7 @@ impl Field {
     }
 }
 
-/// What is asked of an ensemble.
+/// The options of an ensemble.
 pub(crate) struct Asked<'a, 'py> {
     pub(crate) eps: &'a Bound<'py, PyAny>,
     pub(crate) steps: u64,
@@ -110,7 +110,7 @@ pub(crate) struct Asked<'a, 'py> {
 }
 
 impl Field {
-    /// The map and the constants of points of this shape.
+    /// Prepares the map and the constants for points of this shape.
     pub(crate) fn many<T: Float>(
         &self,
         py: Python<'_>,
@@ -126,7 +126,7 @@ impl Field {
             None => Ok(Vec::new()),
         });
         let mut values = values.collect::<PyResult<Vec<Vec<T>>>>()?;
-        // Those that are given here may have no value in the field.
+        // A parameter given here may lack a value in the field.
         let at: MapAt<T> = self.map_with(py, &values)?.at(eps.first().copied().unwrap_or_else(T::zero));
         let at = at.composed(composition(asked.order)?);
         for (own, values) in at.map().parameters().iter().zip(&mut values) {
@@ -174,16 +174,16 @@ impl Field {
 /// Many trajectories of one field.
 pub(crate) struct Many<T: Float> {
     pub(crate) at: MapAt<T>,
-    /// One, or one a trajectory.
+    /// One ε, or one for each trajectory.
     pub(crate) eps: Vec<T>,
-    /// One or one a trajectory for each parameter; empty if all have the values of the map.
+    /// For each parameter one value, or one for each trajectory; empty if all values are the map's.
     pub(crate) constants: Vec<Vec<T>>,
     pub(crate) steps: u64,
     trajectories: usize,
 }
 
 impl<T: Float> Many<T> {
-    /// Returns the trajectories with vectors of derivatives beside each point.
+    /// Returns the trajectories with derivative vectors added to each point.
     pub(crate) fn sensitivities(&self, by: &[By]) -> Self {
         let (at, mut constants) = (self.at.sensitivities(by), self.constants.clone());
         if by.contains(&By::Epsilon) {
@@ -202,8 +202,8 @@ impl<T: Float> Many<T> {
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
 
-    /// Advances points that stand row by row: how each trajectory ended, in the pieces that threads
-    /// take.
+    /// Advances points, stored row by row. Returns the ends of the trajectories, in the pieces that
+    /// threads take.
     pub(crate) fn advance(
         &self,
         rows: &mut [T],
@@ -219,8 +219,8 @@ impl<T: Float> Many<T> {
         found.into_iter().collect()
     }
 
-    /// Follows trajectories of a lifted field once more, up to their ends, if their last points are
-    /// beyond an end. `from` and `to` have their first and last points.
+    /// Follows trajectories of a lifted field again if their last points are beyond an end, up to
+    /// that end. `from` and `to` hold first and last points.
     fn end_lifted(
         &self,
         from: &[T],
@@ -239,7 +239,7 @@ impl<T: Float> Many<T> {
         Ok(())
     }
 
-    /// Those of one thread, the first of which has this number.
+    /// Advances the trajectories of one thread; the first one has the number `first`.
     fn piece(
         &self,
         rows: &mut [T],
@@ -254,7 +254,7 @@ impl<T: Float> Many<T> {
     }
 }
 
-/// Trajectories that a thread has in columns.
+/// Trajectories of one thread, stored by columns.
 pub(crate) struct Piece<'a, T: Float> {
     many: &'a Many<T>,
     columns: Vec<Vec<T>>,
@@ -263,13 +263,13 @@ pub(crate) struct Piece<'a, T: Float> {
     caller: &'a Caller,
     /// The end of each trajectory so far; empty before the first step.
     ends: Vec<End>,
-    /// The steps that were made, and those of them that the caller was not told of.
+    /// The number of steps, and the number of steps not yet reported.
     pub(crate) made: u64,
     untold: u64,
 }
 
 impl<'a, T: Float> Piece<'a, T> {
-    /// Trajectories that begin at these rows, the first of which has this number.
+    /// Loads trajectories that begin at these rows; the first one has the number `first`.
     pub(crate) fn of(many: &'a Many<T>, rows: &[T], width: usize, first: usize, caller: &'a Caller) -> Self {
         let count = rows.len() / width;
         let mut columns = vec![vec![T::zero(); count]; width];
@@ -284,7 +284,7 @@ impl<'a, T: Float> Piece<'a, T> {
         Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
     }
 
-    /// Makes `steps` steps, or as many as the caller wants.
+    /// Makes `steps` steps, or fewer if the caller ends the work.
     pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
         let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
@@ -309,7 +309,7 @@ impl<'a, T: Float> Piece<'a, T> {
         Ok(())
     }
 
-    /// Writes the points to these places, one for each trajectory.
+    /// Writes the current points, one for each trajectory.
     pub(crate) fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
     where
         T: 'r,
@@ -319,7 +319,7 @@ impl<'a, T: Float> Piece<'a, T> {
         }
     }
 
-    /// The trajectories of a lifted field that have gone beyond their ends.
+    /// Returns the trajectories of a lifted field that have passed their ends.
     pub(crate) fn beyond(&self, study: &Study) -> Vec<usize> {
         let Some(step) = study.lifted_step(&self.many.at) else { return Vec::new() };
         let count = self.columns.first().map_or(0, Vec::len);
@@ -340,7 +340,7 @@ impl<'a, T: Float> Piece<'a, T> {
 }
 
 impl Many<f64> {
-    /// What is seen of the orbits of points that stand row by row.
+    /// Observes the orbits of points, stored row by row.
     fn observed(
         &self,
         rows: &[f64],
@@ -349,7 +349,7 @@ impl Many<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
-        // Few enough that all threads have some.
+        // Pieces are small enough for all threads to have some.
         let together = (AT_ONCE / asked.steps_in_all().max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
@@ -371,8 +371,8 @@ impl Many<f64> {
     }
 }
 
-/// How trajectories ended: the words that occur, for each trajectory the place of its word, and its
-/// steps.
+/// The ends of trajectories: the words that occur, the index of the word of each trajectory, and
+/// the number of its steps.
 pub(crate) type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
 pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
@@ -390,7 +390,8 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// How trajectories ended that went on after so many steps; one that had ended stays so.
+/// Combines ends with ends after `steps` earlier steps; a trajectory that ended earlier keeps its
+/// end.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;
@@ -402,7 +403,7 @@ fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     more.into_iter().enumerate().map(own).collect()
 }
 
-/// Numbers of which there is one, or one a trajectory.
+/// Reads one number, or one for each trajectory.
 fn constants<T: Float>(given: &Bound<'_, PyAny>, trajectories: usize, name: &str) -> PyResult<Vec<T>> {
     let values: PyReadonlyArrayDyn<'_, f64> = doubles(given, name)?;
     match values.shape() {

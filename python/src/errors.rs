@@ -1,4 +1,4 @@
-//! Exceptions of Python for the errors of the libraries.
+//! Python exceptions for the errors of the libraries.
 
 use kahan_runtime::{Diagnostics, DimensionError};
 use kahan_study::StudyError;
@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 
-/// A class of `kahan._errors`.
+/// Returns a class of `kahan._errors`.
 fn class<'py>(
     py: Python<'py>,
     cell: &'static PyOnceLock<Py<PyType>>,
@@ -16,7 +16,7 @@ fn class<'py>(
     cell.import(py, "kahan._errors", name)
 }
 
-/// `kahan.FieldError`, with the place of each mistake.
+/// Builds `kahan.FieldError`, with the place of each mistake.
 fn field_error(py: Python<'_>, mistakes: &Diagnostics) -> PyResult<PyErr> {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let places = mistakes.mistakes().iter().zip(mistakes.places());
@@ -26,14 +26,14 @@ fn field_error(py: Python<'_>, mistakes: &Diagnostics) -> PyResult<PyErr> {
     Ok(PyErr::from_value(error))
 }
 
-/// `kahan.SingularStep`: the map has no value at a point.
+/// Builds `kahan.SingularStep` for a point at which the map has no value.
 pub(crate) fn singular_step(py: Python<'_>, message: &str) -> PyErr {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let error = class(py, &CLASS, "SingularStep").and_then(|class| class.call1((message,)));
     error.map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// What was wrong with a field or a question.
+/// Converts the error of a field or a question.
 pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
     match error {
         StudyError::Field(mistakes) => field_error(py, mistakes).unwrap_or_else(|failed| failed),
@@ -49,7 +49,7 @@ pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
     }
 }
 
-/// Numbers of numbers that do not fit.
+/// Converts the error of arrays whose sizes do not fit.
 pub(crate) fn of_dimension(error: &DimensionError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }

@@ -1,4 +1,4 @@
-//! A field that Python holds: its names, and questions about it.
+//! A field held by Python: its names, and questions about it.
 
 use std::sync::Mutex;
 
@@ -18,31 +18,31 @@ use crate::beside::{Listener, apart};
 use crate::errors::{of_dimension, of_study};
 use crate::orbit::wrong_shape;
 
-/// A field with the values of its parameters: what `kahan.System` stands on.
+/// A field with the values of its parameters; the basis of `kahan.System`.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Field {
     study: Study,
-    /// The map at the ε of the call before.
+    /// The maps of the last calls.
     last: Mutex<Last>,
 }
 
-/// What the call before was about.
+/// The maps of the last calls, kept for the next.
 #[derive(Default)]
 pub(crate) struct Last {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
-    /// The map at the values of parameters that stand beside it.
+    /// The map at parameters given in the call, with their values.
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
-/// A float of NumPy's that steps are made in.
+/// A float of NumPy in which steps are made.
 pub(crate) trait Float:
     kahan_runtime::MachineFloat + kahan_core::EmbedScalar + kahan_core::Pivot + numpy::Element
 {
-    /// The float nearest to one of Python's, which are doubles.
+    /// Rounds a double, Python's float.
     fn near(number: f64) -> Self;
-    /// The map at the ε of the call before.
+    /// Returns the place of the last map in this precision.
     fn last(last: &mut Last) -> &mut Option<MapAt<Self>>;
 }
 
@@ -67,12 +67,12 @@ impl Float for f32 {
 }
 
 impl Field {
-    /// The field at its parameters.
+    /// Returns the map at the field's parameters.
     pub(crate) fn map(&self, py: Python<'_>) -> PyResult<Map> {
         self.study.map().cloned().map_err(|error| of_study(py, &error))
     }
 
-    /// The map at ε, which is kept for the next call.
+    /// Returns the map at ε, and keeps it for the next call.
     pub(crate) fn at<T: Float>(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<T>> {
         let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let last = T::last(&mut last);
@@ -85,13 +85,13 @@ impl Field {
         Ok(last.clone().expect("it was put there"))
     }
 
-    /// The same with the integrals that are claimed at this ε alone, too.
+    /// Returns the map with all integrals, including those claimed only at this ε.
     pub(crate) fn with_integrals(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<f64>> {
         let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // A float means its decimal; of what is no number nothing is claimed.
+        // A float stands for its decimal; a NaN or infinity gets the claims at 0.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -99,8 +99,8 @@ impl Field {
         Ok(at)
     }
 
-    /// The map at eps = 0 with these values of parameters in place of their own. The last such map
-    /// is kept.
+    /// Returns the map at eps = 0 with these values in place of the field's own; keeps it for the
+    /// next call.
     pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
         if values.iter().all(Option::is_none) {
             return self.at(py, 0.0);
@@ -121,18 +121,18 @@ impl Field {
 }
 
 impl Field {
-    /// The field with its parameters.
+    /// Returns the study of the field.
     pub(crate) fn study(&self) -> &Study {
         &self.study
     }
 
-    /// How many variables there are.
+    /// Returns the number of variables.
     pub(crate) fn dimension(&self) -> usize {
         self.study.variables().len()
     }
 
-    /// The error for points of all variables of this shape; of a lifted field in terms of those
-    /// that arrays have.
+    /// Builds the error for points of all variables with a wrong shape. For a lifted field, the
+    /// message is in terms of the variables of arrays.
     pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
         let shown = self.study.shown().len();
         let given = found.iter().enumerate().map(|(axis, size)| {
@@ -146,12 +146,12 @@ impl Field {
         wrong_shape(name, &wanted, &given.collect::<Vec<_>>())
     }
 
-    /// The name of a parameter.
+    /// Returns the name of a parameter.
     pub(crate) fn parameter(&self, k: usize) -> &str {
         &self.study.parameters()[k]
     }
 
-    /// The map where parameters without a value have the first of these.
+    /// Returns the map; parameters without a value get the first of these values.
     pub(crate) fn map_with<T: Float>(&self, py: Python<'_>, first: &[Vec<T>]) -> PyResult<Map> {
         if self.study.given().iter().all(Option::is_some) {
             return self.map(py);
@@ -161,7 +161,7 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                // What is not finite is no constant that an orbit depends on.
+                // A value that is not finite gets 1 as a placeholder.
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
@@ -174,8 +174,8 @@ impl Field {
     }
 }
 
-/// The kind of lift; the start of the orbit on which lifts are judged, and the names of its
-/// coordinates, if any; the time there; and whether arrays have the new variables.
+/// The kind of lift; the start of the orbit on which lifts are compared with the names of its
+/// coordinates, if any; the time of the start; and whether arrays have the new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -193,16 +193,16 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     Ok(Lifting { which, start, names, time, shows_all, ..Lifting::default() })
 }
 
-/// How Python gives a field.
+/// A field as given by Python.
 #[derive(FromPyObject)]
 enum Given<'py> {
-    /// As a text.
+    /// A text.
     Text(String),
-    /// As coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
+    /// Coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
     Coefficients(Vec<String>, Vec<String>, Columns<'py>),
 }
 
-/// Of each coefficient the component, two states and the parameter, -1 for none, and the value.
+/// The component, the two states, the parameter (-1 for none) and the value of each coefficient.
 type Columns<'py> = (Indices<'py>, Indices<'py>, Indices<'py>, Indices<'py>, PyReadonlyArray1<'py, f64>);
 type Indices<'py> = PyReadonlyArray1<'py, i64>;
 
@@ -229,7 +229,7 @@ impl Given<'_> {
     }
 }
 
-/// A question that came as JSON.
+/// Reads a question from JSON.
 pub(crate) fn question(json: &str) -> PyResult<Question> {
     serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
 }
@@ -237,8 +237,8 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 #[pymethods]
 impl Field {
     /// Reads a field from its name in the catalog, its text or its coefficients. `sites` is for
-    /// families. Values of parameters are exact numbers as text. `of` is this field at other values
-    /// and without a lift; both share plans and compiled code.
+    /// families. Values of parameters are exact numbers as text. With `of`, takes that field at
+    /// these values and ignores the other arguments; both share plans and compiled code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
@@ -273,21 +273,21 @@ impl Field {
         Ok(Field { study: study.map_err(|error| of_study(py, &error))?, last: Mutex::default() })
     }
 
-    /// Its name in answers.
+    /// The name in answers.
     #[getter]
     fn name(&self) -> &str {
         self.study.name()
     }
 
-    /// Its text in the language of `kahan!`; of a system of the catalog its block of Rust, which is
-    /// read as a field, too.
+    /// The text in the language of `kahan!`; for a system of the catalog its block of Rust, which
+    /// can be read as a field, too.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
     }
 
-    /// The coefficients of the field at its parameters: components, first states, second states (-1
-    /// for none), and values.
+    /// Returns the coefficients of the field at its parameters: components, first states, second
+    /// states (-1 for none), and values.
     #[pyo3(name = "_coefficients")]
     fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
@@ -298,8 +298,8 @@ impl Field {
         Ok((indices, coefficients.iter().map(|one| one.value.to_f64()).collect()))
     }
 
-    /// The variables of arrays: of a lifted field the original ones, and the new ones where these
-    /// are asked for.
+    /// The variables of arrays: for a lifted field the original ones, and the new ones if
+    /// requested.
     #[getter]
     fn variables(&self) -> Vec<&str> {
         self.study.shown().iter().map(String::as_str).collect()
@@ -313,35 +313,34 @@ impl Field {
         places(&names, states, self.study.parameters(), varies, name)
     }
 
-    /// All variables, those of formulas.
+    /// All variables, which formulas use.
     #[getter(_all_variables)]
     fn all_variables(&self) -> Vec<&str> {
         self.study.variables().iter().map(String::as_str).collect()
     }
 
-    /// What there is to say of the lift, as JSON; none of a field that was not lifted.
+    /// The description of the lift as JSON; None for a field without a lift.
     #[getter(_lift)]
     fn lift(&self, py: Python<'_>) -> PyResult<Option<String>> {
         let found = self.study.lift_found(None).map_err(|error| of_study(py, &error))?;
         Ok(found.map(|found| serde_json::to_string(&found).expect("answers are JSON")))
     }
 
-    /// The time at the start, and the place of `t` among all variables where it was lifted.
+    /// The time at the start, and the index of `t` among all variables if `t` was lifted.
     #[getter(_time)]
     fn time(&self) -> (f64, Option<usize>) {
         (self.study.time().to_f64(), self.study.time_place())
     }
 
-    /// The places of the variables of arrays among all.
+    /// The indices of the variables of arrays among all variables.
     #[getter(_places)]
     pub(crate) fn places(&self) -> Vec<usize> {
         self.study.project(&(0..self.study.variables().len()).collect::<Vec<_>>())
     }
 
-    /// Points of all variables, of the shape (…, all variables), at points of shape (…, variables)
-    /// or of the original ones, at a time. `parameters` has for each parameter a number, one a
-    /// point, or
-    /// `None` for the field's own.
+    /// Extends points to all variables. Points have the shape (…, variables), or (…, original
+    /// variables), and the result (…, all variables). `parameters` has for each parameter a number,
+    /// one for each point, or `None` for the field's own.
     #[pyo3(name = "_embedded", signature = (x, parameters = Vec::new(), time = None))]
     pub(crate) fn embedded<'py>(
         &self,
@@ -382,7 +381,8 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// A warning about a lift that was chosen without a start, along the orbit of this one.
+    /// Returns a warning about a lift that was chosen without a start, along the orbit of this
+    /// start.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -390,7 +390,8 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
-    /// A note on components that steps do not resolve, at some of these points of all variables.
+    /// Returns a note on components that steps do not resolve, from some of these points of all
+    /// variables.
     #[pyo3(name = "_rates_note")]
     fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -400,28 +401,27 @@ impl Field {
         Ok(rates.note())
     }
 
-    /// Notes on what was read in a way that the writer of the text should know of.
+    /// Notes for the writer of the text on unusual readings.
     #[getter]
     fn notes(&self) -> Vec<String> {
         let warning = self.study.lift().and_then(kahan_study::Lift::warning);
         self.study.notes().iter().cloned().chain(warning).collect()
     }
 
-    /// The first point that the text gives, as text.
+    /// The first point of the text, with numbers as text.
     #[getter(_start)]
     fn start(&self) -> Option<Vec<String>> {
         Some(self.study.start()?.iter().map(Rational::to_string).collect())
     }
 
-    /// The parameters with their values as text, the text's own where none was given, `None` for
-    /// one that has none.
+    /// The parameters with their values as text: given values, otherwise the text's own, or `None`.
     #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
         let values = self.study.valued().into_iter().map(|value| value.map(|value| value.to_string()));
         self.study.parameters().iter().map(String::as_str).zip(values).collect()
     }
 
-    /// The answer to a question, both as JSON. `listener` hears how far the work is.
+    /// Answers a question; both are JSON. `listener` receives reports of progress.
     #[pyo3(name = "_answer", signature = (asked, *, threads = None, listener = None))]
     fn ask(
         &self,
@@ -438,7 +438,7 @@ impl Field {
         answer.map_err(|error| of_study(py, &error))
     }
 
-    /// The verdicts on steps at the extremes, as JSON.
+    /// Returns the verdicts on steps at extreme points, as JSON.
     #[pyo3(name = "_judged", signature = (trials, seed, *, listener = None))]
     fn judged(
         &self,

@@ -13,8 +13,8 @@ use crate::orbit::{composition, stride};
 
 #[pymethods]
 impl Field {
-    /// The derivatives of a scalar by the start, the parameters and eps, each with its name.
-    /// `weights` are the derivatives of the scalar by the rows of the orbit.
+    /// Returns the derivatives of a scalar by the start, the parameters and eps, each with its
+    /// name. `weights` are the derivatives of the scalar by the rows of the orbit.
     #[pyo3(name = "_gradient", signature = (x, eps, weights, *, every = 1, order = 2, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn gradient(
@@ -46,7 +46,7 @@ impl Field {
     }
 }
 
-/// The error for an orbit of float32 or compensated steps that ends early in float64.
+/// Builds the error for an orbit of float32 or compensated steps that ends early in float64.
 fn ended(end: End, steps: u64) -> PyErr {
     PyValueError::new_err(format!(
         "in float64 and without compensation the orbit ends after step {} of {steps}; choose fewer steps",

@@ -1,4 +1,4 @@
-//! Chains of any number of sites, stepped as arrays with a row a site.
+//! Chains with any number of sites; a state is an array with a row for each site.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -12,25 +12,25 @@ use crate::arrays::{Eps, Places, doubles, named, places};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study};
 
-/// Whether a text is that of a family, whose sites are not counted.
+/// Returns whether a text describes a family, whose number of sites is open.
 #[pyfunction]
 pub(crate) fn is_family(text: &str) -> bool {
     matches!(FieldText::new(text.to_owned(), "field".to_owned()).family(), Ok(Some(_)))
 }
 
-/// A chain at one eps: what `kahan.Lattice` stands on.
+/// A chain at one eps; the basis of `kahan.Lattice`.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Chain {
     lattice: Lattice,
     sites: usize,
-    /// Its scratch is its own, so one call at a time has it.
+    /// The chain has scratch memory, so that only one call at a time can use it.
     at: Mutex<ChainAt>,
 }
 
 #[pymethods]
 impl Chain {
-    /// Reads the family of a text, or that of the catalog with this name. Each value is one number,
-    /// or one a site.
+    /// Reads the family of a text, or the family of the catalog with this name. Each value is one
+    /// number, or one for each site.
     #[new]
     fn new(
         py: Python<'_>,
@@ -75,7 +75,7 @@ impl Chain {
         self.sites
     }
 
-    /// The state so many steps later, of the shape that the state has.
+    /// Returns the state after `steps` steps, in the shape of the given state.
     #[pyo3(signature = (state, steps = 1, *, listener = None))]
     fn advance<'py>(
         slf: &Bound<'py, Self>,
@@ -92,14 +92,14 @@ impl Chain {
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
         if followed.end.steps(steps) < steps {
-            // What is not finite stays so.
+            // A state that left the range stays outside.
             x.fill(f64::NAN);
         }
         x.into_pyarray(py).reshape(state.shape())
     }
 
-    /// The sums that the chain claims at a state, by name: its integrals, the Hamiltonian, and the
-    /// energy that the map keeps in its place.
+    /// Returns the sums that the chain claims at a state, by name: its integrals, the Hamiltonian,
+    /// and the modified energy that the map preserves.
     #[pyo3(name = "_sums")]
     fn sums(slf: &Bound<'_, Self>, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
         let own = slf.get();
@@ -120,7 +120,7 @@ impl Chain {
 }
 
 impl Chain {
-    /// The numbers of a state, site by site.
+    /// Returns the numbers of a state, site by site, after checking its shape.
     fn state(&self, state: &numpy::PyReadonlyArrayDyn<'_, f64>) -> PyResult<Vec<f64>> {
         let arrays = self.lattice.arrays().len();
         let fits = match state.shape() {

@@ -1,10 +1,8 @@
-//! The border between Python and the project's libraries: Python's objects in, arrays and answers
-//! out.
+//! The interface between Python and the libraries: objects of Python in, arrays and answers out.
 //!
-//! It must not know mathematics. A question comes as JSON and goes back as JSON
-//! ([`kahan_study::Question`]); what is called in a loop (a step, an orbit, an ensemble) takes and
-//! gives NumPy arrays without a detour. What Python can say better than Rust, such as results with
-//! names, formulas of SymPy, plots, is in the Python files of `kahan/`.
+//! Mathematics belongs to the libraries. Questions and answers are JSON
+//! ([`kahan_study::Question`]); calls in loops (steps, orbits, ensembles) take and return NumPy
+//! arrays directly. Python files in `kahan/` add named results, SymPy formulas and plots.
 
 mod arrays;
 mod arrow;
@@ -29,7 +27,7 @@ use kahan_study::numbers::ScalarKind;
 use kahan_study::{Catalog, Direction, Method, Observable, Systems};
 use pyo3::prelude::*;
 
-/// The border; its names are those of the package `kahan`.
+/// The compiled module of the package `kahan`.
 #[pymodule]
 mod _kahan {
     #[pymodule_export]
@@ -44,15 +42,14 @@ mod _kahan {
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }
 
-/// Runs the command `kahan` with these arguments, the program's name first, and gives its exit
+/// Runs the command `kahan` with these arguments, the program's name first, and returns its exit
 /// status.
 #[pyfunction]
 fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
-    // What an exit code holds is not to be had from Rust but through its text.
     py.detach(|| kahan_cli::status(arguments))
 }
 
-/// The names that arguments of one kind may have, by that kind.
+/// Returns the allowed names for each kind of argument.
 #[pyfunction]
 fn names() -> [(&'static str, Vec<&'static str>); 6] {
     let known = Systems.names().into_iter().map(|[name, _]| name);
@@ -68,13 +65,15 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     ]
 }
 
-/// The name that `name` is a slip of, found as it is in the text of a field.
+/// Returns the known name that `name` is probably a misspelling of, by the rule for texts of
+/// fields.
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
 }
 
-/// How pictures show the numbers of a column: whether as logarithms to base 10, and the numbers.
+/// Converts the numbers of a column for a picture; also returns whether they are logarithms to base
+/// 10.
 #[pyfunction]
 fn picture_scale(column: &str, values: Vec<f64>) -> (bool, Vec<f64>) {
     (Chart::is_logarithmic(column), values.into_iter().map(Chart::scale(column)).collect())

@@ -14,12 +14,12 @@ use crate::beside::{Listener, beside, beside_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
-/// The most numbers that are stepped without a look at signals.
+/// The most numbers that are stepped without a check for signals.
 const MOMENT: usize = 1 << 14;
 
 #[pymethods]
 impl Field {
-    /// The points one time step of 2 eps later.
+    /// Returns the points one time step of 2 eps later.
     #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn step<'py>(
         slf: &Bound<'py, Self>,
@@ -31,8 +31,9 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, false)
     }
 
-    /// The same with a promise: an error of at most 64 units in the last place of the largest
-    /// component, or `SingularStep`, which says why there is no such point.
+    /// Returns the points one time step later, with an error of at most 64 units in the last place
+    /// of the largest component. Otherwise raises `SingularStep`, which says why there is no such
+    /// point.
     #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn try_step<'py>(
         slf: &Bound<'py, Self>,
@@ -45,7 +46,7 @@ impl Field {
     }
 
     /// Follows an orbit. Returns its rows, the first after `transient` steps, the number of all
-    /// steps, its end (complete, range or reembed), and the reason for an end of a lifted field.
+    /// steps, its end (complete, range or reembed), and the reason for an end caused by a lift.
     #[pyo3(name = "_points", signature = (x, eps, steps, *, transient = 0, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
@@ -69,8 +70,8 @@ impl Field {
         }
     }
 
-    /// Computes f(x) at points, in the shape of x, or f′(x), with one axis more. `parameters`
-    /// replace the field's own values, except by `None`.
+    /// Computes f(x) at points, in the shape of x, or f′(x), with one more axis. `parameters`
+    /// replace the field's own values, except for `None`.
     #[pyo3(name = "_field_at", signature = (x, *, parameters = Vec::new(), jacobian = false))]
     fn field_at<'py>(
         &self,
@@ -95,8 +96,8 @@ impl Field {
         Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
 
-    /// The names of the claimed integrals, and their values at points: an axis more than the points
-    /// have, in the place of their last.
+    /// Returns the names of the claimed integrals, and their values at points; their axis replaces
+    /// the last axis of the points.
     #[pyo3(name = "_integrals_at")]
     fn integrals_at<'py>(
         &self,
@@ -120,14 +121,14 @@ impl Field {
     }
 }
 
-/// Why a point has no next one.
+/// The reason for which a point has no image.
 enum NoStep {
     Dimension(DimensionError),
-    /// The place of the point among all.
+    /// A singular step, with the index of the point.
     Singular(usize, SingularStep),
 }
 
-/// What is asked of an orbit.
+/// The options of an orbit.
 struct Asked<'py> {
     eps: f64,
     steps: u64,
@@ -139,8 +140,8 @@ struct Asked<'py> {
     listener: Listener<'py>,
 }
 
-/// The rows of an orbit, the steps to the last point, how it ended, and why, where that is for a
-/// lift.
+/// The rows of an orbit, the number of steps to the last point, the end, and its reason if the lift
+/// caused it.
 type Rows<'py> = (Bound<'py, PyAny>, u64, &'static str, Option<String>);
 
 impl Field {
@@ -183,7 +184,7 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         checked: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        // The next points may replace these.
+        // The result may overwrite the input, so that is copied first.
         let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
         match floats(copied.as_ref().unwrap_or(x), "x")? {
             Floats::Double(x) => self.next(&x, eps, out, checked),
@@ -289,7 +290,7 @@ fn of_map<'py, T>((rows, _, end, steps): Orbit<'py, T>) -> Rows<'py> {
     (rows, end.steps(steps), end.name(), None)
 }
 
-/// The rows of one orbit of a lifted field.
+/// Returns the rows of one orbit of a lifted field.
 fn follow_lifted<'py, S>(
     py: Python<'py>,
     step: &LiftedStep<'_, S>,
@@ -308,10 +309,9 @@ where
     Ok((rows, end.steps(steps), end.name(), why))
 }
 
-/// The rows of an orbit, its last point, how it ended, and how many steps were asked for.
+/// The rows of an orbit, its last point, its end, and the requested number of steps.
 type Orbit<'py, T> = (Bound<'py, PyAny>, Vec<T>, End, u64);
 
-/// Follows an orbit and stores its rows.
 fn follow<'py, S>(
     py: Python<'py>,
     at: &S,
@@ -353,18 +353,18 @@ where
     Ok((array, x, followed.end, in_all))
 }
 
-/// The steps from one point that is shown to the next.
+/// Checks the number of steps between rows.
 pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
     NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
 }
 
-/// The number of rows of an orbit, if memory has so many places.
+/// Returns the number of rows of an orbit, if it is within the range of indices.
 pub(crate) fn room(paces: &Paces) -> PyResult<usize> {
     let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
     rows.ok_or_else(|| too_long(paces))
 }
 
-/// Room for so many numbers of rows, if memory has it.
+/// Allocates zeros for rows, if memory suffices.
 pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<Vec<T>> {
     let (length, mut all) = (length.ok_or_else(|| too_long(paces))?, Vec::new());
     all.try_reserve_exact(length).map_err(|_| too_long(paces))?;
@@ -372,19 +372,19 @@ pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<
     Ok(all)
 }
 
-/// More points than memory holds.
+/// Builds the error of an orbit that exceeds memory.
 fn too_long(paces: &Paces) -> PyErr {
     let points = paces.steps / paces.every;
     PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }
 
-/// The composition of an order.
+/// Returns the composition of an order.
 pub(crate) fn composition(order: u32) -> PyResult<Composition> {
     Composition::of_order(order)
         .ok_or_else(|| PyValueError::new_err(format!("order {order} is not there; choose 2, 4, 6 or 8")))
 }
 
-/// An array that has another shape than this.
+/// Builds the error of an array with a wrong shape.
 pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
     let found = shown(found);
     PyValueError::new_err(format!(
@@ -392,7 +392,7 @@ pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
     ))
 }
 
-/// A shape as Python writes it.
+/// Writes a shape like Python.
 fn shown(shape: &[usize]) -> String {
     match shape {
         [one] => format!("({one},)"),

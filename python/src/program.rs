@@ -11,13 +11,13 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
 
-/// Formulas of the same names, computed together: what `kahan.Formula` is called by.
+/// Formulas in the same names, computed together; the basis of `kahan.Formula`.
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Program(Formulas);
 
 #[pymethods]
 impl Program {
-    /// Reads the formulas `texts` of these names and of definitions, which are formulas by name.
+    /// Reads the formulas `texts` in these names and in definitions, which are named formulas.
     #[new]
     fn new(names: Vec<String>, definitions: Vec<(String, String)>, texts: Vec<String>) -> PyResult<Self> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -28,13 +28,13 @@ impl Program {
         read.map(Program).map_err(|why| PyValueError::new_err(why.to_string()))
     }
 
-    /// The places of the names that have a row in the inputs.
+    /// The indices of the names that have a row in the inputs.
     #[getter]
     fn needed(&self) -> Vec<usize> {
         self.0.needed()
     }
 
-    /// The values at points, one point after another, in the precision of the inputs.
+    /// Returns the values at points, point after point, in the precision of the inputs.
     fn floats<'py>(
         &self,
         py: Python<'py>,
@@ -56,7 +56,7 @@ impl Program {
         }
     }
 
-    /// The values at points, in fractions.
+    /// Returns the values at points, in fractions.
     fn fractions(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Crossings of orbits as arrays, all of them or part by part.
+//! Crossings of orbits as arrays, complete or in parts.
 
 use std::ops::ControlFlow;
 
@@ -14,14 +14,14 @@ use crate::table::array;
 
 /// The columns of a table with their meanings.
 type Columns<'py> = Vec<(String, String, Bound<'py, PyAny>)>;
-/// Of each orbit how it ended, its steps, its crossings, and its jumps.
+/// The end, the number of steps, of crossings and of jumps of each orbit.
 type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 
 #[pymethods]
 impl Field {
-    /// The crossings that a question about a section finds, which is JSON: its columns, and how
-    /// each orbit ended. With `part` this is called with columns of some crossings after the
-    /// other, and those that are returned are the last.
+    /// Returns the crossings for a question about a section, given as JSON: their columns, and how
+    /// each orbit ended. `part` is called with columns of some crossings after others; the result
+    /// then holds the last ones.
     #[pyo3(name = "_crossings", signature = (question, *, part = None, threads = None, listener = None))]
     fn crossings<'py>(
         &self,
@@ -63,16 +63,16 @@ impl Field {
         Ok((columns, (orbits.iter().map(|one| one.end.name()).collect(), counts)))
     }
 
-    /// The component of the field that is the derivative of a variable, as a formula.
+    /// Returns the derivative of a variable, a component of the field, as a formula.
     #[pyo3(name = "_rate")]
     fn rate(&self, py: Python<'_>, variable: &str) -> PyResult<String> {
         self.study().rate(variable).map_err(|error| of_study(py, &error))
     }
 }
 
-/// Hands crossings on to Python when there are many.
+/// Passes crossings on to Python in large parts.
 struct Parts<'a> {
-    /// Whose signals end the work.
+    /// The caller, whose signals end the work.
     caller: &'a Caller,
     rows: Table,
     part: Py<PyAny>,
@@ -80,7 +80,7 @@ struct Parts<'a> {
     raised: Option<PyErr>,
 }
 
-/// Numbers that are handed on at once.
+/// The number of values in a part.
 const AT_ONCE: usize = 1 << 20;
 
 impl Rows for Parts<'_> {
@@ -102,7 +102,7 @@ impl Rows for Parts<'_> {
     }
 }
 
-/// The columns of a table as arrays; without rows all are of doubles.
+/// Converts the columns of a table to arrays; a table without rows has columns of doubles.
 fn in_arrays(py: Python<'_>, rows: Table) -> PyResult<Columns<'_>> {
     let mut values = rows.values.into_iter();
     let columns = rows.columns.into_iter().map(|column| {

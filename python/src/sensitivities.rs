@@ -1,7 +1,7 @@
 //! Derivatives of orbits and ensembles by parameters, first points and ε.
 //!
-//! In: the rows of an orbit that was computed without derivatives, so that its bits are the usual
-//! ones. Out: the derivative of each row by each name.
+//! In: the rows of an orbit computed without derivatives, so that they have the usual bits. Out:
+//! the derivative of each row by each name.
 
 use std::num::NonZeroU64;
 
@@ -19,7 +19,7 @@ use crate::errors::of_dimension;
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The most steps between two checks for an interrupt.
+/// The most steps between two checks for signals.
 const MOMENT: u64 = 4096;
 
 #[pymethods]
@@ -73,7 +73,7 @@ impl Field {
     }
 }
 
-/// The arguments of `_derivatives` without rows and names.
+/// The options of `_derivatives`, without rows and names.
 struct Asked<'py> {
     eps: f64,
     every: NonZeroU64,
@@ -82,17 +82,17 @@ struct Asked<'py> {
     listener: Listener<'py>,
 }
 
-/// The vectors that are carried beside a point.
+/// The derivative vectors carried with a point.
 struct Vectors {
     names: Vec<String>,
     by: Vec<By>,
-    /// For a derivative by a first value, the index of the variable.
+    /// The index of the variable, for a derivative by an initial value.
     starts: Vec<Option<usize>>,
     variables: usize,
 }
 
 impl Vectors {
-    /// The vectors at the start, one behind the other.
+    /// Iterates over the vectors at the start, one after another.
     fn first<T: Float>(&self) -> impl Iterator<Item = T> {
         let vector = |start: &Option<usize>| {
             let start = *start;
@@ -101,7 +101,7 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Writes the vectors of a state to `row` of each derivative; each derivative has `rows` rows.
+    /// Writes the vectors of a state to `row` of each derivative, which has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -111,8 +111,8 @@ impl Vectors {
 }
 
 impl Field {
-    /// The vectors for these names, in the order of the field, so that compiled code serves every
-    /// order of names.
+    /// Returns the vectors for these names, in the order of the field, so that compiled code serves
+    /// every order of names.
     fn vectors(&self, asked: &[String]) -> Vectors {
         let study = self.study();
         let parameters = study.parameters().iter().enumerate();
@@ -131,7 +131,7 @@ impl Field {
         vectors
     }
 
-    /// The derivatives along the rows of an orbit.
+    /// Returns the derivatives along the rows of an orbit.
     fn along<'py, T: Float>(
         &self,
         rows: &PyReadonlyArrayDyn<'py, T>,
@@ -147,7 +147,7 @@ impl Field {
         }
     }
 
-    /// The derivatives of the last points of an ensemble; NaN if a trajectory or one of its
+    /// Returns the derivatives of the last points of an ensemble; NaN if a trajectory or one of its
     /// derivatives leaves the range.
     fn at_the_end<'py, T: Float>(
         &self,
@@ -173,7 +173,7 @@ impl Field {
 }
 
 /// Carries the vectors from row to row by `with`, a map of points with vectors. Each row replaces
-/// the point of `with`, which may differ from it by rounding.
+/// the point of the state, which may differ from it by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,
@@ -196,7 +196,7 @@ where
     let mut derivatives: Vec<S::Scalar> = Vec::new();
     let size = size.filter(|size| derivatives.try_reserve_exact(*size).is_ok()).ok_or_else(too_large)?;
     derivatives.resize(size, S::Scalar::zero());
-    // A state has a point, its vectors, and, if compensated, the carry of each number.
+    // A state holds a point, its vectors, and, if compensated, the carry of each number.
     let mut state = vec![S::Scalar::zero(); with.dimension()];
     state.iter_mut().skip(n).zip(vectors.first()).for_each(|(own, first)| *own = first);
     let (every, behind) = (asked.every.get(), n * (1 + count));
@@ -214,7 +214,7 @@ where
             let mut left = every;
             while left > 0 {
                 let now = left.min(MOMENT);
-                // At a pole the vectors become infinite or NaN, and the rows go on.
+                // At a pole the vectors become infinite or NaN, and later rows are still computed.
                 let _ = with.advance(&mut state, now, &mut room);
                 left -= now;
                 if (now == MOMENT || row % MOMENT as usize == 0) && caller.made(now, steps).is_break() {

@@ -1,8 +1,8 @@
-//! The points of many trajectories on their way.
+//! Points along many trajectories.
 //!
-//! In: an ensemble, and which points of each trajectory are shown. Out: their rows, trajectory
-//! after trajectory, with the bits of single orbits. Trajectories go side by side in columns; those
-//! of a lifted field that have gone beyond their ends are followed once more, alone.
+//! In: an ensemble, and the steps to show. Out: rows of each trajectory in turn, with the bits of
+//! single orbits. Trajectories are followed side by side in columns. Trajectories of a lifted field
+//! that passed their ends are followed again, one by one.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -18,14 +18,15 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::{room, stride, zeros};
 
-/// Trajectories that a thread takes at once: the rows that it writes stay in its cache.
+/// The number of trajectories that a thread takes at once; the rows that it writes stay in its
+/// cache.
 const TOGETHER: usize = 128;
 
 #[pymethods]
 impl Field {
     /// Follows many trajectories. Returns the points of each after `transient` steps and after
-    /// every `every` of the `steps` behind them, of shape (trajectories, rows, variables), NaN
-    /// behind an early end; how each ended, and after how many steps in all.
+    /// every `every` of the following `steps`, of shape (trajectories, rows, variables), NaN after
+    /// an early end; how each ended; and the number of all its steps.
     #[pyo3(name = "_series", signature = (points, eps, steps, *, every, transient = 0, parameters = Vec::new(), order = 2, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn series<'py>(
@@ -77,8 +78,8 @@ impl Field {
 }
 
 impl<T: Float> Many<T> {
-    /// Follows points that stand row by row in `from`, and writes some points of each trajectory,
-    /// one after the other, into `to`: NaN behind its end. Returns how each ended.
+    /// Follows points, stored row by row in `from`, and writes the shown points of each trajectory
+    /// to `to`, NaN after its end. Returns the ends.
     fn series(
         &self,
         from: &[T],
@@ -120,7 +121,7 @@ impl<T: Float> Many<T> {
         Ok(found.into_iter().collect::<Result<Vec<Vec<End>>, _>>()?.concat())
     }
 
-    /// The points of one trajectory of a lifted field, as far as it goes.
+    /// Follows one trajectory of a lifted field up to its end, and writes its points.
     pub(crate) fn alone(
         &self,
         k: usize,

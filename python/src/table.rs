@@ -1,4 +1,4 @@
-//! Tables as arrays: the rows of a question, a column each.
+//! Tables of questions as arrays, one for each column.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Exact, Kept, Question, Shade, Table};
@@ -13,9 +13,9 @@ use crate::field::Field;
 
 #[pymethods]
 impl Field {
-    /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
-    /// how it ended, and after how many steps of an orbit. A `color` is what orbits over axes are
-    /// observed for, and becomes the last column.
+    /// Returns the rows of a question, given as JSON: name, meaning and values of each column; how
+    /// the table ended; and the number of steps of an orbit. A `color` is the observable for orbits
+    /// over axes, and becomes the last column.
     #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
@@ -53,8 +53,8 @@ impl Field {
     }
 }
 
-/// The values of a column: floats and counts as an array, of double-doubles a row of two, the rest
-/// as a list.
+/// Converts a column: floats and counts to an array, double-doubles to an array with rows of two,
+/// other values to a list.
 pub(crate) fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
     Ok(match kept {
         Kept::F64(values) => values.into_pyarray(py).into_any(),
@@ -72,7 +72,7 @@ pub(crate) fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
     })
 }
 
-/// A fraction of Python's; what has no value is `None`, and what is infinite the float.
+/// Converts to a fraction of Python; an undefined value is `None`, an infinite one a float.
 fn fraction<'py>(py: Python<'py>, value: &Exact) -> PyResult<Bound<'py, PyAny>> {
     static FRACTION: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     match value {

@@ -1,7 +1,7 @@
-//! Speed against accuracy: which numbers, order and ε reach a tolerance at the least cost?
+//! Work against accuracy: which scalar, order and ε reach a tolerance at the least cost?
 //!
-//! A `Scene` tries settings against the flow itself, over the whole horizon, and without a clock:
-//! the same answer on every run. It prints as a line of Rust.
+//! A `Scene` compares settings with the flow itself over the whole horizon, without a clock, so the
+//! answer is reproducible. The setting prints as a line of Rust.
 
 use kahan_core::prelude::*;
 use kahan_dynamics::Scene;
@@ -13,8 +13,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Prints the choices; returns each tolerance, the order chosen, and the change of the flow's
-/// integral.
+/// Prints the choices; returns the tolerance, the order, and the change of the flow's integral for
+/// each.
 pub(crate) fn run() -> Vec<(f64, u32, f64)> {
     let start = vector![1.5, 1.0];
     let part = |value: f64| value - value.ln();

@@ -1,10 +1,9 @@
-//! Questions about a map that take many orbits of it: which setting is accurate enough, where its
-//! orbits close, how far it is from the solution of the equation.
+//! Questions about a map that take many of its orbits: accurate settings, cycles, the flow.
 //!
 //! In: maps of `kahan-core`, or any [`Step`](kahan_core::Step) with its derivative. Out: a
-//! [`Setting`] for a [`Scene`], found by a [`search`] that takes other prices, too; cycles and
-//! their branches ([`periodic`]), a [`Flow`]. It must not know where a map comes from: texts, plans
-//! and machine code are `kahan-runtime`'s.
+//! [`Setting`] for a [`Scene`], found by a [`search`] that also accepts other prices; cycles and
+//! their branches ([`periodic`]); a [`Flow`]. Texts, plans and machine code of maps belong to
+//! `kahan-runtime`.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -25,15 +24,14 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// From the bottom to the top: each of these imports from those above it only, which
-// `tests/tests/layers.rs` sees to.
+// Layers from bottom to top: each module imports only from those above it, as
+// `tests/tests/layers.rs` checks.
 mod flow;
 
 pub mod periodic;
 
 mod scene;
 
-// The door.
 pub mod prelude;
 
 pub use flow::{Flow, NoFlow};

@@ -1,6 +1,6 @@
 //! Names for files that search settings, follow the flow or find cycles.
 //!
-//! `use kahan_dynamics::prelude::*;` stands beside `use kahan_core::prelude::*;`.
+//! Use `use kahan_dynamics::prelude::*;` together with `use kahan_core::prelude::*;`.
 
 pub use crate::periodic::{Stability, branch, periodic_point};
 pub use crate::{Flow, Need, Scene, Setting};

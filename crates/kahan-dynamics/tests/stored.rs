@@ -1,4 +1,4 @@
-//! Values that are written as JSON and read again are the values that they were.
+//! Values survive being written as JSON and read again.
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -71,7 +71,7 @@ fn a_setting_that_comes_back_runs_as_before() {
     comes_back(&scene);
     comes_back(&chosen);
     for scheme in Scheme::all() {
-        // Its error is not known, and infinite.
+        // The error is unknown, and therefore infinite.
         comes_back(&scene.setting(scheme, 100));
     }
 }

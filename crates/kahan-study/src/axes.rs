@@ -1,7 +1,7 @@
 //! Axes of a question in JSON: an object with the values of each name,
 //! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
 //!
-//! For `#[serde(with = "axes")]` on an [`Entry`], on one that may be absent, and on a list of them.
+//! Use `#[serde(with = "axes")]` on an [`Entry`], an optional entry or a list of entries.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -12,18 +12,16 @@ use serde_json::Value;
 
 use crate::range::{Axis, Range};
 
-/// A name with the values that it goes through.
+/// A name with the values on its axis.
 pub(crate) trait Entry: Sized {
-    /// The name.
     fn name(&self) -> &str;
 
-    /// The values.
     fn to_json(&self) -> Value;
 
-    /// Reads the values of a name.
+    /// Reads the values of `name`.
     ///
     /// # Errors
-    /// The mistake in words.
+    /// A sentence that describes the mistake.
     fn of_json(name: &str, values: Value) -> Result<Self, String>;
 }
 
@@ -44,17 +42,16 @@ impl Entry for Axis {
     }
 }
 
-/// One entry, at most one, or a list of them.
+/// One entry, an optional entry, or a list of entries.
 pub(crate) trait Entries: Sized {
     type Entry: Entry;
 
-    /// The entries in their order.
     fn entries(&self) -> &[Self::Entry];
 
-    /// Makes them of a list.
+    /// Builds the value from a list of entries.
     ///
     /// # Errors
-    /// The mistake in words, for a list that is too short or too long.
+    /// A sentence, if the list is too short or too long.
     fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
 }
 
@@ -100,18 +97,18 @@ impl Entries for Axis {
     }
 }
 
-/// Writes an object.
+/// Writes the entries as an object.
 ///
 /// # Errors
-/// Those of the serializer.
+/// Errors of the serializer.
 pub(crate) fn serialize<T: Entries, S: Serializer>(axes: &T, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(axes.entries().iter().map(|entry| (entry.name(), entry.to_json())))
 }
 
-/// Reads an object, in its order; null has no entries.
+/// Reads an object and keeps the order of its names; `null` gives no entries.
 ///
 /// # Errors
-/// The first mistake, with its place where the deserializer tells places.
+/// The first mistake, with its path if the deserializer tracks paths.
 pub(crate) fn deserialize<'de, T: Entries, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     let entries = deserializer.deserialize_any(Object(PhantomData))?;
     T::of(entries).map_err(D::Error::custom)
@@ -139,7 +136,7 @@ impl<'de, E: Entry> Visitor<'de> for Object<E> {
     }
 }
 
-/// The values of this name: a mistake in them has its place.
+/// A reader of the values of one name, so that errors in the values carry their path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: Entry> DeserializeSeed<'de> for Named<'_, E> {

@@ -1,8 +1,8 @@
 //! Assigns columns of a table to states, parameters and ε by their names.
 //!
-//! In: the names of a table's columns, and those of the field. Out: a column for each name, or an
-//! error whose subject is the table: "has no column `y`; …". Files of the command, plans of sweeps
-//! and tables of Python are matched here. The numbers of a table are unknown to this module.
+//! In: the names of a table's columns, and the names of the field. Out: a column for each name, or
+//! an error whose subject is the table: "has no column `y`; …". Files of the command, plans of
+//! sweeps and tables of Python use this module. It reads no numbers of a table.
 
 use std::fmt;
 
@@ -13,55 +13,55 @@ use kahan_algebra::check::nearest;
 pub struct Wanted<'a> {
     /// The states. Each of the first [`least`](Self::least) needs a column.
     pub states: &'a [String],
-    /// The number of states that need a column. The states behind them are the new variables of a
+    /// The number of states that need a column. The remaining states are the new variables of a
     /// lift; a table may have columns for all of them.
     pub least: usize,
     /// The parameters of the field.
     pub parameters: &'a [String],
-    /// The treatment of other columns.
+    /// The treatment of columns that are not states.
     pub others: Others,
 }
 
 /// The treatment of columns that are not states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Others {
-    /// Parameters and `eps` have a value a row; any other column is refused.
+    /// Parameters and `eps` have a value in each row; other columns are refused.
     Used,
-    /// Parameters and `eps` have one value each, given elsewhere; every other column is refused.
+    /// Parameters and `eps` have one value each, given elsewhere; all other columns are refused.
     Refused,
-    /// Other columns are ignored; a plan has the values of parameters and `eps`.
+    /// Other columns are ignored; a plan gives the values of parameters and `eps`.
     Ignored,
 }
 
-/// The places of columns among all.
+/// The indices of the matched columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Places {
-    /// For each state, in order, its column.
+    /// The column of each state, in the order of the states.
     pub states: Vec<usize>,
-    /// Names of parameters, or `eps`, with their columns, in the table's order.
+    /// The parameters, and `eps`, that have a column, with its index, in the order of the table.
     pub others: Vec<(String, usize)>,
 }
 
-/// A mistake in the columns of a table. Its display is a sentence whose subject, the table, the
-/// caller adds.
+/// A mistake in the columns of a table. Its display is a sentence without its subject, the table,
+/// which the caller adds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.
     Missing {
-        /// Its name.
+        /// The name of the state.
         state: String,
         /// The columns of the table.
         found: Vec<String>,
-        /// The column that may be a slip of the name.
+        /// The column that is probably a misspelling of the state.
         nearest: Option<String>,
     },
     /// Two columns have one name.
     Twice(String),
-    /// A column of a parameter or `eps`, which has one value here.
+    /// A parameter or `eps` has a column, but takes one value here.
     Single(String),
-    /// Columns whose names the field does not have.
+    /// Some columns have names that the field does not know.
     Unusable {
-        /// Their names.
+        /// The names of the unknown columns.
         names: Vec<String>,
         /// The names that columns may have.
         known: Vec<String>,
@@ -69,7 +69,7 @@ pub enum ColumnError {
 }
 
 impl<'a> Wanted<'a> {
-    /// A table that needs a column for each of these states.
+    /// Requires a column for each of `states`.
     #[must_use]
     pub fn new(states: &'a [String], parameters: &'a [String], others: Others) -> Self {
         Wanted { states, least: states.len(), parameters, others }
@@ -78,7 +78,7 @@ impl<'a> Wanted<'a> {
     /// Finds the columns of a table with these names.
     ///
     /// # Errors
-    /// A state without a column, a name of two columns, a column that cannot be used.
+    /// A state without a column, two columns of one name, or a column that cannot be used.
     pub fn places(&self, names: &[String]) -> Result<Places, ColumnError> {
         let (first, new) = self.states.split_at(self.least);
         let states = if new.iter().any(|state| names.contains(state)) { self.states } else { first };
@@ -119,7 +119,6 @@ impl<'a> Wanted<'a> {
         ColumnError::Missing { state: state.to_owned(), found: names.to_vec(), nearest }
     }
 
-    /// The names that columns can have.
     fn known(&self, states: &[String]) -> Vec<String> {
         let is_used = self.others == Others::Used;
         let others = self.parameters.iter().cloned().chain(["eps".to_owned()]);

@@ -1,11 +1,11 @@
-//! Work of which a watch hears how much is done, from one thread or from several.
+//! Progress of work done by one or several threads, reported to a watch.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_discover::{Progress, Watch};
 
-/// Counts the work that all threads have done, and tells its watch.
+/// A count of the work done by all threads, reported to a watch.
 pub struct Count<'a> {
     what: &'static str,
     of: u64,
@@ -15,12 +15,12 @@ pub struct Count<'a> {
 }
 
 impl<'a> Count<'a> {
-    /// So many of these are to be done.
+    /// Starts a count of `of` units of work, called `what` in reports.
     pub fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
         Count { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
     }
 
-    /// So many more are done.
+    /// Adds finished work and reports the total.
     pub fn add(&self, more: u64) {
         let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
         let progress = Progress { what: self.what, done, of: Some(self.of) };
@@ -29,18 +29,18 @@ impl<'a> Count<'a> {
         }
     }
 
-    /// Adds work that is done, and answers `Break` once the watch has ended the work.
+    /// Adds finished work; returns `Break` once the watch has ended the work.
     pub fn tell(&self, more: u64) -> ControlFlow<()> {
         self.add(more);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Whether the watch ended the work. It hears no more then.
+    /// Returns whether the watch has ended the work; the watch then gets no more reports.
     pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }
 
-    /// How many threads the work may use.
+    /// Returns the number of threads that the work may use.
     pub fn threads(&self) -> usize {
         self.watch.threads()
     }

@@ -1,7 +1,7 @@
-//! Why a question has no answer.
+//! Reasons for which a question has no answer.
 //!
-//! The variants hold what a front needs to say it in its own words, such as the options of a
-//! command; [`Display`](fmt::Display) says it in those of the library.
+//! Variants hold the values from which a front words its own message, such as the options of a
+//! command. [`Display`](fmt::Display) writes the message of the library.
 
 use std::fmt;
 
@@ -20,236 +20,236 @@ use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
-/// Why a subject cannot be studied, or a question not be answered.
+/// The reason for which a subject cannot be studied or a question has no answer.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// The catalog has no such system.
+    /// The catalog has no system of this name.
     UnknownSystem {
-        /// The value that was given.
+        /// The given name.
         name: String,
         /// The name that is probably meant.
         nearest: Option<&'static str>,
-        /// All names.
+        /// All names of the catalog.
         known: Vec<&'static str>,
     },
     /// The text has mistakes, or claims that do not hold.
     Field(Diagnostics),
-    /// Sites are for families, and the field has its equations written out.
+    /// Sites are given, but the field is no family: its equations are written out.
     NoFamily,
-    /// So many sites have more than [`MOST_VARIABLES`] variables.
+    /// A chain of this length has more than [`MOST_VARIABLES`] variables.
     ManySites {
-        /// The value that was given.
+        /// The given number of sites.
         sites: usize,
     },
-    /// The field has no such parameter.
+    /// The field has no parameter of this name.
     UnknownParameter {
         /// The field.
         system: String,
-        /// What was given.
+        /// The given name.
         name: String,
-        /// Its parameters.
+        /// The parameters of the field.
         known: Vec<String>,
     },
     /// A parameter has two values.
     ParameterTwice {
-        /// Which one.
+        /// The parameter.
         name: String,
     },
     /// Parameters have no values.
     MissingParameters {
         /// The field.
         system: String,
-        /// Which ones.
+        /// The missing parameters.
         names: Vec<String>,
     },
-    /// A point has not one coordinate for each variable.
+    /// The number of coordinates of a point differs from the number of variables.
     Coordinates {
-        /// Which point, by its name in the question.
+        /// The name of the point in the question.
         what: &'static str,
         /// The variables.
         variables: Vec<String>,
-        /// How many coordinates were given.
+        /// The number of given coordinates.
         given: usize,
     },
-    /// Variables of a question over axes have no first values.
+    /// Variables of a question over axes have no initial values.
     MissingCoordinates {
-        /// Which ones.
+        /// The variables.
         names: Vec<String>,
     },
     /// A new variable of a lifted field has no value at a point.
     NotEmbedded {
         /// The new variable.
         variable: String,
-        /// The function that it stands for.
+        /// The function of the states that defines the new variable.
         expression: String,
     },
     /// The field divides by zero at the values of its parameters.
     UndefinedField {
         /// The field.
         system: String,
-        /// The values.
+        /// The values of the parameters.
         parameters: Vec<(String, Rational)>,
     },
-    /// Coefficients are wanted as numbers, and they depend on ε.
+    /// Coefficients are wanted as numbers, but depend on ε.
     CoefficientsOfEps {
         /// The field.
         system: String,
     },
-    /// A number that is to be above 0, and within the range of doubles, is not.
+    /// A number is not positive, or beyond the range of doubles.
     NotPositive {
-        /// What it is, by its name in the question.
+        /// The name of the number in the question.
         what: &'static str,
-        /// What was given.
+        /// The given number.
         value: Rational,
     },
-    /// There is no map to look at.
+    /// A search of the map is impossible.
     Discover {
         /// The field.
         system: String,
-        /// Why.
+        /// The reason.
         why: DiscoverError,
     },
-    /// Relations of this degree are out of reach.
+    /// The search space for relations of this degree is too large.
     Degree {
-        /// The value that was given.
+        /// The given degree.
         asked: u32,
-        /// How many variables there are.
+        /// The number of variables.
         variables: usize,
-        /// The highest degree within reach, if there is one.
+        /// The highest degree that is feasible, if any is.
         most: Option<u32>,
     },
-    /// What goes through values is nothing that could.
+    /// The name of an axis is not one that the question allows.
     UnknownAxis {
-        /// What it would have to be: `no parameter`.
+        /// The kind of name that is allowed, negated: `no parameter`.
         what: &'static str,
         /// The field.
         system: String,
-        /// What was given.
+        /// The given name.
         name: String,
-        /// What there is.
+        /// The allowed names.
         known: Vec<String>,
     },
-    /// Something goes through values twice.
+    /// Two axes have one name.
     AxisTwice {
-        /// Which one.
+        /// The name.
         name: String,
     },
-    /// Something cannot go through these values.
+    /// An axis cannot take these values.
     AxisValues {
-        /// What.
+        /// The name of the axis.
         name: String,
-        /// Why not.
+        /// The reason.
         why: String,
     },
-    /// A text is no formula.
+    /// A text is not a formula.
     Formula {
-        /// What it is, by its name in the question.
+        /// The name of the text in the question.
         what: &'static str,
-        /// Why.
+        /// The reason.
         why: NoFormula,
     },
-    /// The formula of a section is one number everywhere.
+    /// The formula of a section is constant.
     ConstantPlane {
         /// The formula.
         text: String,
     },
     /// ε has no value.
     MissingStep,
-    /// Neither steps nor crossings are counted.
+    /// Neither a number of steps nor a number of crossings is given.
     MissingSteps,
-    /// A cycle has more numbers than this.
+    /// A cycle has too many unknowns for Newton's method.
     LongCycle {
-        /// Its numbers.
+        /// The number of unknowns.
         unknowns: usize,
-        /// The most.
+        /// The most unknowns allowed.
         most: usize,
     },
-    /// There is no cycle near the point.
+    /// No cycle was found near the point.
     NoCycle {
         /// The field.
         system: String,
-        /// Why.
+        /// The reason.
         why: NoPeriodicPoint,
     },
-    /// A cycle of the flow is asked for, and the field depends on t.
+    /// A cycle of the flow is asked for, but the field depends on t.
     CycleOfTime {
         /// The field.
         system: String,
     },
-    /// ε is found, and is to go through values, too.
+    /// ε is both an unknown and an axis.
     FreeStepAlong,
-    /// Nothing goes through values.
+    /// No axis is given.
     NoAxis,
-    /// A grid has more points than this.
+    /// A grid has too many points.
     ManyPoints {
-        /// The most.
+        /// The most points allowed.
         most: usize,
     },
     /// A number is beyond the range of doubles.
     OutOfRange {
-        /// Which one, by its name in the question.
+        /// The name of the number in the question.
         what: &'static str,
-        /// Of a point the variable.
+        /// The variable, if the number is a coordinate of a point.
         variable: Option<String>,
     },
     /// A number is beyond the range of the scalar.
     BeyondRange {
-        /// What it is of: `at`, `param` or `eps`.
+        /// The part of the question that holds the number: `at`, `param` or `eps`.
         what: &'static str,
-        /// Its name.
+        /// The name of the number.
         name: String,
         /// The scalar.
         scalar: ScalarKind,
     },
-    /// There is no composition of this order.
+    /// No composition has this order.
     Order(u32),
-    /// A drift is asked for, and no integral is claimed.
+    /// A drift is asked for, but the field claims no integral.
     NoIntegral {
         /// The field.
         system: String,
     },
     /// No observable has such a column.
     UnknownColumn {
-        /// The value that was given.
+        /// The given name.
         name: String,
         /// The columns of all observables.
         known: Vec<String>,
     },
-    /// An orbit cannot be all that it is asked to be.
+    /// The options of an orbit contradict each other or the field.
     Orbit(NoOrbit),
-    /// A question whose answer is no table, by its name, is asked for rows.
+    /// Rows are asked of a question whose answer is not a table; holds the name of the question.
     NoRows(&'static str),
     /// An answer has more cells than [`MOST_CELLS`].
     TooLong {
-        /// How many it has.
+        /// The number of cells of the answer.
         cells: u64,
     },
     /// A grid has more cells than [`MOST_CELLS`].
     ManyCells {
-        /// How many it has.
+        /// The number of cells of the grid.
         cells: u64,
     },
     /// The matrices of a field are too large to be written out.
     LargeMatrices {
-        /// How many variables it has.
+        /// The number of variables.
         variables: usize,
-        /// The most.
+        /// The most variables allowed.
         most: usize,
     },
     /// The question measures times, and the watch has no clock.
     NoClock,
-    /// There is nothing to measure.
+    /// A trade has nothing to measure.
     Trade {
         /// The field.
         system: String,
-        /// Why.
+        /// The reason.
         why: CannotTrade,
     },
 }
 
 impl StudyError {
-    /// That a catalog has no such system, with the name that is probably meant.
+    /// Returns the error for an unknown name, with the name of the catalog that is probably meant.
     #[must_use]
     pub fn unknown_system(name: &str, catalog: &dyn Catalog) -> Self {
         let names = catalog.names();
@@ -263,11 +263,11 @@ impl StudyError {
     }
 }
 
-/// Spells a part of a question, by its name and its value, in messages of a front. The value is
-/// empty where the message is about the part with any value.
+/// Spells a part of a question, by its name and value, in messages of a front. The value is empty
+/// if the message is about the part at any value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
-/// The [`Spelling`] of JSON, TOML and Python: the name, then the value.
+/// Spells a part in the way of JSON, TOML and Python: the name, then the value.
 pub(crate) fn by_name(name: &str, value: &str) -> String {
     match name {
         "need" => format!("the need `{value}`"),
@@ -283,7 +283,7 @@ impl fmt::Display for StudyError {
 }
 
 impl StudyError {
-    /// Returns the message in which a front spells the parts of a question.
+    /// Returns the message, with the parts of the question spelled by `spelling`.
     #[must_use]
     pub fn spelled(&self, spelling: Spelling) -> String {
         fmt::from_fn(|f| self.tell(f, spelling)).to_string()

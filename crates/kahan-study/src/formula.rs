@@ -3,8 +3,8 @@
 //!
 //! In: text in the language of `kahan!`, with functions and any exponents. Out: a program without
 //! simplifications: each operation is rounded as written, and a common subexpression is computed
-//! once. A [`Formula`] runs it in doubles, [`Formulas`] in doubles, single precision and fractions.
-//! The module must not know how the text is read, only what its names and functions mean.
+//! once. A [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
+//! Parsing belongs to `kahan_algebra`; here names and functions get their meaning.
 
 mod abreast;
 
@@ -24,10 +24,8 @@ use kahan_program::{Calls, Function, Node, Program};
 
 pub(crate) use abreast::Abreast;
 
-/// A function of one number.
 type Unary = fn(f64) -> f64;
 
-/// What can be called, by name.
 const FUNCTIONS: [(&str, Unary); 15] = [
     ("sin", f64::sin),
     ("cos", f64::cos),
@@ -46,12 +44,12 @@ const FUNCTIONS: [(&str, Unary); 15] = [
     ("floor", f64::floor),
 ];
 
-/// A function that a formula calls.
+/// A function called by a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// A function of one number: an index of `FUNCTIONS`.
+    /// A function of one number, as an index of `FUNCTIONS`.
     Named(usize),
-    /// a^b, by multiplications where b is an integer of moderate size.
+    /// a^b, computed by multiplications if b is an integer with |b| ≤ 1024.
     Power,
 }
 
@@ -84,7 +82,7 @@ impl Calls<Called> for Float32 {
     }
 }
 
-/// Fractions have powers with integers as exponents, and no other functions.
+/// Fractions support powers with integer exponents, and no other function.
 impl Calls<Called> for Exact {
     fn call(&self, function: &Called, a: &Rational, b: &Rational) -> Option<Rational> {
         match function {
@@ -94,24 +92,23 @@ impl Calls<Called> for Exact {
     }
 }
 
-/// An operation of a formula; inputs are the numbers of its names.
+/// An operation of a formula; an input is an index of a variable or, after them, of a known number.
 type Operation = kahan_program::Operation<usize, Rational, Called>;
 
-/// The operations of a formula that is being read.
 type Builder = kahan_program::Builder<usize, Rational, Called>;
 
-/// A formula, read into a program with one output.
+/// A formula as a program with one output.
 #[derive(Clone, Debug)]
 pub struct Formula {
     program: Program<Vec<Operation>>,
-    /// A workspace with the numbers that are known in their places.
+    /// A workspace in which the inputs of known numbers are loaded.
     known: Vec<f64>,
-    /// The variables that occur, each with the place of its value in the workspace.
+    /// The variables that occur, each with the index of its value in the workspace.
     variables: Vec<(usize, usize)>,
 }
 
 impl Formula {
-    /// Returns the formula whose inputs are `count` variables, then numbers with these values.
+    /// Builds a formula whose inputs are `count` variables, followed by the numbers `values`.
     fn new(program: Program<Vec<Operation>>, count: usize, values: &Known) -> Self {
         let mut variables = Vec::new();
         for (place, operation) in program.operations.iter().enumerate() {
@@ -127,28 +124,26 @@ impl Formula {
         Formula { program, known, variables }
     }
 
-    /// Returns the value at a site, whose index is the only variable.
+    /// Returns the value at a site; its index is the only variable.
     #[must_use]
     pub fn at(&self, site: usize) -> f64 {
         self.of(&[site as f64])
     }
 
-    /// Returns the value at these variables. Takes memory on each call, which
-    /// [`function`](Self::function) does once.
+    /// Returns the value at these variables. Allocates a workspace on each call, unlike
+    /// [`function`](Self::function).
     #[must_use]
     pub fn of(&self, variables: &[f64]) -> f64 {
         self.run(variables, &mut self.known.clone())
     }
 
-    /// Returns the formula as a function of its variables, for many calls: it keeps the memory that
-    /// it computes in.
+    /// Converts the formula into a function of its variables that reuses one workspace.
     pub fn function(self) -> impl Fn(&[f64]) -> f64 {
         let workspace = RefCell::new(self.known.clone());
         move |variables| self.run(variables, &mut workspace.borrow_mut())
     }
 
-    /// Returns the last of the variables that the formula names; `None` where it is one number
-    /// everywhere.
+    /// Returns the largest index of a variable in the formula; `None` if the formula is constant.
     #[must_use]
     pub fn last_variable(&self) -> Option<usize> {
         self.variables.iter().map(|(variable, _)| *variable).max()
@@ -163,15 +158,15 @@ impl Formula {
     }
 }
 
-/// Formulas of the same names, computed together: in doubles each has the bits of its [`Formula`].
+/// Formulas in the same names, computed together; in doubles each has the bits of its [`Formula`].
 #[derive(Clone, Debug)]
 pub struct Formulas {
     program: Program<Vec<Operation>>,
 }
 
 impl Formulas {
-    /// Reads formulas of these names. `definitions` are formulas by name, which the others, and
-    /// definitions behind them, may name, too.
+    /// Reads formulas in these names. `definitions` are named formulas that `texts`, and later
+    /// definitions, may use.
     ///
     /// # Errors
     /// The first mistake.
@@ -188,7 +183,7 @@ impl Formulas {
         Ok(Formulas { program: builder.finish(&outputs?) })
     }
 
-    /// Returns the places of the names that the formulas need.
+    /// Returns the indices of the names that the formulas use.
     #[must_use]
     pub fn needed(&self) -> Vec<usize> {
         self.program.inputs()
@@ -200,9 +195,9 @@ impl Formulas {
         self.program.outputs.len()
     }
 
-    /// Computes the formulas at points. `inputs` has a row for each name that is
-    /// [`needed`](Self::needed), and `outputs` one for each point. `None` where fractions have no
-    /// value.
+    /// Computes the formulas at points. `inputs` has a row for each [`needed`](Self::needed) name,
+    /// with a value for each point; `outputs` has a row for each point, with a value for each
+    /// formula. Returns `None` if a fraction has no value.
     ///
     /// # Panics
     /// If a row of `inputs` lacks values.
@@ -232,13 +227,13 @@ impl Formulas {
     }
 }
 
-/// Names that stand for numbers, beside `pi`.
+/// Values of names, in addition to `pi`.
 pub type Known = [(String, f64)];
 
-/// The names of a formula of sites.
+/// The variables of a formula of sites.
 const OF_SITES: [&str; 1] = ["i"];
 
-/// Why a text is no formula.
+/// The reason for which a text is not a formula.
 #[derive(Clone, Debug)]
 pub struct NoFormula {
     text: String,
@@ -246,8 +241,7 @@ pub struct NoFormula {
 }
 
 impl NoFormula {
-    /// The mistake with the line that it stands in and a caret; `origin` is what the text is
-    /// called.
+    /// Renders the mistake with its line and a caret; `origin` names the text.
     #[must_use]
     pub fn report(&self, origin: &str) -> String {
         report(&self.mistake, &self.text, &lex(&self.text).ranges, origin)
@@ -262,7 +256,7 @@ impl fmt::Display for NoFormula {
 
 impl std::error::Error for NoFormula {}
 
-/// One formula of the index of a site.
+/// Reads one formula of the index of a site, `i`.
 ///
 /// # Errors
 /// The first mistake.
@@ -270,7 +264,7 @@ pub fn formula(text: &str, known: &Known) -> Result<Formula, NoFormula> {
     formula_of(&OF_SITES, text, known)
 }
 
-/// One formula of these variables.
+/// Reads one formula of these variables.
 ///
 /// # Errors
 /// The first mistake.
@@ -278,7 +272,7 @@ pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formu
     read(text, |tokens| Names { variables, known, defined: &[] }.formula(&parse_formula(tokens)?))
 }
 
-/// Formulas of the index of a site by name: `a = 1; b = i/n`.
+/// Reads named formulas of the index of a site: `a = 1; b = i/n`.
 ///
 /// # Errors
 /// The first mistake.
@@ -294,11 +288,10 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
     read(&lex(text).tokens).map_err(|mistake| NoFormula { text: text.to_owned(), mistake })
 }
 
-/// What the names in a formula mean.
 struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
-    /// Formulas that have names, with their values in the program.
+    /// Named formulas with their values in the program.
     defined: &'a [(&'a str, Node)],
 }
 
@@ -309,12 +302,10 @@ impl Names<'_> {
         Ok(Formula::new(builder.finish(&[value]), self.variables.len(), self.known))
     }
 
-    /// Adds the operations of a formula, and returns its value.
     fn read(&self, builder: &mut Builder, text: &str) -> Result<Node, NoFormula> {
         read(text, |tokens| self.lower(builder, &parse_formula(tokens)?))
     }
 
-    /// Adds the operations of an expression, and returns its value.
     fn lower(&self, builder: &mut Builder, expr: &Expr<InFormula>) -> Result<Node, Diagnostic> {
         let operation = match &expr.kind {
             ExprKind::Number(value) => Operation::Constant(value.clone()),
@@ -350,8 +341,7 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Adds operands joined from left to right, each with whether `inverse` joins it. The first one
-    /// stands behind no operator.
+    /// Joins operands from left to right; the flag of an operand selects `inverse` over `operator`.
     fn chain<'a>(
         &self,
         builder: &mut Builder,
@@ -370,7 +360,7 @@ impl Names<'_> {
         Ok(joined.expect("a sum has terms, and a product factors"))
     }
 
-    /// Returns the value or the variable of this name.
+    /// Returns the value or the variable called `name`.
     fn named(&self, builder: &mut Builder, name: &str, span: Span) -> Result<Node, Diagnostic> {
         let variable = self.variables.iter().position(|variable| *variable == name);
         let known = self.known.iter().position(|(known, _)| known == name);
@@ -397,7 +387,6 @@ impl Names<'_> {
         }
     }
 
-    /// What is called, with its argument.
     fn call<'a>(
         &self,
         builder: &mut Builder,
@@ -422,12 +411,11 @@ impl Names<'_> {
     }
 }
 
-/// The mistake of a name that means something else here, or nothing.
+/// Builds the diagnostic of a name that is unknown or has another meaning.
 fn mistake(span: Span, message: String, help: String) -> Diagnostic {
     Diagnostic::new(Kind::UnknownName, span, message, help)
 }
 
-/// The functions by name, in a row.
 fn functions() -> String {
     FUNCTIONS.map(|(name, _)| name).join(", ")
 }
@@ -489,7 +477,7 @@ mod tests {
         let once = formula("sin(i/2)", &[]).expect("a formula").program.operations.len();
         let twice = formula("sin(i/2)*sin(i/2) - sin(i/2)", &[]).expect("a formula");
         assert_eq!(twice.program.operations.len(), once + 2);
-        // 0 and −0 are two numbers, though they compare as equal.
+        // 0 and −0 are different constants, although they compare as equal.
         let zeros = formula("m*i + z*i", &[("m".to_owned(), -0.0), ("z".to_owned(), 0.0)]);
         assert_eq!(zeros.expect("a formula").at(1).to_bits(), 0_f64.to_bits());
     }

@@ -1,4 +1,4 @@
-//! Questions and subjects as TOML, which has the names and the values that JSON has.
+//! Questions and subjects in TOML, with the names and values of their JSON.
 
 use std::ops::Range;
 
@@ -9,8 +9,8 @@ use toml::de::{DeTable, DeValue};
 
 use crate::misread;
 
-/// Reads from TOML what reads itself from JSON: a [`Question`](crate::Question), a
-/// [`Subject`](crate::Subject). A number is taken from its text, so that 0.1 is one tenth.
+/// Reads a value that is readable from JSON, such as a [`Question`](crate::Question) or a
+/// [`Subject`](crate::Subject), from TOML. Numbers are taken from their text: 0.1 is one tenth.
 ///
 /// ```
 /// use kahan_study::{Question, Subject, Systems, Unwatched, from_toml};
@@ -20,8 +20,7 @@ use crate::misread;
 /// assert!(subject.study(&Systems).unwrap().ask(&question, &Unwatched).is_ok());
 /// ```
 ///
-/// # Errors
-/// The mistake in words: one of TOML with its line, one of a value with what is expected.
+/// A sentence: a mistake in TOML with its line, or a mistake in a value with the expected one.
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     let document = TomlDocument::parse(text);
     let object = document.and_then(|document| document.to_json());
@@ -29,21 +28,21 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     misread::read(Value::Object(object)).map_err(|mistake| mistake.to_string())
 }
 
-/// A text in TOML that knows the line of each of its values.
+/// A text in TOML with the line of each value.
 #[derive(Debug)]
 pub struct TomlDocument<'t> {
     text: &'t str,
     root: Spanned<DeTable<'t>>,
 }
 
-/// A mistake behind its line, from 1 on.
+/// A mistake with its line, counted from 1.
 type Misplaced = (usize, String);
 
 impl<'t> TomlDocument<'t> {
-    /// Reads a text.
+    /// Parses a text.
     ///
     /// # Errors
-    /// The first mistake in the grammar of TOML, behind its line.
+    /// The first mistake in the grammar of TOML, with its line.
     pub fn parse(text: &'t str) -> Result<Self, Misplaced> {
         let root = DeTable::parse(text).map_err(|mistake| {
             (line_of(text, mistake.span().unwrap_or_default()), mistake.message().to_owned())
@@ -51,16 +50,16 @@ impl<'t> TomlDocument<'t> {
         Ok(TomlDocument { text, root })
     }
 
-    /// Returns the object of JSON with the same values, in the order of the text.
+    /// Converts the document to an object of JSON, in the order of the text.
     ///
     /// # Errors
-    /// A value that JSON does not have, behind its line.
+    /// A value that JSON does not have, with its line.
     pub fn to_json(&self) -> Result<Map<String, Value>, Misplaced> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, from 1 on, of the value at a path of names and of numbers from 0 on; of
-    /// the last value on the way where the path leads out of the document.
+    /// Returns the line, from 1, of the value at a path of names and of indices from 0. If the path
+    /// leaves the document, returns the line of the last value on the path.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);
@@ -68,14 +67,13 @@ impl<'t> TomlDocument<'t> {
     }
 }
 
-/// Returns the place of the last value on a path that begins with a name of a table.
+/// Returns the span of the last value on a path that begins with a name of `table`.
 fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
     let (name, rest) = path.split_first()?;
     let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
     Some(inside(value, rest).unwrap_or_else(|| key.span()))
 }
 
-/// Returns the place of the last value on a path that leads into a value.
 fn inside(value: &Spanned<DeValue<'_>>, path: &[String]) -> Option<Range<usize>> {
     match value.get_ref() {
         DeValue::Table(table) => in_table(table, path),
@@ -93,7 +91,7 @@ fn line_of(text: &str, span: Range<usize>) -> usize {
     1 + before.iter().filter(|&&byte| byte == b'\n').count()
 }
 
-/// A value that JSON does not have, with its place.
+/// The reason for which a value has no form in JSON, with its span.
 type NoJson = (Range<usize>, String);
 
 fn of_table(table: &DeTable<'_>) -> Result<Map<String, Value>, NoJson> {

@@ -1,13 +1,10 @@
 //! Questions about a field and its Kahan map, and their answers, as values.
 //!
-//! In: a [`Subject`] (a field, the values of its parameters) and a [`Question`]. Out: an [`Answer`]
-//! with a type of its own for each question, which serializes under the names of the command's
-//! JSON. A [`Study`] is a subject that was read: planned once, asked often, from any thread. Beside
-//! the questions stands what they measure with: a trajectory of the flow that two independent
-//! methods agree on ([`mod@reference`]), and the price and the error of every setting of the
-//! integrator ([`trade`]).
-//!
-//! It must not know terminals, files, flags or HTML; fronts ask and show.
+//! In: a [`Subject`] (a field with values of its parameters) and a [`Question`]. Out: an [`Answer`]
+//! with its own type for each question, which serializes under the names of the command's JSON. A
+//! [`Study`] is a subject that was read and planned once; any thread may ask it questions. Also
+//! here: reference trajectories of the flow ([`mod@reference`]), and work and error of each setting
+//! of the integrator ([`trade`]). Terminals, files, flags and HTML belong to the fronts.
 //!
 //! ```
 //! use kahan_study::{Answer, Question, Subject, Systems, Unwatched};

@@ -1,9 +1,8 @@
-//! Fields that were lifted to quadratic ones: how points go in and come out, and what there is to
-//! say of the lift.
+//! Fields that were lifted to quadratic ones.
 //!
-//! In: a text with functions, quotients or powers, and which lift is wanted. Out: the quadratic
-//! system with the formulas that its map keeps as integrals, and the lift. Points are given in the
-//! original variables; the new ones are functions of them.
+//! In: a text with functions, quotients or powers, and the kind of lift. Out: the lift, and the
+//! quadratic system with the formulas that its map preserves as integrals. Points are given in the
+//! original variables; the new variables are functions of them.
 
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -24,27 +23,27 @@ use crate::error::StudyError;
 use crate::relations::RelationErrors;
 use crate::study::Study;
 
-/// How a field is lifted.
+/// The options of a lift.
 #[derive(Clone, Debug, Default)]
 pub struct Lifting {
-    /// Which lift is wanted.
+    /// The kind of lift.
     pub which: Which,
-    /// The first point of the orbit along which lifts are judged, in the original variables; by
-    /// default the first point that the text gives.
+    /// The first point of the orbit along which lifts are compared, in the original variables;
+    /// defaults to the first point of the text.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; empty if they are in the order of the variables.
+    /// The names of the coordinates of `start`; empty if they have the order of the variables.
     pub names: Vec<String>,
-    /// Values by which lifts are judged of parameters that have none.
+    /// Values for comparing lifts, of parameters that have no other value.
     pub near: Vec<(String, Rational)>,
-    /// The value of `t` at the start, where the equations depend on it.
+    /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
     /// Whether answers show the new variables beside the original ones.
     pub shows_all: bool,
 }
 
 impl Lifting {
-    /// Puts the coordinates of the start in the order of the variables. A start that lacks one is
-    /// dropped.
+    /// Sorts the coordinates of the start into the order of the variables; drops a start that
+    /// lacks a coordinate.
     fn put_in_order(&mut self, states: &[String]) {
         let names = std::mem::take(&mut self.names);
         if !names.is_empty() {
@@ -57,26 +56,24 @@ impl Lifting {
     }
 }
 
-/// A lift with what became of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Lifted {
     pub(crate) lift: Lift,
-    /// The text that was lifted.
     pub(crate) given: FieldText,
     lifting: Lifting,
     /// The original variables, without `t`.
     original: Vec<String>,
-    /// The variables that answers show, and their places among all.
+    /// The variables in answers; `places` holds their indices among all variables.
     shown: Vec<String>,
     places: Vec<usize>,
-    /// The places of the lift's parameters among those of the field.
+    /// For each parameter of the lift, its index among the parameters of the field.
     parameters: Vec<Option<usize>>,
-    /// The derivatives of the new variables by the original ones, once vectors are carried.
+    /// The derivatives of the new variables by the original ones, computed on first use.
     slopes: OnceLock<Embedding>,
 }
 
 impl Lifted {
-    /// Lifts the field of a text. `values` gives parameters that have one.
+    /// Lifts the field of a text. `values` are given values of parameters.
     pub(crate) fn of(
         given: &FieldText,
         lifting: &Lifting,
@@ -111,7 +108,7 @@ impl Lifted {
         let lift = read.map_err(StudyError::Field)?;
         let states = lift.states.len() - usize::from(lift.has_time);
         let original = lift.states[..states].to_vec();
-        // A quadratic text stays as it was written, with its claims.
+        // A quadratic text is kept with its claims.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
@@ -128,7 +125,6 @@ impl Lifted {
         Ok((lifted, text, system))
     }
 
-    /// The lift with the new variables among those that answers show.
     pub(crate) fn showing_all(&self) -> Self {
         let names = self.lift.variables();
         let places = (0..self.original.len()).chain(self.lift.states.len()..names.len());
@@ -137,12 +133,12 @@ impl Lifted {
         Lifted { shown, places, ..self.clone() }
     }
 
-    /// The values of the lift's parameters among those of the field's.
+    /// Selects the values of the lift's parameters from the values of the field's.
     fn own(&self, values: &[f64]) -> Vec<f64> {
         self.parameters.iter().map(|place| place.map_or(f64::NAN, |place| values[place])).collect()
     }
 
-    /// All variables at a point of the original ones; not a number where one has no value.
+    /// Extends a point of the original variables to all variables; NaN for undefined values.
     fn embed(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         let own = self.own(values);
         let time = self.lift.has_time.then_some(time);
@@ -152,8 +148,8 @@ impl Lifted {
     }
 }
 
-/// Returns the constants of a text that are numbers and its claims, as written, one a line, and the
-/// names that they give.
+/// Returns a text with the rational constants and the claims of a block, one a line, and the names
+/// that they define.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -194,7 +190,7 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
             named.insert(name.to_string());
         });
     }
-    // A claim may name a constant by way of another one.
+    // A claim may depend on a constant through another constant.
     let constants: Vec<(&str, Expr)> = block
         .constants
         .iter()
@@ -215,8 +211,7 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     Ok((constants.into_iter().map(constant).chain(claims.into_iter().map(|(_, text)| text)).collect(), names))
 }
 
-/// Returns the text of a lift with these claims and their names besides its own, and the system
-/// that it says.
+/// Builds the text of a lift with the `given` claims added to its own, and the system of this text.
 fn quadratic(
     lift: &Lift,
     (given, names_given): (String, Vec<String>),
@@ -252,7 +247,7 @@ fn quadratic(
     Ok((text, System { header: lift.header.clone(), ..system }))
 }
 
-/// A lifted `t` and the new variables stand for functions of the original ones.
+/// `t`, if lifted, and the new variables depend on the original variables.
 impl Relations for Lifted {
     fn originals(&self) -> usize {
         self.original.len()
@@ -267,46 +262,45 @@ impl Relations for Lifted {
 }
 
 impl Study {
-    /// The lift, where the field was lifted.
+    /// Returns the lift, if the field was lifted.
     #[must_use]
     pub fn lift(&self) -> Option<&Lift> {
         self.lifted().map(|lifted| &lifted.lift)
     }
 
-    /// The variables that points are given in: of a lifted field the original ones, without `t`.
+    /// Returns the variables of points: for a lifted field, the original ones without `t`.
     #[must_use]
     pub fn coordinates(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.original)
     }
 
-    /// The variables that answers show: all; of a lifted field the original ones, and the new ones
-    /// where these are asked for.
+    /// Returns the variables in answers: all variables, or for a lifted field the original ones,
+    /// and the new ones if requested.
     #[must_use]
     pub fn shown(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
     }
 
-    /// The relations by which tangent vectors are those of the original variables; none where all
+    /// Returns the relations that restrict tangent vectors to the original variables; `None` if all
     /// variables are original.
     pub(crate) fn relations(&self) -> Option<&dyn Relations> {
         let lifted = self.lifted().filter(|lifted| lifted.original.len() < self.variables().len());
         lifted.map(|lifted| lifted as &dyn Relations)
     }
 
-    /// The time at the start of an orbit.
+    /// Returns the time at the start of an orbit.
     #[must_use]
     pub fn time(&self) -> Rational {
         self.lifted().map_or_else(Rational::zero, |lifted| lifted.lifting.time.clone())
     }
 
-    /// The place of `t` among the variables, where it was lifted.
+    /// Returns the index of `t` among the variables, if `t` was lifted.
     #[must_use]
     pub fn time_place(&self) -> Option<usize> {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// The columns that an orbit shows, by their places among n, t, all variables and the
-    /// integrals.
+    /// Returns the columns that an orbit shows, as indices into n, t, all variables, all integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -314,7 +308,7 @@ impl Study {
         [0, time].into_iter().chain(variables).chain(2 + self.variables().len()..columns).collect()
     }
 
-    /// The values of the variables that answers show, of all variables.
+    /// Selects the values of the variables in answers from the values of all variables.
     #[must_use]
     pub fn project<T: Clone>(&self, point: &[T]) -> Vec<T> {
         match self.lifted() {
@@ -323,14 +317,14 @@ impl Study {
         }
     }
 
-    /// All variables at a point, with these values of the parameters. A point of all variables is
-    /// left as it is; what has no value is not a number.
+    /// Extends a point to all variables, at these values of the parameters. A point of all
+    /// variables stays unchanged; an undefined value is NaN.
     #[must_use]
     pub fn embed(&self, at: &[f64], values: &[f64]) -> Vec<f64> {
         self.embed_at(at, values, self.time().to_f64())
     }
 
-    /// All variables at a point and a time.
+    /// Extends a point to all variables, at a given time.
     #[must_use]
     pub fn embed_at(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         match self.lifted() {
@@ -339,7 +333,7 @@ impl Study {
         }
     }
 
-    /// All variables at a point of those that answers show: the time is that of the start.
+    /// Inserts the time into a point of the variables in answers, if `t` was lifted.
     fn with_time<T: Clone>(&self, at: &[T], time: T) -> Vec<T> {
         let mut all = at.to_vec();
         if let Some(place) =
@@ -350,7 +344,7 @@ impl Study {
         all
     }
 
-    /// All variables at a point of the original ones, exactly where these are exact.
+    /// Extends an exact point to all variables; fails if a new variable has no exact value.
     pub(crate) fn embedded(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
         let Some(lifted) = self.lifted().filter(|lifted| lifted.original.len() == at.len()) else {
             return Ok(self.with_time(at, self.time()));
@@ -366,7 +360,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // A quotient by 0 may be a finite float.
+        // In floats, a quotient by 0 may be finite by rounding.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -375,19 +369,19 @@ impl Study {
     }
 }
 
-/// The time over which relations are watched, and the step by which they are, where none is given.
+/// The length of the time interval over which relations are watched, and the default step ε.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The parts of an orbit in an eighth of it, each of which has an error of its own.
+/// The number of parts, with an error each, in an eighth of an orbit.
 const EIGHTH: usize = 50;
-/// The growth of a relation from the first eighth of an orbit to the last that counts as a drift.
+/// The growth of a relation's error, from the first eighth to the last, that counts as a drift.
 const DRIFT: f64 = 1.5;
-/// A relation that small is rounding.
+/// The size up to which the error of a relation is taken as rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
-    /// The ratio of a relation's error in the last eighth of the orbit to that in the first; `None`
-    /// if the orbit ends early.
+    /// Returns the ratio of a relation's errors in the last and the first eighth of the orbit, or
+    /// `None` if the orbit ends early.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
@@ -397,24 +391,24 @@ impl RelationErrors {
 }
 
 impl Study {
-    /// The errors of the relations along an orbit over 100 units of time.
+    /// Measures the errors of the relations along an orbit over 100 units of time.
     pub(crate) fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
         self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
     }
 
-    /// The first point of the orbit along which the lift was chosen: the one that was given for it,
-    /// or else the text's own.
+    /// Returns the first point of the orbit along which the lift was chosen: the given one, or
+    /// else the text's.
     #[must_use]
     pub fn lift_start(&self) -> Option<Vec<Rational>> {
         self.lifted()?.lifting.start.clone().or_else(|| self.start())
     }
 
-    /// Describes the lift; `None` where the field was not lifted. With a start the
-    /// relations are watched along its orbit at `eps`, or at 0.01.
+    /// Describes the lift; `None` if the field was not lifted. If a start is known, watches the
+    /// relations along its orbit at `eps`, or at ε = 0.01.
     ///
     /// # Errors
-    /// Claims that do not hold, a start that does not fit.
+    /// Claims that do not hold, or a start of the wrong length.
     pub fn lift_found(&self, eps: Option<f64>) -> Result<Option<LiftFound>, StudyError> {
         self.proved()?;
         let Some(lifted) = self.lifted() else { return Ok(None) };
@@ -464,21 +458,21 @@ impl Study {
     }
 }
 
-/// A lift, as it is shown.
+/// A description of a lift.
 #[derive(Clone, Debug, Serialize)]
 pub struct LiftFound {
     /// The name of the system.
     pub system: String,
-    /// The text that was lifted.
+    /// The text before the lift.
     #[serde(skip)]
     pub written: String,
-    /// The original variables, then the new ones.
+    /// The original variables, followed by the new ones.
     pub variables: Vec<String>,
     /// The new variables.
     pub new: Vec<NewFound>,
-    /// The quadratic field, with the formulas that its map keeps, in the language of `kahan!`.
+    /// The quadratic field with the formulas that its map preserves, in the language of `kahan!`.
     pub field: String,
-    /// The number of new variables; `t` is not counted.
+    /// The number of new variables, without `t`.
     pub order: usize,
     /// Whether the search for fewer new variables was complete and found none.
     pub optimal: bool,
@@ -486,9 +480,9 @@ pub struct LiftFound {
     pub chosen: String,
     /// The relations between the variables.
     pub relations: Vec<RelationFound>,
-    /// The energy that the map keeps.
+    /// The energy that the map preserves.
     pub energy: Option<String>,
-    /// What a user should know of.
+    /// Notes for the user.
     #[serde(skip)]
     pub notes: Vec<String>,
     /// The orbit along which the relations were watched.
@@ -496,29 +490,28 @@ pub struct LiftFound {
     pub watched: Option<Watched>,
 }
 
-/// An orbit over 100 units of time, along which the relations of a lift were watched.
+/// An orbit over 100 units of time along which the relations were watched.
 #[derive(Clone, Debug)]
 pub struct Watched {
     /// The first point, in the original variables.
     pub start: Vec<Rational>,
     /// ε, half the time step.
     pub eps: f64,
-    /// The errors of the relations along it.
+    /// The errors of the relations along the orbit.
     pub errors: RelationErrors,
 }
 
 /// A new variable of a lift.
 #[derive(Clone, Debug, Serialize)]
 pub struct NewFound {
-    /// Its name.
     pub name: String,
-    /// The function of the original variables that it stands for; `None` for the work done since
-    /// the start.
+    /// The variable as a function of the original variables; `None` for the work done since the
+    /// start.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
     pub latex: Option<String>,
-    /// Its value at the start, where there is one.
+    /// The value at the start, if known.
     #[serde(skip)]
     pub value: Option<f64>,
 }
@@ -526,21 +519,21 @@ pub struct NewFound {
 /// A relation between the variables of a lift.
 #[derive(Clone, Debug, Serialize)]
 pub struct RelationFound {
-    /// The function that is 0 where it holds.
+    /// A function that is 0 where the relation holds.
     pub relation: String,
-    /// Its fate along the orbit; `None` where no start was given and no rule keeps it.
+    /// The fate along the orbit; `None` if no start was given and no rule preserves the relation.
     pub along: Option<Fate>,
-    /// The function that the map keeps exactly.
+    /// The formula that the map preserves exactly.
     pub formula: Option<String>,
     /// The largest exponent of the linearised errors of all relations along the orbit.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
-    /// The place among the new variables of the one that the relation defines.
+    /// The index, among the new variables, of the variable that the relation defines.
     #[serde(skip)]
     pub defines: Option<usize>,
 }
 
-/// JSON has no infinite numbers.
+/// Writes infinite rates as `null`, which JSON has in place of infinity.
 fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     rate.filter(|rate| rate.is_finite()).serialize(serializer)
 }
@@ -549,20 +542,20 @@ fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
-    /// The map keeps a formula exactly.
+    /// The map preserves a formula exactly.
     Kept,
-    /// Its error stays bounded.
+    /// The error stays bounded.
     Bounded,
-    /// Its error decays but for what each step adds.
+    /// The error decays, except for the error added by each step.
     Decays,
-    /// Its error grows linearly.
+    /// The error grows linearly.
     Drifts,
-    /// Its error grows exponentially.
+    /// The error grows exponentially.
     Grows,
 }
 
 impl Fate {
-    /// What the linearised error says, and how much the error grew along an orbit.
+    /// Combines the verdict on the linearised error with the measured growth along an orbit.
     fn of(along: Along, drift: Option<f64>) -> Self {
         match along {
             Along::Kept => Fate::Kept,

@@ -1,9 +1,9 @@
-//! Steps of lifted fields that stay where the original equations have a meaning.
+//! Steps of lifted fields that end an orbit where the original equations lose their meaning.
 //!
-//! In: a lifted field's map at its ε. Out: a [`Step`] whose points are not numbers where the orbit
-//! ends, so that whoever follows orbits sees that end: where a variable that is positive by its
-//! definition, as a square root, would become negative, and where symmetric projection onto the
-//! relations, if it is asked for, does not converge. A step depends on its point alone.
+//! In: the map of a lifted field at an ε. Out: a [`Step`] that fills its point with NaN if a
+//! variable that is positive by definition, such as a square root, would become negative, or if
+//! symmetric projection onto the relations, where requested, does not converge. Each step depends
+//! only on its point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
@@ -14,34 +14,34 @@ use crate::error::StudyError;
 use crate::question::NoOrbit;
 use crate::study::Study;
 
-/// The steps of a lifted field's map, or of what carries more beside its points, that end where the
-/// lift does.
+/// A step of a lifted field's map, or of a map with tangent vectors, that detects where the lift
+/// ends.
 pub struct LiftedStep<'a, S: Step> {
     at: S,
     lift: &'a Lift,
-    /// The new variables that are positive by their definitions.
+    /// The new variables that are positive by definition.
     positive: Vec<usize>,
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Replaces a point by the next one on the relations, by steps that it is given; `false` where the
+/// A function that advances a point on the relations by a given step, and returns `false` if the
 /// projection does not converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
-/// The reason for which a point of a lifted field has no next one.
+/// The reason for which a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
-    /// This new variable, which is positive by its definition, would become negative.
+    /// This new variable, positive by definition, would become negative.
     Negative(usize),
     /// Symmetric projection does not converge.
     NotReembedded,
 }
 
-/// The growth of a relation's error over an orbit that no power of time explains.
+/// A growth of a relation's error, over a watched orbit, that counts as exponential.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
-    /// Says why an orbit ends after this number of steps.
+    /// Describes the end of an orbit after `steps` steps.
     #[must_use]
     pub fn in_words(self, study: &Study, steps: u64) -> String {
         let next = steps + 1;
@@ -62,8 +62,8 @@ impl LiftEnds {
 }
 
 impl Study {
-    /// The steps of a lifted field's map that end where a variable changes a sign that it has by
-    /// its definition; `None` where no variable has one, and steps of the map itself will do.
+    /// Returns steps that end where a variable loses the sign it has by definition. Returns `None`
+    /// if no variable has a fixed sign; the steps of the map then suffice.
     #[must_use]
     pub fn lifted_step<S: Step + Clone>(&self, at: &S) -> Option<LiftedStep<'_, S>> {
         let lift = self.lift()?;
@@ -71,17 +71,17 @@ impl Study {
         (!positive.is_empty()).then(|| LiftedStep { at: at.clone(), lift, positive, projection: None })
     }
 
-    /// That steps can be projected onto relations: those of a lifted field.
+    /// Checks that steps can be projected onto relations, if this is requested.
     ///
     /// # Errors
-    /// [`NoOrbit::Reembed`] where they are to be, and cannot.
+    /// [`NoOrbit::Reembed`] if the field was not lifted.
     pub fn can_reembed(&self, reembed: bool) -> Result<(), StudyError> {
         let has_relations = self.lift().is_some() || !reembed;
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// How errors of relations grow along the orbit of a start, in words, where they do so beyond
-    /// all use and the lift was chosen without an orbit. Costs an orbit over 100 units of time.
+    /// Warns if errors of relations grow more than 100-fold along the orbit of a start and the lift
+    /// was chosen without an orbit. Costs an orbit over 100 units of time.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -98,8 +98,8 @@ impl Study {
         ))
     }
 
-    /// The steps of a lifted field's map, projected onto the relations where this is asked for;
-    /// `None` where those of the map will do.
+    /// Returns the steps of a lifted field's map, projected onto the relations if `reembed`; `None`
+    /// if the steps of the map suffice.
     #[must_use]
     pub fn steps<T: RuntimeFloat + EmbedScalar>(
         &self,
@@ -109,8 +109,8 @@ impl Study {
         if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
     }
 
-    /// The steps that are projected symmetrically onto the relations; `None` of a field that was not
-    /// lifted.
+    /// Returns steps with symmetric projection onto the relations; `None` for a field without a
+    /// lift.
     fn reembedded_step<T: RuntimeFloat + EmbedScalar>(
         &self,
         at: &MapAt<T>,
@@ -140,13 +140,13 @@ impl Study {
 }
 
 impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
-    /// The new variable that is negative at a point, and must not be.
+    /// Returns the first new variable that is negative in spite of its definition.
     fn negative(&self, x: &[T]) -> Option<usize> {
         let new = &x[self.lift.states.len()..];
         self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
     }
 
-    /// Replaces a point by the next one, or by NaN where the orbit ends.
+    /// Advances a point, or fills it with NaN at the end of the orbit.
     fn next(&self, x: &mut [T], mut step: impl FnMut(&mut [T])) -> bool {
         let is_there = match &self.projection {
             None => {
@@ -154,7 +154,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // The first step begins on the relations.
+                // Signs are checked after the first step only, because it starts on the relations.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);
@@ -169,7 +169,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         is_there
     }
 
-    /// Returns the reason for which the orbit ends at a point where the map itself goes on.
+    /// Returns the reason for which the orbit ends although the map itself has a next point.
     #[must_use]
     pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
         let mut next = x.to_vec();
@@ -178,13 +178,13 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         negative.or_else(|| self.projection.is_some().then_some(LiftEnds::NotReembedded))
     }
 
-    /// Whether an orbit that was followed without looking at signs has gone too far.
+    /// Returns whether a point has a negative variable that is positive by definition.
     #[must_use]
     pub fn is_beyond(&self, x: &[T]) -> bool {
         self.negative(x).is_some()
     }
 
-    /// The end of an orbit that came to a point.
+    /// Refines the end of an orbit whose last point is `x`.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {
@@ -207,7 +207,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> Step for LiftedStep<'_, S> {
     }
 
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Floats go on at poles.
+        // Float steps continue past poles, so the result is `Ok`.
         let mut step = |x: &mut [T]| {
             let _ = self.at.advance(x, 1, workspace);
         };

@@ -1,4 +1,4 @@
-//! What a catalog holds: a question about no field, so a function answers it.
+//! The contents of a catalog.
 
 use kahan_runtime::FieldText;
 use serde::Serialize;
@@ -18,12 +18,12 @@ pub struct Listed {
 /// A system of a catalog.
 #[derive(Clone, Debug, Serialize)]
 pub struct SystemListed {
-    /// The name that subjects have.
+    /// The name by which subjects refer to the system.
     pub name: &'static str,
     /// The name of its type in Rust.
     #[serde(rename = "type")]
     pub type_name: &'static str,
-    /// What it is, in one line.
+    /// A description of one line.
     pub title: &'static str,
     /// The state variables.
     pub variables: Vec<String>,
@@ -36,25 +36,25 @@ pub struct SystemListed {
 /// A family of a catalog.
 #[derive(Clone, Debug, Serialize)]
 pub struct FamilyListed {
-    /// The name that subjects have.
+    /// The name by which subjects refer to the family.
     pub name: &'static str,
     /// The name of its type in Rust.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// What it is, in one line.
+    /// A description of one line.
     pub title: &'static str,
-    /// What each site has, without index.
+    /// The variables of each site, without an index.
     pub arrays: Vec<String>,
-    /// The parameters; one that each site has is `r[i]`.
+    /// The parameters. A parameter of each site is written `r[i]`.
     pub parameters: Vec<String>,
     /// The names of its claims.
     pub claims: Vec<String>,
 }
 
-/// Lists a catalog. Reads every field, which costs milliseconds each.
+/// Lists a catalog. Reads every field, at a cost of milliseconds each.
 ///
 /// # Errors
-/// Where a text of the catalog has mistakes.
+/// A text of the catalog has mistakes.
 pub fn list(catalog: &dyn Catalog) -> Result<Listed, StudyError> {
     let mut listed = Listed { systems: Vec::new(), families: Vec::new() };
     for named in catalog.names().into_iter().filter_map(|[name, _]| catalog.find(name)) {

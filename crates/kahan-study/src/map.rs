@@ -1,14 +1,14 @@
-//! What scenes and trades ask of maps in whatever number of variables.
+//! Norms and errors of maps, for scenes and trades.
 
 use kahan_runtime::interpreted::UnsupportedDimension;
 use kahan_runtime::{MapAt, ParameterError};
 
-/// Why a system cannot be run.
+/// The reason for which a system cannot be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CannotRun {
-    /// It has too many variables.
+    /// The system has too many variables.
     Dimension(UnsupportedDimension),
-    /// It is not defined at the parameters.
+    /// The system is undefined at the parameters.
     Parameters(ParameterError),
 }
 
@@ -23,10 +23,10 @@ impl core::fmt::Display for CannotRun {
 
 impl core::error::Error for CannotRun {}
 
-/// ‖f′(x)‖∞
+/// Returns ‖f′(x)‖∞.
 pub(crate) fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
     let mut jacobian = vec![0.0; x.len() * x.len()];
-    // Both are as long as the field has variables.
+    // Both slices have the lengths of the field, so the call succeeds.
     let _ = at.field_jacobian(x, &mut jacobian);
     let rows = jacobian.chunks(x.len().max(1));
     rows.map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)

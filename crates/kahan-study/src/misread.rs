@@ -9,14 +9,13 @@ use serde_path_to_error::Segment;
 /// A mistake in a question or a subject.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misread {
-    /// The place of the mistake: names of objects, and numbers of lists from 0 on, from outside.
+    /// The path to the mistake, from the outermost object: names, and indices of lists from 0.
     pub path: Vec<String>,
-    /// The mistake in words.
+    /// A sentence that describes the mistake.
     pub why: String,
 }
 
 impl Misread {
-    /// A mistake at the value with this name.
     pub(crate) fn at(name: &str, why: impl Into<String>) -> Self {
         Misread { path: vec![name.to_owned()], why: why.into() }
     }
@@ -33,7 +32,7 @@ impl fmt::Display for Misread {
 
 impl std::error::Error for Misread {}
 
-/// Reads a value of JSON.
+/// Reads a value from JSON.
 ///
 /// # Errors
 /// The first mistake.

@@ -1,11 +1,10 @@
-//! Values by name, in an order that means something: objects of JSON.
+//! Ordered values by name, written as objects of JSON.
 
 use serde::{Serialize, Serializer};
 
 /// Values with their names.
 pub type Names<T> = Vec<(String, T)>;
 
-/// Writes an object.
 pub(crate) fn by_name<T: Serialize, S: Serializer>(
     values: &Names<T>,
     serializer: S,

@@ -1,32 +1,26 @@
-//! Files of numbers: CSV, of which the crate `csv` makes cells, and NumPy's arrays (`.npy`,
+//! Reads files of numbers: CSV, split into cells by the crate `csv`, and NumPy arrays (`.npy`,
 //! numpy.lib.format).
 //!
-//! In: the bytes of a file. Out: its numbers, as exact as they stand there if the caller wants
-//! that, with their sizes and the names of their columns; or a first point a row. Where the bytes
-//! lie, and what begins at the points, this module must not know.
-//!
-//! Arrays are read here, and the command writes them, by code of our own. We tried `npyz` 0.9.1,
-//! the best kept of the crates for them: it multiplies the sizes of a header unchecked, so that a
-//! file of a hundred bytes makes it panic; for that header it brings a generator of parsers and a
-//! build script in C; and where the number of rows is known at the end only, its arrays have at
-//! most two directions, while states of chains take three. `ndarray-npy` wants all sizes
-//! beforehand.
+//! In: the bytes of a file. Out: its numbers, exact on request, with shape and column names, or a
+//! first point from each row. Access to files belongs to the callers. Arrays are parsed here
+//! because `npyz` 0.9.1 multiplies the sizes of a header unchecked and panics on a crafted file of
+//! a hundred bytes, and `ndarray-npy` requires all sizes beforehand.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use kahan_algebra::rational::Rational;
 
 use crate::columns::Wanted;
 
-/// A number as files have it.
+/// A number type read from files.
 pub trait Entry: Sized {
-    /// The number in a cell of text, which may be empty; `None` where the cell has no number.
+    /// Reads a cell of text, which may be empty; `None` if the cell is not a number.
     fn of_text(cell: &str) -> Option<Self>;
 
-    /// The number that an array has as a float.
+    /// Converts a float of an array.
     fn of_float(float: f64) -> Self;
 }
 
-/// A cell that is empty is not a number.
+/// An empty cell is read as NaN.
 impl Entry for f64 {
     fn of_text(cell: &str) -> Option<Self> {
         if cell.is_empty() { Some(f64::NAN) } else { cell.parse().ok() }
@@ -37,7 +31,7 @@ impl Entry for f64 {
     }
 }
 
-/// An exact number, `None` where there is none: an empty cell, or a float that is not finite.
+/// An exact number; `None` for an empty cell or a float that is not finite.
 impl Entry for Option<Rational> {
     fn of_text(cell: &str) -> Option<Self> {
         if cell.is_empty() { Some(None) } else { Rational::parse(cell).map(Some) }
@@ -48,24 +42,23 @@ impl Entry for Option<Rational> {
     }
 }
 
-/// The numbers of a file, and the names of its columns where it has them.
+/// The numbers of a file, with the names of its columns if it has them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers<V = f64> {
     /// The names of the columns.
     pub names: Option<Vec<String>>,
-    /// How many there are in each direction, rows first.
+    /// The size of each dimension, rows first.
     pub sizes: Vec<usize>,
-    /// Row by row.
+    /// The values in row-major order.
     pub values: Vec<V>,
 }
 
 impl<V: Entry> Numbers<V> {
-    /// The numbers of a file with this name: an array of NumPy's where it ends in `.npy`, else rows
-    /// of numbers with commas, behind a row of names or not. A column named `ended` has words, and
-    /// no numbers.
+    /// Reads a file: a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a
+    /// header. A column named `ended` holds words and gives no numbers.
     ///
     /// # Errors
-    /// Why they cannot be read.
+    /// A sentence that describes the mistake.
     pub fn of(name: &str, bytes: &[u8]) -> Result<Self, String> {
         if name.ends_with(".npy") { array(bytes) } else { table(bytes) }
     }
@@ -73,11 +66,11 @@ impl<V: Entry> Numbers<V> {
 
 impl Numbers<Option<Rational>> {
     /// Reads a point from each row. Named columns are matched with the states; without names, each
-    /// column is a state. A first column without a name that numbers the rows from 0, as pandas
-    /// writes it, is ignored.
+    /// column is a state. Ignores an unnamed first column that counts the rows from 0, as in files
+    /// of pandas.
     ///
     /// # Errors
-    /// What the file has too much or too little of, said of it: "has no rows; …".
+    /// A sentence without its subject, the file: "has no rows; …".
     pub fn points(&self, wanted: &Wanted<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
@@ -115,22 +108,21 @@ impl Numbers<Option<Rational>> {
         values.chunks_exact(width).enumerate().map(point).collect()
     }
 
-    /// Whether the first column has 0, 1, 2, ….
     fn is_numbered(&self, width: usize) -> bool {
         let mut first = self.values.iter().step_by(width.max(1)).zip(0_i64..);
         first.all(|(value, row)| *value == Some(Rational::from(row)))
     }
 }
 
-/// Reads rows of numbers with commas, and a row of names above them. Rows that begin with `#` are
-/// comments; the last one with a word for each column names them, as NumPy writes it.
+/// Reads CSV. Rows that begin with `#` are comments; the last comment with a word for each column
+/// holds the names, as in NumPy's files.
 fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
     let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
-    // Bytes in memory can be read, so all that may be wrong is what they say.
+    // Reading from memory cannot fail, so an error means invalid text.
     while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
-        // A line of spaces.
+        // The line holds only spaces.
         if row.len() == 1 && row[0].is_empty() {
             continue;
         }
@@ -142,7 +134,7 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
         if is_first {
             numbers.names = comments.iter().rev().find_map(|comment| names_in(comment, row.len()));
         }
-        // How orbits ended is told in words.
+        // The column `ended` holds words.
         let words = numbers.names.iter().flatten().position(|name| name == "ended");
         let number = |(place, cell): (usize, _)| {
             V::of_text(if words == Some(place) { "" } else { cell }).ok_or((place, cell))
@@ -183,7 +175,7 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// The names in a comment, if there is one for each column: between commas, or else between spaces.
+/// Reads names from a comment, separated by commas or else by spaces, if each column has one.
 fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     let comment = comment.trim_start_matches('#').trim();
     let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];
@@ -192,20 +184,19 @@ fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     Some(found.into_iter().map(|name| name.trim().trim_matches('"').to_owned()).collect())
 }
 
-/// The line in which a row begins. The reader does not count what it skips before a row: empty
-/// lines, and the second half of a line break of Windows.
+/// Returns the line in which a row begins. The reader of `csv` does not count skipped empty lines
+/// or the second character of a Windows line break.
 fn line(text: &[u8], row: &StringRecord) -> usize {
     let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
     let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
     1 + text[..behind + skipped].iter().filter(|byte| **byte == b'\n').count()
 }
 
-/// An array of NumPy's.
 struct Array<'a> {
     header: &'a str,
-    /// The type of its entries, in quotes.
+    /// The type of the entries, in quotes.
     descr: &'a str,
-    /// Whether columns are contiguous, and not rows.
+    /// Whether the array is in column-major order.
     is_fortran: bool,
     sizes: Vec<usize>,
     count: usize,
@@ -229,7 +220,7 @@ impl<'a> Array<'a> {
         Some(Array { header, descr, is_fortran, sizes, count, data })
     }
 
-    /// Its entries of `WIDTH` bytes each, row by row.
+    /// Reads entries of `WIDTH` bytes each, in row-major order.
     fn entries<const WIDTH: usize, V>(&self, read: impl Fn([u8; WIDTH]) -> V) -> Result<Vec<V>, String> {
         let (entries, rest) = self.data.as_chunks();
         if entries.len() != self.count || !rest.is_empty() {
@@ -238,7 +229,7 @@ impl<'a> Array<'a> {
         Ok((0..self.count).map(|index| read(entries[self.place(index)])).collect())
     }
 
-    /// The place of the entry with this index, counted row by row.
+    /// Returns the storage index of the entry at a row-major index.
     fn place(&self, mut index: usize) -> usize {
         if !self.is_fortran {
             return index;
@@ -253,7 +244,6 @@ impl<'a> Array<'a> {
     }
 }
 
-/// An array of numbers, row by row.
 fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     if array.descr.starts_with('[') {
@@ -279,10 +269,10 @@ fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     values.map(|values| Numbers { names: None, sizes: array.sizes, values })
 }
 
-/// The words of an array of NumPy's, `.npy`.
+/// Reads an array of strings from `.npy`.
 ///
 /// # Errors
-/// A sentence about the array, if its words cannot be read.
+/// A sentence about the array, if it has no readable strings.
 pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     let length: Option<usize> =
@@ -301,7 +291,7 @@ pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
     (0..array.count).map(word).collect()
 }
 
-/// The names and the kinds of the columns of a structured array: `[('x', '<f8'), ('y', '<f8')]`.
+/// Returns the names and types of the columns of a structured array, `[('x', '<f8'), …]`.
 fn fields(header: &str) -> Option<Vec<(String, &str)>> {
     let (_, list) = header.split_once('[')?;
     let (list, _) = list.split_once(']')?;
@@ -313,7 +303,6 @@ fn fields(header: &str) -> Option<Vec<(String, &str)>> {
     named.collect()
 }
 
-/// The numbers of a structured array, row by row; `kinds` are the types of its columns.
 fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     let mut values = Vec::new();
     if kinds.is_empty() {
@@ -332,7 +321,6 @@ fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     Some(values)
 }
 
-/// The header of an array, as text, and what follows.
 fn header(bytes: &[u8]) -> Option<(&str, &[u8])> {
     let (version, rest) = bytes.strip_prefix(b"\x93NUMPY")?.split_first_chunk::<2>()?;
     let (length, rest) = match version {
@@ -367,12 +355,12 @@ mod tests {
             Err("line 3 has 3 numbers, and those before it 2".to_owned())
         );
         assert_eq!(table("a,b\n1,2,3\n"), Err("line 2 has 3 numbers, and above it are 2 names".to_owned()));
-        // As spreadsheets write tables: a mark before the text, quotes, line breaks of Windows.
+        // Spreadsheets write a byte order mark, quotes and Windows line breaks.
         assert_eq!(table("\u{feff}\"a\",b\r\n\r\n1,\"2\"\r\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0]));
         for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
             assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
         }
-        // NumPy writes names and comments behind `#`.
+        // NumPy writes names and comments after `#`.
         for text in [
             "# a,b\n1,2",
             "#a, b\n1,2",
@@ -395,7 +383,7 @@ mod tests {
         assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
 
-    /// What NumPy writes, by the documentation of numpy.lib.format.
+    /// The files follow the documentation of numpy.lib.format.
     #[test]
     fn arrays_are_read_as_numpy_writes_them() {
         let file = |version: u8, descr: &str, fortran: &str, shape: &str, data: &[u8]| {

@@ -1,7 +1,7 @@
-//! Ranges of exact values, in the one grammar that all questions have: `1/10:1:400`.
+//! Ranges of exact values in one grammar for all questions: `1/10:1:400`.
 //!
-//! In: text. Out: values equally far from each other, the cells around them where a picture has
-//! cells, and text that reads back as the same range.
+//! In: text. Out: equally spaced values, the cells around them for pictures, and text that reads
+//! back as an equal range.
 
 use std::fmt;
 
@@ -11,10 +11,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::numbers::{number, whole};
 
-/// A parameter, a variable or `eps`, with the values that it goes through.
+/// A parameter, a variable or `eps`, with the values on its axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
-    /// What goes through them.
+    /// The name of the parameter or variable, or `eps`.
     pub name: String,
     /// The values.
     pub range: Range,
@@ -28,7 +28,7 @@ pub struct Range {
     spacing: Spacing,
 }
 
-/// Why a text is no range, and what to write, as a sentence.
+/// The reason for which a text is not a range, and a correction, as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoRange(String);
 
@@ -40,25 +40,24 @@ impl fmt::Display for NoRange {
 
 impl std::error::Error for NoRange {}
 
-/// Which values between the two ends are meant.
+/// The rule for the values between the two ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Spacing {
-    /// `FROM:TO:COUNT`: so many values, both ends among them.
+    /// `FROM:TO:COUNT`: the number of values, both ends included.
     Count(usize),
-    /// `FROM:TO:+STEP`: FROM, and steps from there as long as TO is not passed.
+    /// `FROM:TO:+STEP`: FROM, FROM + STEP, …, up to TO.
     Step(Rational),
-    /// `FROM:TO:/CELLS`: the middles of so many cells.
+    /// `FROM:TO:/CELLS`: the midpoints of this number of cells.
     Cells(usize),
 }
 
-/// The most values of a range that a text gives.
+/// The most values of a range read by [`Range::read`].
 const MOST: usize = 100_000;
-/// The most values of an axis of a table: 2^40 − 1 where an index has 64 bits, 2^24 − 1 where it
-/// has 32.
+/// The most values of an axis of a table: 2⁴⁰ − 1 with indices of 64 bits, 2²⁴ − 1 with 32 bits.
 const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {
-    /// Reads FROM:TO:COUNT, FROM:TO:+STEP or FROM:TO:/CELLS.
+    /// Reads `FROM:TO:COUNT`, `FROM:TO:+STEP` or `FROM:TO:/CELLS`.
     ///
     /// # Errors
     /// [`NoRange`] says what is wrong with the text.
@@ -66,7 +65,7 @@ impl Range {
         Self::up_to(MOST, text)
     }
 
-    /// Reads a range of the axis of a table, which may have fewer than 2^40 values.
+    /// Reads a range for an axis of a table, of fewer than 2⁴⁰ values.
     ///
     /// # Errors
     /// [`NoRange`] says what is wrong with the text.
@@ -74,7 +73,6 @@ impl Range {
         Self::up_to(MANY, text)
     }
 
-    /// Reads a range of at most so many values.
     fn up_to(most: usize, text: &str) -> Result<Self, NoRange> {
         let [from, to, third] = text.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
             return Err(NoRange(format!(
@@ -99,32 +97,32 @@ impl Range {
         Ok(range)
     }
 
-    /// Which values between the ends are meant.
+    /// Returns the rule for the values between the ends.
     #[must_use]
     pub fn spacing(&self) -> &Spacing {
         &self.spacing
     }
 
-    /// Cells with these values in their middles; `None` where they are not equally spaced, or fewer
-    /// than two.
+    /// Returns the range whose cells have the distinct `values` as midpoints. Returns `None` if the
+    /// values are not equally spaced or fewer than two.
     #[must_use]
     pub fn around(values: &[f64]) -> Option<Self> {
         let mut found = values.to_vec();
         found.sort_unstable_by(f64::total_cmp);
         found.dedup();
-        // The shortest decimals that mean these numbers are those that they were written with.
+        // The shortest decimals of floats are the decimals that the values were written with.
         let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
         range.check(MANY as u64).ok()?;
-        // A thousandth of a step is far more than what roundings move a value by.
+        // A thousandth of a step far exceeds the rounding error of a value.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
         let is_spaced = found.iter().zip(range.values()).all(is_near);
         is_spaced.then_some(range)
     }
 
-    /// What is wrong with it, and what to write; it may have so many values.
+    /// Describes what is wrong with a range of at most `most` values, and how to correct it.
     fn check(&self, most: u64) -> Result<(), String> {
         let Range { from, to, .. } = self;
         let way = to - from;
@@ -156,21 +154,21 @@ impl Range {
         })
     }
 
-    /// How many values there are.
+    /// Returns the number of values.
     #[must_use]
     pub fn count(&self) -> usize {
         match &self.spacing {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding leads to the next whole number at most.
+                // The quotient as a float is at most rounded up to the next whole number.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }
         }
     }
 
-    /// How far each value is from the one before; below 0 in a range that goes downwards.
+    /// Returns the distance from each value to the next; negative in a descending range.
     #[must_use]
     pub fn step(&self) -> Rational {
         let parts = match &self.spacing {
@@ -181,7 +179,7 @@ impl Range {
         (&self.to - &self.from).checked_div(&Rational::from(parts as i64)).expect("a range has parts")
     }
 
-    /// The value after so many others.
+    /// Returns the value at `index`, counted from 0.
     #[must_use]
     pub fn value(&self, index: usize) -> Rational {
         let step = self.step();
@@ -192,30 +190,30 @@ impl Range {
         &first + &(&step * &Rational::from(index as i64))
     }
 
-    /// All values, from FROM to TO.
+    /// Iterates over all values, from FROM to TO.
     pub fn values(&self) -> impl Iterator<Item = Rational> {
         (0..self.count()).map(|index| self.value(index))
     }
 
-    /// The first value and the last.
+    /// Returns the first and the last value.
     #[must_use]
     pub fn ends(&self) -> [Rational; 2] {
         [0, self.count() - 1].map(|index| self.value(index))
     }
 
-    /// Where the first cell begins and the last one ends, with the values in the middles of cells.
+    /// Returns the start of the first cell and the end of the last; values are midpoints of cells.
     #[must_use]
     pub fn edges(&self) -> [Rational; 2] {
         let ([first, last], half) = (self.ends(), half(&self.step()));
         [&first - &half, &last + &half]
     }
 
-    /// The cell that a value lies in.
+    /// Returns the index of the cell that contains `value`.
     #[must_use]
     pub fn place(&self, value: f64) -> Option<usize> {
         let ([from, to], cells) = (self.edges().map(|edge| edge.to_f64()), self.count() as f64);
         let place = (value - from) / (to - from) * cells;
-        // The last cell has its end.
+        // The last cell includes its end.
         let place = if value == to { place - 0.5 } else { place.floor() };
         (place >= 0.0 && place < cells).then_some(place as usize)
     }
@@ -225,7 +223,7 @@ fn half(step: &Rational) -> Rational {
     step.checked_div(&Rational::from(2)).expect("2 is not 0")
 }
 
-/// As it is read.
+/// Writes the range in the grammar of [`Range::read`].
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Range { from, to, .. } = self;
@@ -273,7 +271,7 @@ mod tests {
         assert_eq!(values(" 1 : -1 : 1e1 ").len(), 10);
         assert_eq!(values("1:-1:+-1"), ["1", "0", "-1"]);
         assert_eq!(values("1:0:/2"), ["3/4", "1/4"]);
-        // One step more would pass the end by less than a float can tell.
+        // One more step would pass the end by less than the precision of a float.
         assert_eq!(values("0:2.9999999999999999999999:+1").len(), 3);
     }
 

@@ -1,27 +1,26 @@
-//! Whether steps resolve the fast components of a field.
+//! Checks whether steps resolve the fast components of a field.
 //!
-//! In: a field at an ε and points of an orbit. Out: the largest |2ελ| over eigenvalues λ of f′ at
-//! some of them, in words where it is large. Kahan's map multiplies a component of rate λ by
-//! (1 + ελ)/(1 − ελ), which follows exp(2ελ) only while |2ελ| is small. From 2 on a decaying
-//! component changes its sign in each step, and a fast oscillation has a wrong phase.
+//! In: a field at an ε, and points of an orbit. Out: the largest |2ελ| over the eigenvalues λ of f′
+//! at some points, as a sentence if large. Kahan's map multiplies a component of rate λ
+//! by (1 + ελ)/(1 − ελ), close to exp(2ελ) only for small |2ελ|. From |2ελ| = 2 on, a decaying
+//! component changes sign in each step, and a fast oscillation has a wrong phase.
 
 use kahan_runtime::MapAt;
 
 use crate::study::Study;
 
-/// The most points of an orbit that are looked at.
 const MOST_POINTS: u64 = 16;
 
-/// The most points of a field with more than [`MANY`] variables.
+/// The most points to inspect if the field has more than [`MANY`] variables.
 const MOST_OF_MANY: u64 = 4;
 
-/// A number of variables from which a matrix costs more than a row of a table.
+/// The number of variables above which one matrix costs more than a row of a table.
 const MANY: usize = 32;
 
-/// |2ελ| of components that are not resolved.
+/// The value of |2ελ| above which a component is not resolved.
 const FAST: f64 = 2.0;
 
-/// Products of a vector by f′ before its growth is measured, and those by which it is.
+/// Power iteration: products by f′ before the growth is measured, and products measured.
 const PRODUCTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.
@@ -29,14 +28,13 @@ pub struct Rates {
     at: MapAt<f64>,
     variables: usize,
     jacobian: Vec<f64>,
-    /// Points that were looked at, and those with a fast component.
+    /// The number of points inspected, and the number of points with a fast component.
     points: [u32; 2],
-    /// The largest |2ελ|.
     largest: f64,
 }
 
 impl Study {
-    /// The rates of the field at its values, beside steps of 2ε; none where ε is 0.
+    /// Prepares a check of the field's rates against steps of 2ε. Returns `None` if ε is 0.
     #[must_use]
     pub fn rates(&self, eps: f64) -> Option<Rates> {
         let map = self.map().ok().filter(|_| eps != 0.0 && eps.is_finite())?;
@@ -47,7 +45,7 @@ impl Study {
 }
 
 impl Rates {
-    /// The number of rows from one that is to be looked at to the next, given the number of all.
+    /// Returns the distance between inspected rows, given the number of all rows.
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
         let most = if self.variables > MANY { MOST_OF_MANY } else { MOST_POINTS };
@@ -60,7 +58,7 @@ impl Rates {
         self.variables
     }
 
-    /// Looks at a point. Costs a matrix of f′, and some products by it where its norm is large.
+    /// Inspects a point. Costs a matrix f′, and some products by f′ if its norm is large.
     pub fn look(&mut self, x: &[f64]) {
         let Self { at, jacobian, points: [count, fast], largest, .. } = self;
         if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {
@@ -68,7 +66,7 @@ impl Rates {
         }
         *count += 1;
         let step = 2.0 * at.eps().abs();
-        // No eigenvalue is larger than the norm.
+        // The ∞-norm bounds every eigenvalue.
         let bound = jacobian.chunks_exact(x.len()).map(|row| row.iter().map(|entry| entry.abs()).sum());
         if bound.fold(0.0, f64::max) * step > FAST {
             let size = spectral_radius(jacobian, x.len()) * step;
@@ -77,11 +75,11 @@ impl Rates {
         }
     }
 
-    /// Says so where components are fast at half of the points.
+    /// Returns a warning if at least half of the inspected points have fast components.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let [count, fast] = self.points;
-        // The size with two digits.
+        // Two significant digits.
         let largest = || format!("{:.1e}", self.largest).parse().unwrap_or(self.largest);
         (fast > 0 && 2 * fast >= count).then(|| {
             format!(
@@ -93,10 +91,9 @@ impl Rates {
     }
 }
 
-/// Returns the largest size of an eigenvalue, nearly: the mean growth of a vector in products by
-/// the matrix.
+/// Estimates the spectral radius by power iteration: the mean growth of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // No symmetry of a field has this vector.
+    // The start is generic, so that no symmetry of a field keeps it in an invariant subspace.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCTS;

@@ -1,5 +1,4 @@
-//! Relations between the variables of a lift: their errors along an orbit, and their fates in
-//! words.
+//! Relations between the variables of a lift: errors along an orbit, and fates in words.
 
 use std::ops::ControlFlow;
 
@@ -14,29 +13,26 @@ use crate::lifted::{Fate, LiftFound, RelationFound};
 use crate::study::Study;
 use crate::subject::{Catalog, Subject};
 
-/// The sizes of the relations of a lift along an orbit of the map, relation by relation.
+/// The errors of the relations of a lift along an orbit of the map.
 #[derive(Clone, Debug)]
 pub struct RelationErrors {
-    /// The largest error of each relation in each of the equal parts of the orbit; infinite where a
+    /// The largest error of each relation in each of the equal parts of the orbit; infinite if a
     /// function has no value. A part that the orbit does not reach has no entry.
     pub errors: Vec<Vec<f64>>,
-    /// The steps that were asked for, or up to where the orbit ended.
+    /// The requested steps, or fewer if the orbit ended early.
     pub steps: u64,
 }
 
-/// A function of all variables.
 type OfPoint = Box<dyn Fn(&[f64]) -> f64>;
 
-/// The error of a relation at a point.
 enum Error {
-    /// The distance of a new variable from its function, relative to functions above 1.
+    /// The distance of a new variable from its function, over max(1, |function|).
     Defined(usize),
-    /// The function that is 0 where the relation holds, of all variables.
+    /// A function of all variables that vanishes where the relation holds.
     Function(OfPoint),
 }
 
 impl Error {
-    /// The error at a point, where the functions of the new variables have these values.
     fn at(&self, point: &[f64], states: usize, functions: &[f64]) -> f64 {
         let size = match self {
             Error::Defined(place) => {
@@ -49,15 +45,15 @@ impl Error {
 }
 
 impl Study {
-    /// The errors of the relations of a lift along an orbit of Kahan's map, in `parts` equal parts
-    /// of it; of a field that was not lifted, none. Costs the steps and, at each, the functions of
-    /// the new variables.
+    /// Measures the errors of the relations of a lift along an orbit of Kahan's map, in `parts`
+    /// equal parts. A field without a lift has no errors. Costs the steps and, at each step, the
+    /// functions of the new variables.
     ///
     /// # Errors
-    /// Values that are missing, a start that does not fit.
+    /// Missing values, or a start of the wrong length.
     ///
     /// # Panics
-    /// Where there is no part.
+    /// If `parts` is 0.
     pub fn relation_errors(
         &self,
         at: &[Rational],
@@ -79,7 +75,7 @@ impl Study {
             let functions = lift.embed(&x[..states], &own);
             for (errors, size) in errors.iter_mut().zip(&sizes) {
                 let error = size.at(x, states, &functions);
-                // Where there are fewer points than parts, some parts have none.
+                // With fewer points than parts, some parts contain no point.
                 errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
                 errors[part] = error.max(errors[part]);
             }
@@ -90,7 +86,7 @@ impl Study {
     }
 }
 
-/// The errors of a lift's relations, where its parameters have these values.
+/// Returns the error function of each relation, at the given values of the lift's parameters.
 fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
     let names: Vec<&str> = lift.variables().iter().map(String::as_str).collect();
     let error = |relation: &kahan_lift::Relation| match relation.defines {
@@ -105,11 +101,11 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field as [`study`](Subject::study) does. A lift without a first point is chosen
-    /// along an orbit to see ([`Study::shown_orbit`]), where all parameters have values.
+    /// Reads the field like [`study`](Subject::study). A lift without a first point is chosen along
+    /// [`Study::shown_orbit`] if all parameters have values.
     ///
     /// # Errors
-    /// As [`study`](Subject::study).
+    /// The errors of [`study`](Subject::study).
     pub fn study_to_show(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
         let study = self.study(catalog)?;
         let Some(lifting) = self.lifting.as_ref().filter(|_| study.lift_start().is_none()) else {
@@ -120,8 +116,8 @@ impl Subject {
         self.clone().lifting(lifting).study(catalog)
     }
 
-    /// Whether the equations are not quadratic, and a lift reads them: it may still find no
-    /// quadratic field within its budget.
+    /// Returns whether the equations are not quadratic but in the class that a lift reads. The lift
+    /// may still find no quadratic field within its budget.
     #[must_use]
     pub fn calls_for_a_lift(&self) -> bool {
         match &self.field {
@@ -134,7 +130,7 @@ impl Subject {
 }
 
 impl LiftFound {
-    /// A relation as an equation: `sin_x = sin(x)`.
+    /// Writes a relation as an equation: `sin_x = sin(x)`.
     #[must_use]
     pub fn equation(&self, relation: &RelationFound) -> String {
         let defined = relation.defines.map(|place| &self.new[place]);
@@ -143,7 +139,7 @@ impl LiftFound {
             .map_or_else(|| format!("{} = 0", relation.relation), |(name, value)| format!("{name} = {value}"))
     }
 
-    /// Whether the search for fewer new variables was complete, in words.
+    /// Says whether the search for fewer new variables was complete.
     #[must_use]
     pub fn optimality(&self) -> &'static str {
         if self.optimal {
@@ -155,13 +151,13 @@ impl LiftFound {
 }
 
 impl RelationFound {
-    /// The fate along the orbit in words: `kept exactly: …`, `bounded`, `decays at the rate …`.
+    /// Describes the fate along the orbit: `kept exactly: …`, `bounded`, `decays at the rate …`.
     #[must_use]
     pub fn verdict(&self) -> String {
         self.verdict_asking("give a first point")
     }
 
-    /// The fate in words; where there is none for want of a first point, `for_point` asks for one.
+    /// Describes the fate; for a missing first point, uses `for_point` as the request.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

@@ -1,5 +1,4 @@
-//! Answers that are tables, handed on in blocks while they are made, so that the length of a table
-//! costs no memory.
+//! Tables in blocks of rows, passed on while they are computed, so that memory is bounded.
 
 use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
@@ -13,19 +12,19 @@ use serde::{Serialize, Serializer};
 use crate::error::{Spelling, by_name};
 use crate::numbers::Number;
 
-/// The most cells that an answer keeps in memory.
+/// The most cells that an answer may hold in memory.
 pub const MOST_CELLS: u64 = 1 << 24;
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its name; all names of a table differ.
+    /// The name, unique in the table.
     pub name: String,
-    /// What its numbers mean, with their unit.
+    /// The meaning of the numbers, with their unit.
     pub meaning: String,
 }
 
-/// The name, with as many `_` behind it as it takes to be none of the others.
+/// Appends `_` to a name until it differs from all `others`.
 #[must_use]
 pub fn free_name(others: &[impl AsRef<str>], name: &str) -> String {
     let mut name = name.to_owned();
@@ -37,8 +36,8 @@ pub fn free_name(others: &[impl AsRef<str>], name: &str) -> String {
 
 macro_rules! kinds {
     ($($(#[$about:meta])* $kind:ident($value:ident: $of:ty) => $cell:expr;)*) => {
-        /// Consecutive values of a column. Of floats, what has no value is not a number, and a
-        /// coordinate of a point at infinity is infinite.
+        /// Consecutive values of a column. In floats, an undefined value is NaN, and a coordinate
+        /// of a point at infinity is infinite.
         #[derive(Clone, Copy, Debug)]
         pub enum Values<'a> {
             $($(#[$about])* $kind(&'a [$of]),)*
@@ -51,7 +50,7 @@ macro_rules! kinds {
         }
 
         impl<'a> Values<'a> {
-            /// How many there are.
+            /// Returns the number of values.
             #[must_use]
             pub fn count(&self) -> usize {
                 match self {
@@ -59,10 +58,10 @@ macro_rules! kinds {
                 }
             }
 
-            /// The one of a row.
+            /// Returns the value in a row.
             ///
             /// # Panics
-            /// Where there are not so many.
+            /// If `row` is out of range.
             #[must_use]
             pub fn cell(&self, row: usize) -> Cell<'a> {
                 match self {
@@ -73,7 +72,6 @@ macro_rules! kinds {
                 }
             }
 
-            /// Those of some rows.
             pub(crate) fn part(&self, rows: Range<usize>) -> Values<'a> {
                 match self {
                     $(Self::$kind(list) => Values::$kind(&list[rows]),)*
@@ -88,7 +86,7 @@ macro_rules! kinds {
         }
 
         impl Kept {
-            /// The values.
+            /// Returns the values as slices.
             #[must_use]
             pub fn values(&self) -> Values<'_> {
                 match self {
@@ -107,11 +105,11 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// In double precision.
+    /// Double precision.
     F64(value: f64) => Cell::Float(Number::F64(*value));
-    /// In single precision.
+    /// Single precision.
     F32(value: f32) => Cell::Float(Number::F32(*value));
-    /// In double-double.
+    /// Double-double.
     Dd(value: Dd) => Cell::Float(Number::Dd(*value));
     /// Exact numbers.
     Exact(value: Exact) => Cell::Exact(value);
@@ -121,19 +119,19 @@ kinds! {
     Text(value: String) => Cell::Text(value);
 }
 
-/// An exact value.
+/// An exact value, possibly infinite or undefined.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Exact {
-    /// A number, in lowest terms.
+    /// A number in lowest terms.
     Number(Fraction),
-    /// A coordinate of a point at infinity, which has no sign.
+    /// A coordinate of a point at infinity, without sign.
     Infinite,
-    /// There is no value.
+    /// An undefined value.
     Undefined,
 }
 
-/// A cell of a table. It is displayed as in CSV: nothing where there is no value, `inf` at
-/// infinity, and numbers as [`Number`] says. In JSON both are `null`, and exact numbers strings.
+/// A cell of a table. Its display is its text in CSV: empty for an undefined value, `inf` for an
+/// infinite one. JSON has `null` for both, and strings for exact numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
     /// A float.
@@ -147,7 +145,7 @@ pub enum Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// The nearest double; NaN of what is no finite number.
+    /// Returns the nearest double, or NaN if the cell is not a finite number.
     pub(crate) fn to_f64(&self) -> f64 {
         match self {
             Self::Float(number) => number.to_f64(),
@@ -172,9 +170,7 @@ impl Display for Cell<'_> {
     }
 }
 
-/// Appends a line of CSV to a text. Names are identifiers and numbers have no commas, so that the
-/// cells of our tables need no quotes, and the crate `csv`, which looks at each byte for what would
-/// need some, has nothing to do here.
+/// Appends a line of CSV to a text, without quotes: cells are identifiers, numbers or quoted texts.
 pub fn csv_line(text: &mut String, cells: impl IntoIterator<Item = impl Display>) {
     for (place, cell) in cells.into_iter().enumerate() {
         let comma = if place == 0 { "" } else { "," };
@@ -195,30 +191,30 @@ impl Serialize for Cell<'_> {
     }
 }
 
-/// Takes the rows of a table, a block after the other.
+/// A receiver of the rows of a table, block by block.
 pub trait Rows {
-    /// Takes some thousand rows at most: for each column its values, all of one length. `Break`
-    /// ends the work; no more blocks come.
+    /// Takes a block of at most some thousand rows: the values of each column, all of one length.
+    /// Returns `Break` to end the work; then no more blocks come.
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()>;
 }
 
-/// A table in memory, which takes all rows that come. It serializes as a list of rows.
+/// A table in memory that collects all rows it receives. Serializes as a list of rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// The columns; none before the first rows.
+    /// The columns; empty before the first block.
     pub columns: Vec<Column>,
-    /// For each column its values.
+    /// The values of each column.
     pub values: Vec<Kept>,
 }
 
 impl Table {
-    /// How many rows it has.
+    /// Returns the number of rows.
     #[must_use]
     pub fn count(&self) -> usize {
         self.values.first().map_or(0, |first| first.values().count())
     }
 
-    /// Hands all of it on as one block.
+    /// Passes the whole table on as one block.
     pub fn hand_to(&self, rows: &mut dyn Rows) -> ControlFlow<()> {
         rows.block(&self.columns, &self.values.iter().map(Kept::values).collect::<Vec<_>>())
     }
@@ -243,29 +239,27 @@ impl Serialize for Table {
     }
 }
 
-/// How the rows of an orbit ended.
+/// The way in which the rows of an orbit ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ending {
-    /// How, and after how many steps.
+    /// The kind of end, with the number of steps before it.
     pub end: End,
-    /// The steps to the last point: all, where the orbit is complete.
+    /// The number of steps to the last point; all steps if the orbit is complete.
     pub step: u64,
-    /// Why no step leads on, where that is, in a sentence; `None` of an orbit that is complete or
-    /// was stopped.
+    /// A sentence that says why no step leads on; `None` for a complete or interrupted orbit.
     pub why: Option<String>,
-    /// The part of the question, and its value, that could be tried instead.
+    /// A part of the question and a value of it that could be tried instead.
     pub instead: Option<[&'static str; 2]>,
-    /// A finding about the orbit that is no end, in a sentence.
+    /// A remark about the orbit that does not concern its end, as a sentence.
     pub note: Option<String>,
 }
 
 impl Ending {
-    /// An end that has no reason.
     pub(crate) fn plain(end: End, step: u64) -> Self {
         Ending { end, step, why: None, instead: None, note: None }
     }
 
-    /// Returns the reason with what else could be tried, whose part the spelling tells.
+    /// Returns the reason with the alternative to try, spelled by `spelling`.
     #[must_use]
     pub fn in_words(&self, spelling: Spelling) -> Option<String> {
         let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));
@@ -273,7 +267,7 @@ impl Ending {
     }
 }
 
-/// Its name, the step, and the reason.
+/// Writes the name of the end, the step, the reason, and a note if there is one.
 impl Serialize for Ending {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_struct("Ending", 3 + usize::from(self.note.is_some()))?;

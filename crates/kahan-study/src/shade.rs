@@ -1,7 +1,6 @@
-//! The number of each orbit that a chart shows.
+//! Selects the number by which a chart colors each orbit.
 //!
-//! In: the name that a front calls a color, and a table with an orbit a row. Out: a number a row.
-//! Pictures are drawn elsewhere.
+//! In: the name of a color, and a table with a row for each orbit. Out: a number for each row.
 
 use kahan_runtime::Observable;
 
@@ -10,19 +9,19 @@ use crate::question::Observe;
 use crate::rows::{Kept, Table};
 use crate::study::Study;
 
-/// An observable that has one number, or a column of an observable.
+/// An observable with a single number, or one column of an observable.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shade {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. That of [`Observable::Drift`] itself means the largest of all
-    /// drifts.
+    /// The name of the column. The name of [`Observable::Drift`] itself selects the largest drift
+    /// of all integrals.
     pub column: String,
 }
 
 impl Shade {
-    /// Returns the observable of this name that has one number, or the column of this name.
-    /// Whether a field has that column, [`read`](Self::read) knows.
+    /// Finds an observable with a single number, or a column, by name. Use [`read`](Self::read) to
+    /// check that a field has the column.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let observable = Observable::of_column(name)?;
@@ -33,7 +32,7 @@ impl Shade {
         Some(Shade { observable, column: column.to_owned() })
     }
 
-    /// Reads the name of an observable that has one number, or of a column that a field has.
+    /// Reads the name of an observable with a single number, or of a column that the field has.
     ///
     /// # Errors
     /// [`StudyError::UnknownColumn`], and [`StudyError::NoIntegral`] for drifts of a field without
@@ -51,24 +50,24 @@ impl Shade {
         Err(StudyError::UnknownColumn { name: name.to_owned(), known })
     }
 
-    /// Whether it is the largest drift of all integrals.
+    /// Returns whether the largest drift of all integrals is selected.
     fn is_of_all(&self) -> bool {
         self.observable == Observable::Drift && self.column == self.observable.name()
     }
 
-    /// Returns a number for each row of a table in which the observable alone is observed; not a
-    /// number where the orbit ended early. Under [`Observable::Escape`] that is where no variable
-    /// is beyond the size.
+    /// Returns the number of each row of a table with this observable only. An orbit that ended
+    /// early gives NaN; under [`Observable::Escape`], an orbit gives NaN if no variable exceeds the
+    /// size.
     ///
     /// # Panics
-    /// If the table is another.
+    /// If the table has other columns.
     #[must_use]
     pub fn values<'a>(&self, table: &'a Table) -> Vec<f64> {
         let floats = |kept: &'a Kept| match kept {
             Kept::F64(numbers) => numbers,
             other => unreachable!("what is observed is a number, and not {other:?}"),
         };
-        // A parameter that is gone through may have that name, too.
+        // An axis over a parameter called `ended` holds numbers, so only columns of words count.
         let is_word = |place: &usize| matches!(table.values[*place], Kept::Text(_));
         let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
         let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");
@@ -76,7 +75,7 @@ impl Shade {
             unreachable!("how an orbit ended is a word and a count")
         };
         if self.is_of_all() {
-            // Of each integral the largest drift, and behind it the last.
+            // Each integral has two columns: the largest drift, then the last.
             let drifts: Vec<&Vec<f64>> = seen.iter().step_by(2).map(floats).collect();
             let largest = |row: usize| drifts.iter().map(|drifts| drifts[row]).fold(f64::NAN, f64::max);
             return (0..ended.len()).map(largest).collect();
@@ -84,7 +83,8 @@ impl Shade {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit that leaves the range is beyond any size; without a step there is no orbit.
+            // An orbit beyond the range of doubles exceeds any size; without a step there is no
+            // orbit.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

@@ -1,7 +1,7 @@
-//! ε and a first point, chosen where they are not given, so that there is an orbit to see.
+//! Chooses ε and a first point, if they are not given, so that a picture shows an orbit.
 //!
-//! What is chosen is in units of the field's own: other units of length and time change a choice by
-//! powers of two, and so nothing of what is drawn.
+//! Choices scale with the units of the field: a change of the units of length or time changes them
+//! by powers of two, and leaves the picture unchanged.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -14,45 +14,44 @@ use crate::error::StudyError;
 use crate::map::rate;
 use crate::study::Study;
 
-/// An orbit that figures show.
+/// An orbit for figures.
 #[derive(Clone, Debug)]
 pub struct ShownOrbit {
     /// ε, half the time step.
     pub eps: Rational,
     /// The first point.
     pub start: Vec<Rational>,
-    /// The least and the greatest value of each variable on the orbit.
+    /// The minimum and maximum of each variable along the orbit.
     pub extremes: Vec<[f64; 2]>,
-    /// The size of the first point, or a length of the field where all of its coordinates are 0.
+    /// The largest coordinate of the first point, or the length scale of the field if all are 0.
     pub size: f64,
-    /// Whether it stays within reach for as long as it was followed.
+    /// Whether the orbit stays bounded for as long as it was followed.
     pub stays: bool,
 }
 
-/// Steps that an orbit is followed.
 const STEPS: u64 = 4000;
-/// The size, seen from the first point, beyond which an orbit is lost to a picture.
+/// The size, in units of the first point's, beyond which an orbit counts as escaped.
 const REACH: f64 = 1e3;
-/// The error of a relation of a lift beyond which an orbit is not shown as one of the original
-/// equations.
+/// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
-/// Numbers that first points are made of: of small height, so that exact orbits can be followed,
-/// and different, so that no symmetry holds them.
+/// Coordinates of first points: of small height, so that exact orbits are feasible, and different,
+/// so that the point lies on no symmetry axis.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
-/// Sizes that first points have in units of the field's length, in the order in which they are
-/// tried.
+/// Sizes of first points, in units of the field's length scale, in the order of trial.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
 
 impl Study {
-    /// An orbit to see. What is not given is chosen: ε as a power of two, up to a fifth of what the
-    /// field's rates allow, and the first point as the first of some small fractions of the field's
-    /// length whose orbit stays and goes on moving. Rates and orbits of a lifted field are those of
-    /// its original variables: ε is up to a tenth of what their frequencies allow, and smaller while
-    /// the relations have large errors. Costs some orbits of four thousand steps.
+    /// Returns an orbit to show; chooses ε and the start if they are not given.
+    ///
+    /// ε is a power of two, at most a fifth of the bound by the field's rates. The start is the
+    /// first of some small fractions of the length scale whose orbit stays bounded and keeps
+    /// moving. A lifted field uses the rates and orbits of its original variables: ε is at most a
+    /// tenth of the bound by their frequencies, and is halved while relations have large errors.
+    /// Costs some orbits of 4000 steps.
     ///
     /// # Errors
-    /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
-    /// defined at its parameters.
+    /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
+    /// its parameters.
     pub fn shown_orbit(
         &self,
         eps: Option<&Rational>,
@@ -61,13 +60,13 @@ impl Study {
         let start = start.map(<[Rational]>::to_vec).or_else(|| self.start());
         start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
-        // The coefficients of a lift are no lengths of the original variables.
+        // The coefficients of a lift give no length scale of the original variables.
         let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
         let length = if is_lifted { 1.0 } else { length(self.system(), map.parameters(), eps) };
         let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
         let (mut best, mut refused): (Option<Followed>, _) = (None, None);
         for own in starts {
-            // Functions of a start may have no value.
+            // A new variable may be undefined at a start.
             let start = match self.point(&own) {
                 Ok(start) => start,
                 Err(error) => {
@@ -75,11 +74,11 @@ impl Study {
                     continue;
                 }
             };
-            // Frequencies are smaller than norms.
+            // A norm overestimates the rate more than a frequency does.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = Way::new(self, map.at(0.0), true).rate(&floats(&start));
-            // A second look, at the rates where the orbit went; of a lifted field, whose rates may
-            // change by orders of magnitude, some more.
+            // The second trial uses the rates along the first orbit. Rates of a lifted field may
+            // change by orders of magnitude, so it may get two more trials.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -102,7 +101,7 @@ impl Study {
         if !is_lifted || self.lift_start().is_none() {
             return Ok(shown);
         }
-        // Errors of the relations may ask for smaller steps.
+        // Large errors of the relations call for a smaller ε.
         let (start, tries) = (self.point(&shown.start)?, if eps.is_some() { 1 } else { 5 });
         let (own, mut smaller) = (shown.start.clone(), shown.eps.clone());
         shown.stays = false;
@@ -123,16 +122,16 @@ impl Study {
     }
 }
 
-/// How points move, and at which rates.
+/// A way to advance points and to measure rates.
 struct Way<'a> {
     at: MapAt<f64>,
     lift: Option<(&'a Lift, Vec<f64>)>,
-    /// Projects each step onto the relations of the lift.
+    /// The projection of each step onto the relations of the lift, if requested.
     reembedding: Option<Reembedding>,
 }
 
 impl<'a> Way<'a> {
-    /// The way of a map, perhaps one that keeps the relations of a lift.
+    /// Prepares a map; `projects` selects projection onto the relations of a lift.
     fn new(study: &'a Study, at: MapAt<f64>, projects: bool) -> Self {
         let lift = study.lift().filter(|lift| lift.order() > 0);
         let lift = lift.map(|lift| {
@@ -155,20 +154,20 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// The largest distance of a new variable from its function, relative to functions above 1.
+    /// Returns the largest error of a new variable, relative to max(1, |function|).
     fn error(&self, x: &[f64]) -> f64 {
         let Some((lift, own)) = &self.lift else { return 0.0 };
         let (states, new) = x.split_at(lift.states.len());
         let values = lift.embed(states, own).into_iter().zip(new).zip(&lift.new);
-        // The work done since the start is no function of the states.
+        // The work done since the start has no expression in the states.
         let values = values.filter(|(_, new)| new.expression.is_some());
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// ‖f′‖∞; of a lifted field ‖J²‖∞^(1/2), where J = f_x + f_w g′ is the Jacobian of the original
-    /// equations and w = g(x) are new variables: of x″ = −ω²x that is the frequency ω.
+    /// Returns ‖f′‖∞; for a lifted field ‖J²‖∞^(1/2), where w = g(x) are the new variables and
+    /// J = f_x + f_w g′ is the Jacobian of the original equations. For x″ = −ω²x the result is ω.
     fn rate(&self, x: &[f64]) -> f64 {
-        /// The step of differences, about the cube root of the rounding error.
+        /// The step of central differences, about the cube root of the rounding error.
         const STEP: f64 = 1e-5;
 
         let Some((lift, own)) = &self.lift else { return rate(&self.at, x) };
@@ -200,29 +199,27 @@ impl<'a> Way<'a> {
     }
 }
 
-/// A shown, and what there is to choose it by.
+/// A trial orbit with the figures by which it is chosen.
 struct Followed {
     shown: ShownOrbit,
     steps: u64,
-    /// Whether it still moves in the second half.
     moves: bool,
-    /// The largest size of f′ on it.
     rate: f64,
-    /// The largest error of a relation of a lift.
+    /// The largest error of the new variables of a lift.
     error: f64,
 }
 
 impl Followed {
     fn of(way: &mut Way<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
-        // New variables of a lift have sizes of their own.
+        // Only original variables count, because new variables have scales of their own.
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
         let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };
         let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
         let (mut late, mut steepest, mut error, mut steps) = (extremes.clone(), 0.0f64, 0.0f64, 0);
-        // A point that is lost does not widen the extremes.
+        // An escaped point does not widen the extremes.
         while steps < STEPS && is_within(&x) {
             widen(&mut extremes, &x);
             if steps == STEPS / 2 {
@@ -242,8 +239,7 @@ impl Followed {
         Followed { shown, steps, moves, rate: steepest, error }
     }
 
-    /// Larger for what is better: an orbit that stays and moves, then one that stays, then a longer
-    /// one.
+    /// Returns a rank: bounded and moving orbits are best, then bounded ones, then longer ones.
     fn rank(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
@@ -259,8 +255,9 @@ fn floats(start: &[Rational]) -> Vec<f64> {
     start.iter().map(Rational::to_f64).collect()
 }
 
-/// A length of the field, a power of two: where its terms of different degrees are about equal. A
-/// homogeneous field has none, but moves by its own length in a time; here in ε, or in a unit.
+/// Returns the length scale of the field, a power of two at which terms of different degrees
+/// balance. For a homogeneous quadratic field, returns the length at which a point moves by its own
+/// size in time ε, or in a unit of time.
 fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -274,7 +271,6 @@ fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f
     .unwrap_or(1.0)
 }
 
-/// The largest coefficient of this degree in the variables, in size.
 fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
     let at = |polynomial: &Polynomial| {
         let at_zero = polynomial.substitute(field.symbols.epsilon(), &Rational::ZERO);
@@ -291,15 +287,15 @@ fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
     sizes.fold(0.0, f64::max)
 }
 
-/// The largest power of two that is no larger than a number; `None` where there is none.
+/// Returns the largest power of two ≤ `number`; `None` if there is no such float.
 fn power_below(number: f64) -> Option<f64> {
     const EXPONENT: u64 = 0x7ff << 52;
     let power = f64::from_bits(number.to_bits() & EXPONENT);
     (number > 0.0 && power > 0.0 && power.is_finite()).then_some(power)
 }
 
-/// First points to be tried, in units of a length: of each size, with all coordinates above 0, then
-/// with signs in turn.
+/// Returns first points to try, in units of `length`: for each size, one with positive coordinates,
+/// then one with alternating signs.
 fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     let signs = [[1, 1], [1, -1]];
     let starts = SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
@@ -311,8 +307,8 @@ fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()
 }
 
-/// The largest power of two that is at most this: of few digits in every unit of time. 1 where
-/// there is no bound, and something small where there is no number.
+/// Returns the largest power of two ≤ `bound`, which is short in every unit of time. Returns 1 for
+/// an infinite bound, and 2⁻³⁰ if no power of two fits.
 fn round_below(bound: f64) -> Rational {
     const SMALL: f64 = 1.0 / (1_u64 << 30) as f64;
     let eps = power_below(bound).unwrap_or(if bound > 0.0 { 1.0 } else { SMALL });
@@ -334,8 +330,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// A shown in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
-    /// back to these.
+    /// Chooses an orbit in units of length and time of 2^−k and 2^−j, and converts it back.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();
@@ -366,7 +361,7 @@ mod tests {
                 }
             }
         }
-        // A homogeneous field alone does not tell a change of length from one of time.
+        // A homogeneous field determines only the product of the units of length and time.
         let text = "xdot = q*nu*x*(y - z); ydot = q*nu*y*(z - x); zdot = q*nu*z*(x - y);";
         for unit in [[300, 0], [-300, 0], [0, 50], [-77, 13]] {
             assert_eq!(in_unit(text, unit, Some(0.01)), in_unit(text, [0, 0], Some(0.01)), "{unit:?}");
@@ -376,7 +371,7 @@ mod tests {
 
     #[test]
     fn an_orbit_that_stays_is_found() {
-        // Half of the plane escapes; the start of size 1 does.
+        // Half of the plane escapes, including the start of size 1.
         let field = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).unwrap();
         let shown = field.shown_orbit(None, None).unwrap();
         assert!(shown.stays && shown.start[0] != Rational::one(), "{shown:?}");

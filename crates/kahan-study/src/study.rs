@@ -1,4 +1,4 @@
-//! A field that was read, about which questions are asked.
+//! A field that was read, as the subject of questions.
 
 use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
@@ -17,49 +17,46 @@ use crate::lifted::Lifted;
 use crate::range::Axis;
 use crate::subject::{Catalog, Given, Named, Subject};
 
-/// The most variables of a chain that is written out.
+/// The most variables of a chain whose equations are written out.
 pub const MOST_VARIABLES: usize = 200;
 
-/// Why a point has no next one.
+/// The reason for which a point has no image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoStep {
     /// The reduced map has a pole there.
     Pole,
-    /// det A = 0; the map is beyond the budget of terms and not reduced, so it may have a value.
+    /// det A = 0, and the map exceeds the budget of terms, so that it was not reduced and may have
+    /// a value.
     Unreduced,
-    /// It is beyond the range of the scalar.
+    /// The image is beyond the range of the scalar.
     Range,
 }
 
-/// A field with the values of its parameters, planned once and asked often, from any thread. A
-/// clone shares what was planned.
+/// A field with values of its parameters, planned once and usable from any thread. A clone shares
+/// the plans.
 #[derive(Clone, Debug)]
 pub struct Study {
     read: Arc<Read>,
     here: Arc<Here>,
 }
 
-/// What was read, and planned for all values of the parameters.
+/// The field as read, with the plans for all values of the parameters.
 #[derive(Clone, Debug)]
 struct Read {
-    /// The catalog's own, where it is the catalog's.
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
-    /// How it became quadratic, where it was lifted.
     lifted: Option<Lifted>,
-    /// The system, its claims not proved.
     system: System,
-    /// The mistakes of its claims, once they were proved.
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
 }
 
-/// What belongs to the values of the parameters.
+/// The values of the parameters, with the map at them.
 #[derive(Debug)]
 struct Here {
-    /// The values, in the order of the parameters; `None` for one not given.
+    /// The values, in the order of the parameters; `None` for a value not given.
     given: Vec<Option<Rational>>,
     map: OnceLock<Map>,
 }
@@ -68,7 +65,7 @@ impl Subject {
     /// Reads the field. Costs a parse; plans are made when a question first needs them.
     ///
     /// # Errors
-    /// Where there is no such system, the text has mistakes, or a parameter is none of the field's.
+    /// An unknown system, a text with mistakes, or an unknown parameter.
     pub fn study(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
         let (named, text) = match &self.field {
             Given::Text(text) => (None, text.clone()),
@@ -111,7 +108,7 @@ impl Study {
         Study { read, here: Arc::new(Here { given, map: OnceLock::new() }) }
     }
 
-    /// The study whose answers show the new variables of a lift, too.
+    /// Returns a study whose answers include the new variables of a lift.
     #[must_use]
     pub fn showing_all(&self) -> Self {
         let lifted = self.lifted().map(Lifted::showing_all);
@@ -119,84 +116,83 @@ impl Study {
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
-    /// The name of the field in answers: the catalog's, or that of its type, or `field`.
+    /// Returns the name of the field in answers: of the catalog, of its type, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.entry().map_or_else(|| self.system().name(), |named| named.name)
     }
 
-    /// Its name in the catalog, where it is from there.
+    /// Returns the name in the catalog, for a field from the catalog.
     #[must_use]
     pub fn catalog_name(&self) -> Option<&'static str> {
         self.read.named.as_ref().map(|named| named.name)
     }
 
-    /// What the catalog says it is, in one line, where it is a system of the catalog.
+    /// Returns the description in the catalog, for a system of the catalog.
     #[must_use]
     pub fn title(&self) -> Option<&'static str> {
         self.entry().map(|named| named.title)
     }
 
-    /// Where the catalog has the claim with this name from.
+    /// Returns the catalog's source for a claim.
     #[must_use]
     pub fn source(&self, claim: &str) -> Option<&'static str> {
         let sources = self.entry()?.sources;
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// The name of the catalog's system that this is, without values of parameters.
+    /// Returns the name in the catalog, for a system of the catalog without given parameters.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
     }
 
-    /// The seed of the macro's proof.
+    /// Returns the seed with which the macro would prove the claims.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         self.read.text.seed()
     }
 
-    /// The catalog's, unless it is a chain, which goes by the name of its family's type.
+    /// Returns the entry of a system in the catalog; `None` for a family, whose type names its
+    /// chains.
     fn entry(&self) -> Option<&Named> {
         self.read.named.as_ref().filter(|named| named.type_name.is_some())
     }
 
-    /// The name of its type in Rust: the catalog's, or that of its header.
+    /// Returns the name of the type in Rust, from the catalog or the header.
     #[must_use]
     pub fn type_name(&self) -> Option<&str> {
         let of_catalog = self.entry().and_then(|named| named.type_name);
         of_catalog.or_else(|| self.system().header.as_ref().map(|header| header.name.text.as_str()))
     }
 
-    /// The text of the field in the language of `kahan!`.
+    /// Returns the text of the field in the language of `kahan!`.
     #[must_use]
     pub fn text(&self) -> &str {
         self.read.text.text()
     }
 
-    /// How the field became quadratic, where it was lifted.
     pub(crate) fn lifted(&self) -> Option<&Lifted> {
         self.read.lifted.as_ref()
     }
 
-    /// The text as it was given.
     fn given_text(&self) -> &FieldText {
         self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
     }
 
-    /// Notes on what was read in a way that the writer of the text should know of.
+    /// Returns notes for the writer of the text on unusual readings.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         self.given_text().notes()
     }
 
-    /// The point that the text begins at, where it has a first value of each variable.
+    /// Returns the first point of the text, if the text gives a first value to each variable.
     #[must_use]
     pub fn start(&self) -> Option<Vec<Rational>> {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// The values of the parameters where numbers are needed: those given, or else the text's own.
+    /// Returns the values of the parameters for numbers: the given ones, or else those of the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);
@@ -204,31 +200,31 @@ impl Study {
         values.map(|(name, given)| given.clone().or_else(|| own(name))).collect()
     }
 
-    /// The state variables, in order.
+    /// Returns the state variables, in order.
     #[must_use]
     pub fn variables(&self) -> &[String] {
         &self.system().field.symbols.states
     }
 
-    /// The parameters, in order.
+    /// Returns the parameters, in order.
     #[must_use]
     pub fn parameters(&self) -> &[String] {
         &self.system().field.symbols.parameters
     }
 
-    /// The field as a checked system, its claims not proved.
+    /// Returns the checked system, with claims not yet proved.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.read.system
     }
 
-    /// The same, its claims proved as the macro does it, once.
+    /// Returns the system with its claims proved like those of the macro; proves them once.
     ///
     /// # Errors
     /// The claims that do not hold.
     pub fn proved(&self) -> Result<&System, StudyError> {
         let proof = || match self.read.sites {
-            // The claims of a family are proved when it is read, for chains of every length.
+            // The claims of a family were proved on reading, for chains of every length.
             Some(_) => Ok(()),
             None => self.read.text.prove(self.system()).map_err(StudyError::Field),
         };
@@ -236,18 +232,18 @@ impl Study {
         Ok(self.system())
     }
 
-    /// The values of the parameters, in their order; `None` for one not given.
+    /// Returns the values of the parameters, in order; `None` for a value not given.
     #[must_use]
     pub fn given(&self) -> &[Option<Rational>] {
         &self.here.given
     }
 
-    /// The study at these values of parameters, in place of all earlier ones. Both studies share
-    /// the field with its proofs, plans and compiled code. A lift stays that of the values in its
-    /// `Subject`.
+    /// Returns the study at these values of parameters, which replace all earlier ones. Both
+    /// studies share the field with its proofs, plans and compiled code. A lift keeps the values of
+    /// its `Subject`.
     ///
     /// # Errors
-    /// A name that is none of theirs, or given twice.
+    /// An unknown name, or a name given twice.
     pub fn given_by_name(&self, values: &[(String, Rational)]) -> Result<Self, StudyError> {
         let mut given = vec![None; self.parameters().len()];
         for (name, value) in values {
@@ -258,7 +254,6 @@ impl Study {
         Ok(self.at(given))
     }
 
-    /// The place of a parameter of this name.
     pub(crate) fn parameter(&self, name: &str) -> Result<usize, StudyError> {
         let place = self.parameters().iter().position(|known| known == name);
         place.ok_or_else(|| StudyError::UnknownParameter {
@@ -268,19 +263,18 @@ impl Study {
         })
     }
 
-    /// The same with a value of one more parameter.
+    /// Returns the study with the value of one parameter replaced.
     pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
         let mut given = self.given().to_vec();
         given[place] = Some(value);
         self.at(given)
     }
 
-    /// The same for this ε: what is claimed `when` something holds is claimed without a condition
-    /// where the values of the parameters and ε are such. Where there is some of it, the field is
-    /// planned anew.
+    /// Returns the study at this ε: claims `when` a condition holds become unconditional if the
+    /// values of the parameters and ε satisfy it. Plans the field anew if a claim changes.
     ///
     /// # Errors
-    /// Claims that do not hold, and a field that divides by zero.
+    /// Claims that do not hold, or a field that divides by zero.
     pub fn at_step(&self, eps: &Rational) -> Result<Self, StudyError> {
         let is_open = |claim: &Claim| !claim.is_unconditional();
         if !self.proved()?.claims.iter().any(is_open) {
@@ -300,7 +294,7 @@ impl Study {
         }
         let mut system = self.system().clone();
         for place in 0..system.claims.len() {
-            // A field has one density.
+            // A field has at most one unconditional density.
             let claim = &system.claims[place];
             let is_second =
                 claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();
@@ -313,23 +307,23 @@ impl Study {
         Ok(Study::new(Arc::new(read), self.given().to_vec()))
     }
 
-    /// The same at other values of the parameters; what was planned of the field is shared.
+    /// Returns the study at other values of the parameters; both share the plans of the field.
     pub(crate) fn at(&self, given: Vec<Option<Rational>>) -> Self {
         Study::new(Arc::clone(&self.read), given)
     }
 
-    /// The parameters that have a value, by name; the others are generic.
+    /// Returns the parameters with given values; the others are generic.
     #[must_use]
     pub fn fixed(&self) -> Vec<(String, Rational)> {
         let values = self.parameters().iter().zip(self.given());
         values.filter_map(|(name, value)| Some((name.clone(), value.clone()?))).collect()
     }
 
-    /// The system with the given parameters put in, the others generic; claims that do not fit
-    /// these values are gone.
+    /// Returns the system with the given parameters substituted, and the others generic. Claims
+    /// that do not apply at these values are dropped.
     ///
     /// # Errors
-    /// Where the field then divides by zero.
+    /// The field divides by zero at the values.
     pub fn specialised(&self) -> Result<System, StudyError> {
         let given = self.given().iter().cloned().enumerate();
         let fixed: Vec<(usize, Rational)> = given.filter_map(|(k, value)| Some((k, value?))).collect();
@@ -339,11 +333,10 @@ impl Study {
         self.system().specialise(&fixed).ok_or_else(|| self.undefined_field())
     }
 
-    /// The coefficients of the field at the values of its parameters.
+    /// Returns the coefficients of the field at the values of its parameters.
     ///
     /// # Errors
-    /// A parameter without a value, a field that divides by zero, and coefficients that depend on
-    /// ε.
+    /// A missing value, a division by zero, or coefficients that depend on ε.
     pub fn coefficients(&self) -> Result<Vec<Coefficient>, StudyError> {
         let values = self.values()?;
         let system = self.at(values.into_iter().map(Some).collect()).specialised()?;
@@ -353,16 +346,15 @@ impl Study {
         system.coefficients().ok_or_else(|| self.undefined_field())
     }
 
-    /// The values of all parameters, in their order.
+    /// Returns the values of all parameters, in order.
     ///
     /// # Errors
-    /// Where one is not given.
+    /// A missing value.
     pub fn values(&self) -> Result<Vec<Rational>, StudyError> {
         self.values_but(|_| false)
     }
 
-    /// The values of the parameters. Those at places that `varies` names go through values of
-    /// their own, and need none here.
+    /// Returns the values of the parameters. Parameters for which `varies` holds need no value.
     pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
         let values = self.valued();
         let missing = (0..values.len()).filter(|k| values[*k].is_none() && !varies(*k));
@@ -374,7 +366,7 @@ impl Study {
         }
     }
 
-    /// The place among the parameters of what goes through values; `None` for ε.
+    /// Returns the index of the parameter on an axis; `None` for ε.
     pub(crate) fn axis(&self, axis: &Axis) -> Result<Option<usize>, StudyError> {
         let place = self.parameters().iter().position(|name| *name == axis.name);
         if place.is_some() || axis.name == "eps" {
@@ -383,29 +375,26 @@ impl Study {
         Err(self.unknown("no parameter", &axis.name, &[self.parameters(), &["eps".to_owned()]]))
     }
 
-    /// The place of a variable of this name.
     pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
         let place = self.variables().iter().position(|known| known == name);
         place.ok_or_else(|| self.unknown("no variable", name, &[self.variables()]))
     }
 
-    /// That a name is none of those that are known.
     pub(crate) fn unknown(&self, what: &'static str, name: &str, known: &[&[String]]) -> StudyError {
         let (system, name, known) = (self.name().to_owned(), name.to_owned(), known.concat());
         StudyError::UnknownAxis { what, system, name, known }
     }
 
-    /// All variables at a point, if it has a coordinate for each, or for each original variable of
-    /// a lifted field.
+    /// Extends a point to all variables. It may have a coordinate for each variable, or for each
+    /// original variable of a lifted field.
     ///
     /// # Errors
-    /// Another number of coordinates, and a new variable that has no value there.
+    /// A wrong number of coordinates, or a new variable that is undefined at the point.
     pub fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
         self.has_coordinates(at)?;
         self.embedded(at)
     }
 
-    /// That a point has as many coordinates as there are variables, or original ones.
     pub(crate) fn has_coordinates(&self, at: &[Rational]) -> Result<(), StudyError> {
         let variables = self.coordinates();
         if [self.variables(), variables, self.shown()].iter().any(|known| known.len() == at.len()) {
@@ -414,27 +403,26 @@ impl Study {
         Err(StudyError::Coordinates { what: "at", variables: variables.to_vec(), given: at.len() })
     }
 
-    /// The field with its plans, which are made when it is first asked for.
+    /// Returns the field with its plans, made on first use.
     #[must_use]
     pub fn field(&self) -> &Field {
         self.read.field.get_or_init(|| Field::of(self.system()))
     }
 
-    /// The component f_x of the field as a formula, which vanishes where the variable x is largest
-    /// or least.
+    /// Returns the component ẋ of the field as a formula; it vanishes at extrema of the variable x.
     ///
     /// # Errors
-    /// A name that is none of the variables'.
+    /// An unknown variable.
     pub fn rate(&self, variable: &str) -> Result<String, StudyError> {
         let place = self.variable(variable)?;
         let field = &self.system().field;
         Ok(Formulas { field, map: None, notation: &Text }.field().swap_remove(place))
     }
 
-    /// The map at the values of the parameters, with what was planned and compiled for it.
+    /// Returns the map at the values of the parameters, with its plans and compiled code.
     ///
     /// # Errors
-    /// Where a value is missing, or the field divides by zero at them.
+    /// A missing value, or a field that divides by zero.
     pub fn map(&self) -> Result<&Map, StudyError> {
         if let Some(map) = self.here.map.get() {
             return Ok(map);
@@ -443,12 +431,11 @@ impl Study {
         Ok(self.here.map.get_or_init(|| map))
     }
 
-    /// The map at other values of the parameters; `None` where the field divides by zero.
+    /// Returns the map at other values of the parameters; `None` if the field divides by zero.
     pub(crate) fn map_at(&self, values: &[Rational]) -> Option<Map> {
         self.field().with(self.parameters().iter().zip(values)).ok()
     }
 
-    /// The map at ε, and a point, in doubles.
     pub(crate) fn in_floats(
         &self,
         at: &[Rational],
@@ -461,7 +448,6 @@ impl Study {
         Ok((map.at(eps), start))
     }
 
-    /// That a point and ε are within the range of doubles.
     pub(crate) fn within_range(&self, at: &[f64], eps: f64) -> Result<(), StudyError> {
         let beyond = at.iter().zip(self.variables()).find(|(value, _)| !value.is_finite());
         match beyond {
@@ -473,7 +459,7 @@ impl Study {
         }
     }
 
-    /// A point with the parameters and ε, in words; long numbers are cut.
+    /// Describes a point with the parameters and ε; long numbers are cut.
     #[must_use]
     pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
         let values = self.valued();
@@ -485,7 +471,7 @@ impl Study {
             .join(", ")
     }
 
-    /// What a point where det A = 0 and that has no image is.
+    /// Classifies a point with det A = 0 and no image.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
     }
@@ -498,7 +484,6 @@ impl Study {
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
 
-    /// The error of a field that divides by zero at this ε.
     pub(crate) fn undefined_field_at(&self, eps: &Rational) -> StudyError {
         let eps = self.system().field.depends_on_eps().then(|| ("eps".to_owned(), eps.clone()));
         let parameters = self.fixed().into_iter().chain(eps).collect();
@@ -510,7 +495,7 @@ fn named(values: &[(String, Rational)], name: &String) -> Option<Rational> {
     values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
 }
 
-/// `x = 1`, `y = 2`, of long numbers the first digits.
+/// Formats `x = 1`, `y = 2`, …; of long numbers, keeps the first digits.
 pub(crate) fn assigned<N: Display, V: Display>(
     values: impl IntoIterator<Item = (N, V)>,
 ) -> impl Iterator<Item = String> {
@@ -524,11 +509,11 @@ pub(crate) fn assigned<N: Display, V: Display>(
     })
 }
 
-/// The plain system of a chain of so many sites of the family in a text, its claims proved.
+/// Builds the system of a chain with this number of sites, with proved claims.
 ///
 /// # Errors
-/// Mistakes of the text, a field that is no family, more than [`MOST_VARIABLES`] variables, and
-/// so few sites that the field divides by zero.
+/// Mistakes in the text, a field that is not a family, more than [`MOST_VARIABLES`] variables, or
+/// too few sites, so that the field divides by zero.
 fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
     let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
     if sites.saturating_mul(family.block()) > MOST_VARIABLES {

@@ -1,4 +1,4 @@
-//! What a question is about: a field, the values of its parameters, of a family its sites.
+//! The subject of a question: a field, values of its parameters, and the sites of a family.
 
 use std::collections::BTreeMap;
 
@@ -11,11 +11,11 @@ use serde::{Deserialize, Deserializer};
 use crate::lifted::Lifting;
 use crate::numbers::exact;
 
-/// A field as its user names it.
+/// A field given by a user.
 ///
-/// In JSON it has a `name` in the catalog or a text, `field`, perhaps values of parameters,
-/// `params`, `sites`, and which `lift`, such as `automatic`:
-/// `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
+/// Its JSON has a `name` in the catalog or a text `field`, and optionally values `params`, `sites`
+/// and a `lift` such as `automatic`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a":
+/// "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -33,54 +33,53 @@ pub struct Subject {
     pub(crate) lifting: Option<Lifting>,
 }
 
-/// How a field is given.
 #[derive(Clone, Debug)]
 pub(crate) enum Given {
-    /// By its name in a catalog.
+    /// A name in a catalog.
     Name(String),
-    /// As a text in the language of `kahan!`.
+    /// A text in the language of `kahan!`.
     Text(FieldText),
 }
 
-/// Where the fields are that have names.
+/// A collection of named fields.
 pub trait Catalog {
-    /// Every system and family, by the name that subjects have, and by that of its type.
+    /// Returns every system and family: its name in subjects, and the name of its type.
     fn names(&self) -> Vec<[&'static str; 2]>;
 
-    /// The system or family with one of these names, in any case of letters.
+    /// Finds a system or family by one of its names, in upper or lower case.
     fn find(&self, name: &str) -> Option<Named>;
 }
 
 /// A field of a catalog.
 #[derive(Clone, Debug)]
 pub struct Named {
-    /// Its name in answers.
+    /// The name in answers.
     pub name: &'static str,
     /// The name of its type in Rust; `None` for a family.
     pub type_name: Option<&'static str>,
-    /// What it is, in one line.
+    /// A description of one line.
     pub title: &'static str,
-    /// Its block in the language of `kahan!`.
+    /// The block in the language of `kahan!`.
     pub text: &'static str,
-    /// Where each claim is from, by the claim's name.
+    /// The source of each claim, by the claim's name.
     pub sources: &'static [(&'static str, &'static str)],
 }
 
 impl Subject {
-    /// A system or a family of the catalog.
+    /// Selects a system or a family of the catalog.
     #[must_use]
     pub fn named(name: impl Into<String>) -> Self {
         Self::of(Given::Name(name.into()))
     }
 
-    /// A field in the language of `kahan!`, with a header or without, or as people write equations.
-    /// Values that the text gives to parameters serve where none are given.
+    /// Reads a field in the language of `kahan!`, with or without a header, or in the usual
+    /// notation of equations. Values of parameters in the text are defaults.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// A field that stands in a text which has a name in reports, or in a part of it.
+    /// Reads a field from a text that has a name in reports, or from a part of it.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(Given::Text(text))
@@ -90,20 +89,20 @@ impl Subject {
         Subject { field, parameters: Vec::new(), sites: None, lifting: None }
     }
 
-    /// With a value of a parameter.
+    /// Gives a parameter a value.
     #[must_use]
     pub fn with(mut self, name: impl Into<String>, value: Rational) -> Self {
         self.parameters.push((name.into(), value));
         self
     }
 
-    /// With so many sites of a family, whose chain is then written out.
+    /// Sets the number of sites of a family; its chain is then written out.
     #[must_use]
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }
     }
 
-    /// Lifted to a quadratic field: its equations may have functions, quotients and powers.
+    /// Lifts to a quadratic field, so that equations may have functions, quotients and powers.
     ///
     /// ```
     /// use kahan_study::{Subject, Systems, Which};
@@ -118,7 +117,7 @@ impl Subject {
         self.lifting(Lifting { which, ..Lifting::default() })
     }
 
-    /// The same with all that a lift is made from.
+    /// Lifts to a quadratic field with all options.
     #[must_use]
     pub fn lifting(self, lifting: Lifting) -> Self {
         Subject { lifting: Some(lifting), ..self }

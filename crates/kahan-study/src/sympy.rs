@@ -1,4 +1,4 @@
-//! Formulas as `sympy.sympify` reads them, and the script that has it read those of a sheet.
+//! Formulas in the notation of `sympy.sympify`, and a script that reads the formulas of a sheet.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -8,16 +8,15 @@ use kahan_algebra::syntax::Expr;
 
 use crate::question::{ClaimShown, Sheet};
 
-/// The language of Python's SymPy: `1/2*x**2`, which `sympify` reads exactly.
+/// The notation of Python's SymPy, `1/2*x**2`, which `sympify` reads exactly.
 ///
-/// A name that Python keeps for itself gets a `_` behind it, and the second copy of a state, `x'`,
-/// is `x_prime`. SymPy has values of its own for names such as `E` or `S`: whoever reads a formula
-/// hands its symbols over, `sympify(formula, locals={"E": Symbol("E")})`, as [`Sheet::script`]
-/// does.
+/// A keyword of Python gets a `_` appended; the second copy of a state, `x'`, is `x_prime`. SymPy
+/// predefines names such as `E` and `S`. Readers must therefore pass their symbols,
+/// `sympify(formula, locals={"E": Symbol("E")})`, like [`Sheet::script`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
-/// The words that Python keeps for itself, and those by which `sympify` makes numbers and symbols.
+/// Keywords of Python, and the names by which `sympify` makes numbers and symbols.
 const KEYWORDS: [&str; 37] = [
     "Integer", "Symbol", "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class",
     "continue", "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import",
@@ -25,13 +24,13 @@ const KEYWORDS: [&str; 37] = [
     "yield",
 ];
 
-/// A formula of [`Text`] in the words of Python.
+/// Converts a formula of [`Text`] to Python.
 fn python(text: &str) -> String {
     let mut formula = String::new();
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
         let name = part.trim_end_matches(|c: char| !c.is_alphanumeric() && c != '_');
         formula += name;
-        // `lambda_` gets one more, so that it differs from `lambda`.
+        // `lambda_` gets another `_`, to differ from the converted `lambda`.
         formula += if KEYWORDS.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         formula += match &part[name.len()..] {
             "^" => "**",
@@ -85,10 +84,10 @@ impl Notation for SymPy {
     }
 }
 
-/// What [`Sheet::script`] says; the formulas of the sheet are in this notation.
+/// Writes the script of [`Sheet::script`] for a sheet in this notation.
 ///
-/// A name beyond ASCII is a symbol to `sympify` unasked. It must not be handed over: Python would
-/// look `ϕ` up as `φ`.
+/// Names beyond ASCII are not passed to `sympify`: it makes symbols of them anyway, and Python
+/// would normalise `ϕ` to `φ`.
 pub(crate) fn script(sheet: &Sheet) -> String {
     let symbols = |names: &[String]| {
         let names: Vec<String> = names.iter().map(|name| SymPy.name(name)).collect();
@@ -131,24 +130,22 @@ claims = {{}}
     )
 }
 
-/// Texts as a list of Python's; there are neither quotes nor backslashes in them.
+/// Writes a list of Python; the texts hold neither quotes nor backslashes.
 fn list(texts: &[String]) -> String {
     let quoted: Vec<String> = texts.iter().map(|text| format!("\"{text}\"")).collect();
     format!("[{}]", quoted.join(", "))
 }
 
-/// A matrix, row by row.
 fn matrix<'a>(rows: impl Iterator<Item = &'a [String]>) -> String {
     let rows: String = rows.map(|row| format!("    {},\n", list(row))).collect();
     format!("Matrix(sympify([\n{rows}], locals=names))")
 }
 
-/// A formula whose names a dictionary holds.
 fn read(formula: &str, names: &str) -> String {
     format!("sympify(\"{formula}\", locals={names})")
 }
 
-/// The lines that add a claim, in which earlier ones may stand.
+/// Writes the lines of a claim, which may refer to earlier claims.
 fn claim(claim: &ClaimShown) -> String {
     let when = if claim.condition.is_empty() { String::new() } else { format!(" when {}", claim.condition) };
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];

@@ -1,4 +1,4 @@
-//! One start, one end: how an orbit ends, and after how many steps, is the same whoever follows it.
+//! The end of an orbit, and its step, agree between all questions that follow the orbit.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +11,7 @@ use serde_json::json;
 
 /// A field, a start, ε, steps, and the end.
 const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
-    // 1/x falls by 2ε: the tenth step is at the pole of the map.
+    // 1/x falls by 2ε in each step, so the tenth step is at the pole of the map.
     ("xdot = x^2;", &["1"], "1/20", 11, End::Range(9)),
     ("xdot = x^2;", &["1"], "1/20", 9, End::Complete),
     // The orbit jumps over the pole of the flow.
@@ -70,7 +70,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
         }
-        // Alone in a table, beside others, and where nothing but the last point is asked for.
+        // Alone in a table, beside others, and with the last point as the only observable.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
             for (count, transient) in [(1, 0), (3, 0), (1, 7), (3, 7), (3, steps - 1)] {
                 let asked = Observe { observe: of.clone(), ..late(transient) };
@@ -89,7 +89,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
     }
 }
 
-/// Observers of a start that is not a number see nothing regular.
+/// Indicators of a start that is NaN are NaN, and not those of a regular orbit.
 #[test]
 fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
@@ -102,7 +102,7 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
-    // Nor are they after no step.
+    // Indicators without a step are NaN, too.
     let pole = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
     let observed =
         Observe::new(number("1/2"), vec![number("1")], 9).ask(&pole, &Unwatched).expect("observations");
@@ -127,8 +127,7 @@ fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     assert_eq!((observed.end, &json!(observed)["escaped"]), (End::Complete, &json!(13)));
 }
 
-/// Behind a transient an orbit has the numbers of the orbit from the point where the transient
-/// ends.
+/// After a transient, observations equal those from the point where the transient ends.
 #[test]
 fn a_transient_is_not_observed() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
@@ -152,7 +151,6 @@ fn a_transient_is_not_observed() {
             assert!((&*ended, step) == ("complete", 1040) && plain["final"]["x"] == json!(last));
         }
     }
-    // 3ⁿ > 10⁶ from n = 13 on, counted from the start.
     let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
     for (transient, bound, end) in
         [(10, None, End::Complete), (10, Some(1e6), End::Escaped(13)), (20, Some(1e6), End::Escaped(13))]
@@ -165,8 +163,8 @@ fn a_transient_is_not_observed() {
     }
 }
 
-/// The first exponents are those of all of them, as far as both have converged; alone and beside
-/// others.
+/// The first exponents agree with the complete spectrum after convergence, for single orbits and in
+/// groups.
 #[test]
 fn a_spectrum_may_have_its_first_exponents_alone() {
     let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";

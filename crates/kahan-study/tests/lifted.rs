@@ -1,4 +1,4 @@
-//! Fields that are lifted: points in the original variables, and what becomes of relations.
+//! Lifted fields: points in the original variables, and the fates of relations.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
@@ -28,7 +28,6 @@ fn an_orbit_shows_the_original_variables_and_what_is_kept() {
     assert_eq!(found.head.variables, ["x", "v"]);
     assert!(study.proved().is_ok());
     assert_eq!(study.point(&asked.at).unwrap()[2].to_f64(), libm::sin(1.0));
-    // A point of all variables is taken as it is.
     let all = rational(&[(1, 1), (0, 1), (3, 5), (4, 5)]);
     assert_eq!(study.point(&all).unwrap(), all);
     let one = study.point(&all[..1]);
@@ -41,7 +40,7 @@ fn rational_lifts_embed_exactly() {
     let point = study.point(&rational(&[(1, 3)])).unwrap();
     let new: Vec<&str> = study.variables()[1..].iter().map(String::as_str).collect();
     assert!(!new.is_empty());
-    // 1/(3 + x) or powers of it: no float stands for 3/10.
+    // The new variables are powers of 1/(3 + x); 3/10 is not a float.
     let powers: Vec<Rational> = (1..4).map(|k| Rational::new(3_i64.pow(k), 10_i64.pow(k))).collect();
     assert!(point[1..].iter().all(|value| powers.contains(value)), "{new:?}: {point:?}");
 }
@@ -98,7 +97,6 @@ fn claims_of_the_text_are_those_of_the_lift() {
     assert_eq!(study.system().claims.len(), 3);
     let wrong = lifted(&format!("{PENDULUM} integral H = v^2/2 - g*cos_x;"), &[]);
     assert!(matches!(wrong.proved(), Err(StudyError::Field(_))));
-    // A quadratic text stays as it was written.
     let lv = Subject::named("lv").lifted(Which::Automatic).study(&Systems).unwrap();
     assert_eq!(lv.text(), Subject::named("lv").study(&Systems).unwrap().text());
 }
@@ -110,7 +108,7 @@ fn relations_have_errors_along_an_orbit() {
         let start = rational(&[(1, 1), (0, 1)]);
         study.relation_errors(&start, &Rational::new(eps.0, eps.1), steps, 8).expect("an orbit")
     };
-    // s² + c² − 1, s − sin x and c − cos x, each of order 2 in the step and without a trend.
+    // The errors of s² + c² − 1, s − sin x and c − cos x have order 2 in the step and no trend.
     let (coarse, fine) = (errors((1, 20), 800), errors((1, 40), 1600));
     assert_eq!((coarse.errors.len(), coarse.steps), (3, 800));
     for (coarse, fine) in coarse.errors.iter().zip(&fine.errors) {
@@ -120,7 +118,7 @@ fn relations_have_errors_along_an_orbit() {
         assert!((3.5..4.5).contains(&ratio), "{coarse:?} {fine:?}");
         assert!(coarse[7] < 1.5 * coarse[0], "{coarse:?}");
     }
-    // More parts than points: the start has rounding alone, and its parts stand for it.
+    // With more parts than points, the start, which has only rounding errors, fills its parts.
     let few = errors((1, 20), 1);
     assert!(few.errors.iter().all(|errors| errors.len() == 5 && errors[3] < 1e-15 && errors[4] > 1e-6));
     let none = Subject::named("lv").study(&Systems).unwrap();
@@ -136,7 +134,7 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
     let study = subject.study_to_show(&Systems).unwrap();
     assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
     assert_eq!(fates(study), Some(Fate::Decays));
-    // A text that begins somewhere is judged there, and one without values has no orbit.
+    // A lift of a text with a start is chosen along its orbit; without values there is no orbit.
     let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(Which::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
     let generic = Subject::text(PENDULUM).lifted(Which::Automatic).study_to_show(&Systems).unwrap();
@@ -145,8 +143,8 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
 
 #[test]
 fn a_lift_to_show_begins_where_the_original_orbit_stays() {
-    // Rates of the lifted variables say nothing of the original ones, and the first lift of tanh is
-    // one along which errors grow.
+    // Rates of lifted variables differ from rates of the original ones, and along the first lift of
+    // tanh errors grow.
     for (text, largest, smallest, error) in [
         ("x' = -x + tanh(y), y' = -y + tanh(2*x) + 1/10", 0.25, 0.01, 0.11),
         ("xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);", 0.05, 0.0009, 4.0),
@@ -176,7 +174,6 @@ fn what_is_not_quadratic_calls_for_a_lift() {
         ("xdot = abs(x);", false),
         ("xdot = sin(x", false),
         ("xdot = x*y*;", false),
-        // A false claim is no reason.
         ("xdot = y; ydot = -x; integral H = x;", false),
     ] {
         assert_eq!(Subject::text(text).calls_for_a_lift(), calls, "{text}");

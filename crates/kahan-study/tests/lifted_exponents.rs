@@ -11,7 +11,7 @@ use kahan_study::{
     Observable, Observe, Observed, Question, Range, Seen, Study, Subject, Systems, Unwatched, Which,
 };
 
-/// An equation with its derivative along a vector: (t, x, v) ↦ (f, f′v).
+/// A function (t, x, v) ↦ (f, f′v).
 type Field = fn(f64, &[f64], &[f64]) -> (Vec<f64>, Vec<f64>);
 
 struct Case {
@@ -41,7 +41,7 @@ const DAMPED: Case = Case {
     field: |_, x, v| (vec![x[1], -x[0].sin() - 0.1 * x[1]], vec![v[1], -x[0].cos() * v[0] - 0.1 * v[1]]),
     at: &[(1, 1), (1, 2)],
 };
-/// Hénon and Heiles's potential and x⁴/4.
+/// Hénon and Heiles's potential plus x⁴/4.
 const QUARTIC: Case = Case {
     text: "xdot = p; ydot = q; pdot = -x - 2*x*y - x^3; qdot = -y - x^2 + y^2;",
     field: |_, x, v| {
@@ -57,7 +57,7 @@ const QUARTIC: Case = Case {
     },
     at: &[(0, 1), (-3, 20), (13, 25), (0, 1)],
 };
-/// A relaxation oscillation: the exponents are 0 and negative.
+/// A relaxation oscillation, with one exponent 0 and one negative.
 const FITZHUGH_NAGUMO: Case = Case {
     text: "vdot = v - v^3/3 - w + 1/2; wdot = (v + 0.7 - 0.8*w)*0.08;",
     field: |_, x, e| {
@@ -69,10 +69,10 @@ const FITZHUGH_NAGUMO: Case = Case {
     at: &[(1, 1), (1, 2)],
 };
 
-/// The exponents by the classical Runge–Kutta method, in descending order.
+/// Computes exponents by the classical Runge–Kutta method, in descending order.
 fn reference(case: &Case, step: f64, steps: usize) -> Vec<f64> {
     let n = case.at.len();
-    // The point, then the vectors.
+    // The state holds the point, followed by the vectors.
     let mut all = vec![0.0; n * (n + 1)];
     for (i, (above, below)) in case.at.iter().enumerate() {
         all[i] = *above as f64 / *below as f64;
@@ -144,7 +144,7 @@ fn number(observed: &Observed, of: Observable) -> f64 {
     }
 }
 
-/// Exponents over a time of `steps`·2/20 units against the reference, within `near`.
+/// Compares exponents over `steps` steps at ε = 1/20 with the reference, within `near`.
 fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f64) {
     let found = observed(case, Some(Which::Automatic), (1, 20), steps);
     let (own, wanted) = (spectrum(&found), reference(case, 0.02, steps as usize * 5));
@@ -162,7 +162,7 @@ fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f6
 
 #[test]
 fn exponents_of_chaotic_motion() {
-    // The orbits are different after some time, and so are their means.
+    // Chaotic orbits separate after some time, so the means differ slightly.
     are_those_of_the_equations(&DRIVEN, 20_000, 0.015, -0.3);
     are_those_of_the_equations(&QUARTIC, 20_000, 0.015, 0.0);
 }
@@ -178,8 +178,8 @@ fn exponents_of_motion_that_is_attracted() {
     }
 }
 
-/// On regular orbits of a conservative system vectors grow linearly: that needs a carried plane,
-/// for exponents of order ε would be e^30 after this time.
+/// On regular orbits of a conservative system vectors grow linearly. The tangent plane must be
+/// carried, because exponents of order ε would give e^30 in this time.
 #[test]
 fn indicators_of_regular_motion_are_small() {
     let found = observed(&PENDULUM, Some(Which::Automatic), (1, 40), 200_000);
@@ -191,7 +191,6 @@ fn indicators_of_regular_motion_are_small() {
     assert_eq!(study(&PENDULUM, Some(Which::Automatic)).variables().len(), 4);
 }
 
-/// Columns of a table have the exponents of single orbits, one for each.
 #[test]
 fn cells_have_the_exponents_of_single_orbits() {
     let single = observed(&DAMPED, Some(Which::Automatic), (1, 20), 500);

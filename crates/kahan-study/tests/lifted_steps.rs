@@ -1,5 +1,5 @@
-//! Steps of lifted fields: symmetric projection wherever orbits are made, and orbits that end where
-//! a variable would lose the sign that it has by its definition.
+//! Steps of lifted fields: symmetric projection in every question about orbits, and orbits that end
+//! where a variable would lose the sign it has by definition.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Step, Workspace};
@@ -27,7 +27,6 @@ fn rational(above: i64, below: i64) -> Rational {
     Rational::new(above, below)
 }
 
-/// The last row of the variables.
 fn last(study: &Study, asked: Orbit) -> (Vec<f64>, End, Option<String>) {
     let found = asked.ask(study, &Unwatched).expect("an orbit");
     let columns = found.rows.columns.iter().zip(&found.rows.values).skip(2).take(study.shown().len());
@@ -38,7 +37,6 @@ fn last(study: &Study, asked: Orbit) -> (Vec<f64>, End, Option<String>) {
     (last.collect(), found.ending.end, found.ending.why)
 }
 
-/// All loops that follow orbits make the projected steps of `kahan orbit --reembed`.
 #[test]
 fn every_question_about_orbits_projects_the_same_steps() {
     let study = lifted(PENDULUM);
@@ -53,7 +51,7 @@ fn every_question_about_orbits_projects_the_same_steps() {
             Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
         assert_eq!(seen.of(Observable::Last), Some(&Seen::Point(expected.clone())));
-        // Two orbits of a chart, the second from here.
+        // The second of two orbits of a chart starts here.
         let axis = Varied::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
         let mut table = Table::default();
         let over = Question::Over(Over::new(Question::Observe(observe), vec![axis]));
@@ -74,7 +72,7 @@ fn every_question_about_orbits_projects_the_same_steps() {
     assert_eq!(found.points[0].last(), Some(&expected[0]));
 }
 
-/// On the relations a crossing has v = 0 on the pendulum's own energy, to order 2.
+/// On the relations, crossings v = 0 lie on the pendulum's energy level to order 2.
 #[test]
 fn sections_refine_crossings_on_projected_steps() {
     let study = lifted(PENDULUM);
@@ -89,7 +87,7 @@ fn sections_refine_crossings_on_projected_steps() {
     }
 }
 
-/// A step depends on its point alone, and steps back lead to where it began, where y and p are 0.
+/// A step depends only on its point, and steps back lead to the start, at which y and p are 0.
 #[test]
 fn projected_steps_are_reversible_and_forget_the_steps_before() {
     let study = lifted(KEPLER);
@@ -122,7 +120,7 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
         assert!(matches!(refused, StudyError::Orbit(NoOrbit::OfTheMap(known)) if known == name));
         assert!(refused.to_string().contains("extrema"), "{refused}");
     }
-    // Of what is not lifted there are no relations, nor in other scalars.
+    // Projection is refused for fields without a lift, and in other scalars.
     let quadratic = Subject::text("xdot = v; vdot = -x;").study(&Systems).unwrap();
     let section = Section { reembed: true, ..Section::new(eps.clone(), at.clone(), 10, "v") };
     let observe = Observe { observe: vec![Observable::Last], ..plain };
@@ -138,7 +136,6 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
     }
 }
 
-/// A projection without a solution ends every kind of orbit as `reembed`.
 #[test]
 fn orbits_end_where_no_step_leads_back() {
     let text = "x' = 1 + x^2*y - 4*x; y' = 3*x - x^2*y";
@@ -159,7 +156,7 @@ fn orbits_end_where_no_step_leads_back() {
     assert!(found.orbit().end == End::Reembed(steps) && found.orbit().why.is_some());
 }
 
-/// h = (1 - t/2)² ends at t = 2: its root would be negative.
+/// h = (1 − t/2)² ends at t = 2, where its root would become negative.
 #[test]
 fn torricellis_law_ends_where_the_water_does() {
     let study = lifted(TORRICELLI);
@@ -168,7 +165,7 @@ fn torricellis_law_ends_where_the_water_does() {
             let asked =
                 Orbit { scalar, every, order, ..Orbit::new(rational(1, 64), vec![rational(1, 1)], 500) };
             let found = asked.ask(&study, &Unwatched).expect("an orbit");
-            // 64 steps of 1/32 take the time 2, to a rounding of h = 0.
+            // 64 steps of 1/32 take the time 2, up to a rounding near h = 0.
             let End::Range(steps) = found.ending.end else { panic!("{:?}", found.ending) };
             assert!((63..=65).contains(&steps), "{scalar:?} {every} {order}: {steps}");
             let why = found.ending.why.expect("a reason");
@@ -191,12 +188,12 @@ fn torricellis_law_ends_where_the_water_does() {
         let section = Section { reembed, ..Section::new(eps, at, 500, "h - 1/2") };
         let section =
             Section { direction: kahan_study::Direction::Both, ..section }.ask(&study, &Unwatched).unwrap();
-        // The water falls through 1/2 once, and does not rise again.
+        // The level falls through 1/2 once, and does not rise again.
         assert_eq!((section.orbit().end, section.count()), (end, 1));
     }
 }
 
-/// Orbits side by side end there, too, and those beside them go on.
+/// Orbits in groups end at that point, too, and the others go on.
 #[test]
 fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);
@@ -209,13 +206,13 @@ fn orbits_side_by_side_end_alone() {
         let found = over.ask(&study, &Unwatched).expect("a table");
         let ended = serde_json::to_value(&found).unwrap();
         let text = ended.to_string();
-        // sqrt(h) - 80/64 is negative for h = 1 alone.
+        // sqrt(h) − 80/64 is negative only for h = 1.
         assert_eq!(text.matches("\"range\"").count(), 1, "{text}");
         assert_eq!(text.matches("\"complete\"").count(), 3, "{text}");
     }
 }
 
-/// Signs that a definition does not fix end nothing: odd roots, even powers, sums that may vanish.
+/// Variables without a fixed sign end nothing: odd roots, even powers, sums that may vanish.
 #[test]
 fn other_variables_may_change_their_signs() {
     for (text, at) in [
@@ -229,7 +226,7 @@ fn other_variables_may_change_their_signs() {
     }
 }
 
-/// A clock that shows a microsecond more at each look, so that the machine's speed does not matter.
+/// A clock that advances by a microsecond at each look, independent of the machine's speed.
 #[derive(Debug, Default)]
 struct Clock(AtomicU64);
 
@@ -249,7 +246,7 @@ impl Watch for Clock {
     }
 }
 
-/// Errors are relative to the size of the original variables, whatever the clock shows.
+/// Errors are relative to the size of the original variables, at any times of the clock.
 #[test]
 fn trades_of_lifted_fields_measure_the_original_variables() {
     let scale = |time: i64| {
@@ -279,7 +276,6 @@ fn steps_follow_like_those_of_any_map() {
     let followed = step.follow(&mut x, 1000, |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(followed.end, End::Range(64));
     assert_eq!((step.dimension(), x[1]), (2, 0.0));
-    // The map itself goes on.
     let end = at.follow(&mut [1.0, 1.0], 1000, |_| ControlFlow::Continue(())).unwrap().end;
     assert_eq!(end, End::Complete);
 }

@@ -1,4 +1,4 @@
-//! Sections of many orbits: rows, ends and bits of single ones, the order of crossings' times, and
+//! Sections of many orbits: rows, ends and bits of single ones, the order of crossing times, and
 //! diagrams over a parameter.
 
 use std::ops::ControlFlow;
@@ -34,7 +34,7 @@ fn through(name: &str, range: &str) -> Axis {
     Axis { name: name.to_owned(), range: Range::read(range).expect("a range") }
 }
 
-/// Threads and nothing else.
+/// A watch that only sets the number of threads.
 struct Threads(usize);
 
 impl Watch for Threads {
@@ -47,7 +47,7 @@ fn asked(study: &Study, section: &Section) -> SectionFound {
     section.ask(study, &Unwatched).expect("a section")
 }
 
-/// The rows of one orbit, with what each is alone.
+/// Checks the rows of one orbit of many against its own section.
 fn is_alone(study: &Study, many: &SectionFound, orbit: usize, own: &SectionFound) {
     let first: u64 = many.orbits[..orbit].iter().map(|one| one.crossings).sum();
     let (one, alone) = (&many.orbits[orbit], own.orbit());
@@ -82,7 +82,6 @@ fn crossings_of_many_orbits_have_the_bits_of_single_ones() {
     }
 }
 
-/// Orbits that leave the range, or have all their crossings, leave the others as they are.
 #[test]
 fn orbits_end_alone_beside_others() {
     let study = henon_heiles();
@@ -118,7 +117,7 @@ fn tables_do_not_depend_on_threads() {
     assert_eq!(tables[0].1[49].values, [6.0]);
 }
 
-/// Values of a parameter that stand beside first points are not multiplied with them.
+/// Values of a parameter given for each first point are not combined with other first points.
 #[test]
 fn parameters_beside_starts() {
     let study = rossler();
@@ -146,7 +145,7 @@ fn parameters_beside_starts() {
     assert_eq!(said, "c: one value for each of the 2 first points is needed");
 }
 
-/// The error of a crossing's time falls by 2^p when ε is halved, p the order of the method.
+/// The error of a crossing time falls by 2^p when ε is halved, for a method of order p.
 #[test]
 fn times_of_crossings_have_the_order_of_the_method() {
     let pendulum = Subject::text("xdot = y; ydot = -x - x^2/2;").study(&Systems).expect("a field");
@@ -165,7 +164,7 @@ fn times_of_crossings_have_the_order_of_the_method() {
     }
 }
 
-/// Rössler's maxima over c: one value where the cycle has one loop, two behind the first doubling.
+/// Rössler's maxima over c: one value for a cycle with one loop, two after the first doubling.
 #[test]
 fn a_diagram_shows_periods_that_double() {
     let study = rossler();
@@ -192,7 +191,7 @@ fn a_diagram_shows_periods_that_double() {
     }
 }
 
-/// Carried on, an orbit begins where the one before it came to.
+/// With `carry`, an orbit starts at the end of the orbit before it.
 #[test]
 fn a_carried_orbit_goes_on() {
     let turn = Subject::text("xdot = w*y; ydot = -w*x;").study(&Systems).expect("a field");
@@ -203,12 +202,11 @@ fn a_carried_orbit_goes_on() {
     let carried = asked(&turn, &Section { carry: true, ..plain });
     assert_eq!(anew.count(), 6);
     assert_eq!(carried.point(0), anew.point(0));
-    // The orbit comes from the section, and so has a whole turn before it.
+    // The orbit starts on the section, so a whole turn precedes the first crossing.
     let [first, next] = [&anew, &carried].map(|found| found.times()[2] * 1.5 / std::f64::consts::TAU);
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }
 
-/// A watch that has had enough ends the work, with the crossings that there are.
 #[test]
 fn a_watch_ends_the_work() {
     struct Soon;

@@ -1,5 +1,4 @@
-//! Orbits as tables: rows in blocks and in memory, ranges of them, bits, methods, and what stops
-//! them.
+//! Orbits as tables: rows in blocks and in memory, ranges of rows, bits, methods, and ends.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -25,7 +24,6 @@ fn rational(p: i64, q: i64) -> Rational {
     Rational::new(p, q)
 }
 
-/// An orbit of the Lotka-Volterra map.
 fn asked(steps: u64) -> Orbit {
     Orbit::new(rational(1, 7), vec![rational(1, 2), rational(5, 3)], steps)
 }
@@ -37,7 +35,6 @@ fn answer(study: &Study, asked: &Orbit) -> Orbited {
     *orbit
 }
 
-/// All rows of a range.
 fn rows(study: &Study, asked: &Orbit, range: std::ops::Range<u64>) -> Table {
     let mut table = Table::default();
     study.rows(&Question::Orbit(asked.clone()), range, &mut table, &Unwatched).expect("rows");
@@ -49,14 +46,14 @@ fn doubles(table: &Table, column: usize) -> &[f64] {
     list
 }
 
-/// Each scalar, each method that goes with it, through poles and not.
+/// Lists orbits in each scalar, with each compatible method, projective and not.
 fn every_sort(steps: u64) -> Vec<Orbit> {
     let mut sorts = Vec::new();
     for scalar in ScalarKind::ALL {
         let orbit = Orbit { scalar, ..asked(steps) };
         sorts.push(Orbit { projective: true, ..orbit.clone() });
         for method in Method::ALL {
-            // A step of Runge and Kutta makes numbers sixteen times as long.
+            // A Runge–Kutta step multiplies the length of exact numbers by sixteen.
             if scalar != ScalarKind::Exact || [Method::Kahan, Method::Euler].contains(&method) {
                 sorts.push(Orbit { method, ..orbit.clone() });
             }
@@ -71,7 +68,7 @@ fn a_range_of_rows_is_the_slice_of_all_of_them() {
         let orbit = Orbit { every: 2, ..plain.clone() };
         let (whole, steps) = (rows(&lv(), &orbit, 0..u64::MAX), rows(&lv(), &plain, 0..u64::MAX));
         assert_eq!(whole, answer(&lv(), &orbit).rows);
-        // n = 0, 2, 4, 6: the seventh step has no row.
+        // Rows are n = 0, 2, 4, 6; the seventh step has no row.
         let Kept::Integer(counts) = &whole.values[0] else { panic!("counts") };
         assert_eq!(counts[..], [0, 2, 4, 6]);
         let cells = |table: &Table, row: usize| -> Vec<String> {
@@ -86,7 +83,6 @@ fn a_range_of_rows_is_the_slice_of_all_of_them() {
     }
 }
 
-/// Counts blocks and rows, and wants no more than some of them.
 struct Blocks {
     most: usize,
     blocks: Vec<usize>,
@@ -135,7 +131,6 @@ fn rows_of_doubles_have_the_bits_of_the_library() {
     }
 }
 
-/// Breaks at the second look, and counts the looks.
 struct Impatient(AtomicU32);
 
 impl Watch for Impatient {
@@ -149,7 +144,7 @@ impl Watch for Impatient {
     }
 }
 
-/// Rows behind a transient are those of the whole orbit, with their true step numbers and times.
+/// Rows after a transient are rows of the whole orbit, with its step numbers and times.
 #[test]
 fn a_transient_is_not_shown() {
     for plain in every_sort(9) {
@@ -158,7 +153,7 @@ fn a_transient_is_not_shown() {
         let found = answer(&lv(), &late);
         let cells = |table: &Table, row: usize| -> Vec<String> {
             let all = table.values.iter().map(|kept| kept.values().cell(row).to_string());
-            // The series of the flow begin anew behind the transient: the last of 32 digits may
+            // The series of the flow restart after the transient, so the last of 32 digits may
             // differ.
             let digits = if plain.method == Method::Flow { 30 } else { usize::MAX };
             all.map(|cell| cell.chars().take(digits).collect()).collect()
@@ -171,7 +166,7 @@ fn a_transient_is_not_shown() {
         let part = rows(&lv(), &late, 1..3);
         assert_eq!(cells(&part, 0), cells(&whole, 5), "{late:?}");
     }
-    // x' = x^2 from 1 ends in its transient: nothing is shown, and the end has its true step.
+    // x' = x^2 from 1 ends in its transient: no row is shown, and the end has its true step.
     let study = Subject::text("xdot = x^2;").study(&Systems).unwrap();
     let orbit = Orbit { transient: 20, ..Orbit::new(rational(1, 20), vec![rational(1, 1)], 5) };
     let found = orbit.ask(&study, &Unwatched).unwrap();
@@ -194,8 +189,8 @@ fn a_watch_that_breaks_leaves_what_is_known() {
     }
 }
 
-/// ẋ = x over a time step of 1: Euler's factor is 2, that of Runge and Kutta 65/24, the flow's e,
-/// Kahan's 3.
+/// ẋ = x over a time step of 1: the factor is 2 by Euler, 65/24 by Runge–Kutta, e by the flow, 3 by
+/// Kahan.
 #[test]
 fn each_method_is_what_it_is_called() {
     let growth = study(Subject::text("xdot = x;"));
@@ -208,19 +203,18 @@ fn each_method_is_what_it_is_called() {
     ] {
         let table = answer(&growth, &Orbit { method, ..orbit.clone() }).rows;
         for (n, x) in [(0, 1.0), (1, factor), (2, factor * factor)] {
-            // Some roundings a step.
             assert!((doubles(&table, 2)[n] - x).abs() <= 8.0 * f64::EPSILON * x, "{method:?} {n}");
         }
     }
     let exact = Orbit { scalar: ScalarKind::Exact, method: Method::Rk4, ..orbit.clone() };
     let Kept::Exact(values) = &answer(&growth, &exact).rows.values[2] else { panic!("exact numbers") };
     assert_eq!(values[1], Exact::Number((&rational(65, 24)).into()));
-    // Backwards the flow comes back.
     let back = Orbit { eps: rational(-1, 2), method: Method::Flow, ..orbit };
     assert!((doubles(&answer(&growth, &back).rows, 2)[2] - (-2.0_f64).exp()).abs() < 1e-16);
 }
 
-/// The solution of ẋ = x² + 1 from 0 is tan t, which is infinite at π/2; Kahan's map goes over it.
+/// The solution of ẋ = x² + 1 from 0 is tan t, which is infinite at π/2; Kahan's map jumps over the
+/// pole.
 #[test]
 fn the_flow_ends_where_it_escapes() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -230,7 +224,7 @@ fn the_flow_ends_where_it_escapes() {
     let why = found.ending.why.expect("a sentence");
     assert!(why.contains("escapes to infinity") && why.contains("x = 14.1"), "{why}");
     for (t, x) in doubles(&found.rows, 1).iter().zip(doubles(&found.rows, 2)) {
-        // Near its pole tan makes much of the rounding of t.
+        // Near its pole tan amplifies the rounding of t.
         assert!((x - t.tan()).abs() <= 1e-15 * (1.0 + x * x), "{t}: {x}");
     }
     assert_eq!(doubles(&found.rows, 1).len(), 16);
@@ -295,7 +289,7 @@ fn every_method_shows_the_integrals_that_it_keeps() {
     let orbit = Orbit::new(rational(1, 20), at, 50);
     let (own, drift) = columns(orbit.clone());
     assert!(own != 7.0 && drift < 1e-13, "{own}, {drift}");
-    // x z + y² is 7; the flow keeps it, a composition nearly.
+    // x z + y² is 7; the flow preserves it, and a composition nearly does.
     let (flow, drift) = columns(Orbit { method: Method::Flow, ..orbit.clone() });
     assert!(flow == 7.0 && drift < 1e-13, "{flow}, {drift}");
     for other in [Orbit { order: 8, ..orbit.clone() }, Orbit { method: Method::Rk4, ..orbit.clone() }] {
@@ -330,18 +324,17 @@ fn components_that_steps_do_not_resolve_are_noted() {
             answer(study, &Orbit { scalar, ..orbit }).ending.note
         })
     };
-    // 2ελ = 20, 1.98 and 0.2. Exact points are asked for in long steps, and have no note.
+    // |2ελ| is 20, 1.98 and 0.2. Exact orbits are meant to have long steps, and get no note.
     for (scalar, note) in ScalarKind::ALL.into_iter().zip(at(&decay, rational(1, 10))) {
         let is_noted = note.is_some_and(|note| note.contains("up to 20 for an eigenvalue"));
         assert_eq!(is_noted, scalar != ScalarKind::Exact, "{scalar:?}");
     }
     assert_eq!(at(&decay, rational(99, 10_000)), [const { None }; 4]);
     assert_eq!(at(&oscillator, rational(1, 10)), [const { None }; 4]);
-    // An oscillation whose phase is wrong.
+    // The phase of this oscillation is wrong.
     assert!(at(&oscillator, rational(3, 2))[1..].iter().all(Option::is_some));
     let noted = Orbit::new(rational(1, 10), vec![Rational::zero(), Rational::one()], 3);
     assert!(json!(answer(&decay, &noted))["note"].is_string());
     assert_eq!(json!(answer(&oscillator, &noted)).get("note"), None);
-    // The flow is resolved whatever the step.
     assert_eq!(answer(&decay, &Orbit { method: Method::Flow, ..noted }).ending.note, None);
 }

@@ -1,5 +1,4 @@
-//! Questions over axes: their numbering, their rows, and that nothing but the question decides
-//! them.
+//! Questions over axes: numbering, rows, and independence of threads and neighbours.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -20,8 +19,8 @@ fn over(object: Value) -> Over {
     over
 }
 
-/// Drawn starts, two orders, both scalars, a parameter that the field divides by at 0, and points
-/// from which orbits leave the range.
+/// Mixes drawn starts, two orders, both scalars, a parameter that the field divides by, with the
+/// value 0, and points from which orbits leave the range.
 fn mixed() -> (Study, Over) {
     let field = "xdot = y/r; ydot = x^2 + r;";
     let over = over(json!({
@@ -35,7 +34,6 @@ fn mixed() -> (Study, Over) {
     (study(Subject::text(field)), over)
 }
 
-/// Takes blocks, at most so many rows of them.
 struct Few(Table, usize);
 
 impl Rows for Few {
@@ -45,7 +43,7 @@ impl Rows for Few {
     }
 }
 
-/// So many threads, and an end after so many looks.
+/// A watch with a number of threads that stops after a number of looks.
 struct Hands {
     threads: usize,
     looks: AtomicU64,
@@ -76,7 +74,7 @@ fn rows(study: &Study, over: &Over, range: Range<u64>, watch: &dyn Watch) -> (Ta
     (table, end)
 }
 
-/// Bits, as what is not a number equals nothing.
+/// Returns the bits of values, because NaN differs from itself.
 fn bits(table: &Table, cells: Range<usize>) -> Vec<Vec<u64>> {
     let column = |kept: &Kept| match kept {
         Kept::F64(list) => list[cells.clone()].iter().map(|value| value.to_bits()).collect(),
@@ -109,7 +107,7 @@ fn a_row_depends_on_its_number_alone() {
     assert_eq!(bits(&found.rows, 0..count as usize), bits(&all, 0..count as usize));
 }
 
-/// In doubles, and where there is an orbit: the numbers of the question itself.
+/// In doubles, a cell with an orbit has the numbers of the single question.
 #[test]
 fn a_cell_has_what_the_question_answers_there() {
     let (study, over) = mixed();
@@ -172,7 +170,6 @@ fn who_watches_or_takes_rows_can_stop_them() {
     for threads in [1, 2] {
         let (some, end) = rows(&lv, &over, 0..4000, &Hands::of(threads, 7));
         assert!(end == End::Stopped(some.count() as u64) && some.count() < 4000, "{end:?}: {}", some.count());
-        // A table without rows has no columns.
         if some.count() > 0 {
             assert_eq!(bits(&some, 0..some.count()), bits(&all, 0..some.count()));
         }
@@ -194,13 +191,13 @@ fn other_questions_have_rows_too() {
     let found = json!(found);
     assert_eq!(found["columns"], json!(["index", "a", "next_x", "next_y", "det_A", "det_jacobian"]));
     assert_eq!(found["rows"][0], json!([0, 0.0, null, null, null, null]));
-    // A = [[1, −ε], [2εx, 1]]
+    // The matrix is A = [[1, −ε], [2εx, 1]].
     assert_eq!(found["rows"][1][4], json!(1.02));
     let found =
         json!(of(json!({"ask": "heights", "eps": 1, "at": [1, "1/2"], "steps": 4})).expect("an answer"));
     assert_eq!((&found["rows"][0][2], &found["rows"][0][3]), (&json!(0), &json!("undefined")));
     assert_eq!(found["rows"][1][2], json!(4));
-    // The map of a planar Hamiltonian field keeps an integral and a density.
+    // The map of a planar Hamiltonian field preserves an integral and a density.
     let found = json!(of(json!({"ask": "discover"})).expect("an answer"));
     let row = |cell: usize| (&found["rows"][cell][2], found["rows"][cell][6] != json!(""));
     assert_eq!([row(0), row(1)], [(&json!(-1), false), (&json!(1), true)], "{found}");

@@ -1,4 +1,4 @@
-//! References: two methods that know nothing of each other agree, and say so where they do not.
+//! Reference trajectories: two independent methods agree, and disagreement is an error.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
@@ -29,8 +29,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &asked, &Limits::default())
 }
 
-/// The series has errors of some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32) a step, carried along
-/// by a flow that here does not amplify them by more than 10⁴.
+/// Each step of the series adds some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32), which these
+/// flows amplify by at most 10⁴.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -41,7 +41,7 @@ fn the_series_agrees_with_every_closed_solution_of_the_catalog() {
         let certificate = reference.certificate();
         assert_eq!(certificate.method, Method::ClosedSolution, "{command}");
         assert!(certificate.difference < AGREEMENT, "{command}: {certificate:?}");
-        // A difference of nothing would mean that one was compared with itself.
+        // A difference of 0 would mean that a method was compared with itself.
         assert!(certificate.difference > 0.0, "{command}");
     };
     let top = EulerTop { a1: dd("1"), a2: dd("-3"), a3: dd("1/3") };
@@ -65,7 +65,7 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!(matches!(certificate.method, Method::Composition { .. }), "{certificate:?}");
     assert!(certificate.difference > 0.0 && certificate.difference <= allowed, "{certificate:?}");
 
-    // x − ln x + y − ln y is the integral of the flow; in f64, whose unit it then has.
+    // x − ln x + y − ln y is an integral of the flow, evaluated in f64.
     let energy = |x: Vec<Dd>| x.into_iter().map(f64::from).map(|x| x - x.ln()).sum::<f64>();
     let begin = energy(reference.flow().at(Dd::from(0.0)));
     for k in 1..=30 {
@@ -78,8 +78,6 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!((1.66..5.0).contains(&reference.flow().scale()), "{}", reference.flow().scale());
 }
 
-/// The series of one field beside the closed solution of another: what is certified is that they
-/// agree.
 #[test]
 fn a_path_that_is_not_the_solution_is_refused() {
     let start = ["3/10", "2/5", "-1/5"];
@@ -97,7 +95,6 @@ fn a_path_that_is_not_the_solution_is_refused() {
     }
 }
 
-/// What is not a number, in whichever component, is infinitely far.
 #[test]
 fn a_point_that_is_no_number_is_infinitely_far() {
     let reference = reference(&E6, "e6", &[], &["3/10", "2/5", "-1/5"], 1.0, 1e-9).expect("a reference");
@@ -112,7 +109,7 @@ fn a_point_that_is_no_number_is_infinitely_far() {
     }
 }
 
-/// E1 has ẋ = −x²: x = 1/(t + 1/x₀) escapes at t = −1/x₀.
+/// E1 has ẋ = −x², so x = 1/(t + 1/x₀) escapes at t = −1/x₀.
 #[test]
 fn a_solution_that_escapes_is_refused_with_its_time() {
     let refusal =
@@ -135,7 +132,7 @@ fn more_agreement_than_two_double_doubles_can_have_is_refused() {
 }
 
 kahan! {
-    /// Field and Noyes' oregonator: its relaxation is steep.
+    /// Field and Noyes' oregonator, with a steep relaxation.
     struct Oregonator;
     xdot = 77/2*(y - x*y + x - x^2/120000);
     ydot = (z - y - x*y)/77;
@@ -143,14 +140,15 @@ kahan! {
 }
 
 kahan! {
-    /// Robertson's kinetics: y is never more than 4·10⁻⁵ of the solution's size, and decides.
+    /// Robertson's kinetics: y stays below 4·10⁻⁵ of the solution's size, but determines the
+    /// motion.
     struct Kinetics;
     xdot = -x/25 + 10000*y*z;
     ydot = x/25 - 10000*y*z - 30000000*y^2;
     zdot = 30000000*y^2;
 }
 
-/// ‖f′‖ is 5·10⁶ for a moment: steps as short as that asks for all along would be 2·10⁷.
+/// ‖f′‖ is 5·10⁶ for a moment; steps that short would number 2·10⁷ over the whole time.
 #[test]
 fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     for allowed in [1e-5, 1e-8, 1e-14] {
@@ -165,8 +163,8 @@ fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     }
 }
 
-/// Steps of the composition that are too long for the fast component err by as much as it is large,
-/// and half as long ones by no less: that is no end of digits.
+/// Steps of the composition that are too long for the fast component have errors as large as that
+/// component, and halving them may gain nothing; this must not be taken for rounding errors.
 #[test]
 fn steps_that_are_too_long_are_not_taken_for_roundings() {
     let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");
@@ -174,8 +172,8 @@ fn steps_that_are_too_long_are_not_taken_for_roundings() {
     assert!(certificate.difference <= 1e-9, "{certificate:?}");
 }
 
-/// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²): near the fixed point to which
-/// it leads every error grows like exp(2√7 t), so that 32 digits last until t ≈ 13.
+/// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²). Near the fixed point that it
+/// leads to, every error grows like exp(2√7 t), so 32 digits last until t ≈ 13.
 #[test]
 fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     let refusal = reference(&E6, "e6", &[], &["1", "2", "3"], 20.0, 1e-11).expect_err("too sensitive");
@@ -185,7 +183,7 @@ fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     reference(&E6, "e6", &[], &["1", "2", "3"], 5.0, 1e-11).expect("a shorter horizon");
 }
 
-/// At a fixed point the series has no terms, and no radius that would end.
+/// At a fixed point the series has no terms after x₀, and its radius is infinite.
 #[test]
 fn a_solution_that_rests_has_a_reference() {
     let reference = reference(&LotkaVolterra, "lv", &[], &["1", "1"], 100.0, 1e-20).expect("a reference");

@@ -9,22 +9,20 @@ use kahan_runtime::MapAt;
 use kahan_study::{Direction, Plane, Section, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
-/// The part of the larger of the formula's sizes at the ends of a step that a crossing leaves at
-/// most.
+/// The largest value of the formula at a crossing, as a part of its larger size at the ends of the
+/// step.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
-/// Parts of a step that are looked at, and parts of each part with a sign change.
+/// The number of samples of a step, and of each part with a sign change.
 const SAMPLES: usize = 128;
 
-/// What came of some cases.
 #[derive(Debug, Default)]
 struct Tally {
     crossings: usize,
     jumps: u64,
-    /// Steps whose samples leave no doubt that the function is continuous and goes through 0.
+    /// Steps whose samples show that the function is continuous and passes through 0.
     smooth: usize,
 }
 
-/// A crossing in a step, after a part of it.
 #[derive(Debug)]
 struct Crossing {
     step: u64,
@@ -36,7 +34,7 @@ fn number(random: &mut SplitMix64, most: i64, parts: i64) -> Rational {
     Rational::new(random.below((2 * most * parts + 1) as u64) as i64 - most * parts, parts)
 }
 
-/// A quadratic field in two or three variables, of some terms.
+/// Draws a quadratic field in two or three variables, with a few terms.
 fn field(random: &mut SplitMix64, variables: &[&str]) -> String {
     let mut monomials: Vec<String> = variables.iter().map(|name| (*name).to_owned()).collect();
     for (k, one) in variables.iter().enumerate() {
@@ -53,8 +51,8 @@ fn field(random: &mut SplitMix64, variables: &[&str]) -> String {
     variables.iter().map(equation).collect()
 }
 
-/// A function of the state: polynomials, quotients with poles, and functions that jump or have no
-/// value somewhere.
+/// Draws a function of the state: polynomials, quotients with poles, and functions that jump or are
+/// undefined somewhere.
 fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
     let mut linear = || {
         let one = variables[random.below(variables.len() as u64) as usize];
@@ -85,9 +83,9 @@ fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
     forms[random.below(forms.len() as u64) as usize].clone()
 }
 
-/// Whether samples leave no doubt that the function is continuous along a step and goes through 0
-/// there: they change little beside its size at the ends, as do those between the two where it
-/// changes its sign, and so on, and each variable stays within some times its size at the ends.
+/// Returns whether samples show that the function is continuous along a step and passes through 0.
+/// Samples must change little relative to the function's size at the ends, repeatedly refined
+/// around the sign change, and variables must stay near their sizes at the ends.
 fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2]) -> bool {
     let (mut workspace, eps) = (Workspace::new(), *Step::eps(at));
     let size = ends.map(|x| height(x).abs()).into_iter().fold(0.0, f64::max);
@@ -97,7 +95,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // A smooth function changes by 1/128 of that from level to level.
+        // A smooth function changes by 1/128 of this from level to level.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {
@@ -121,7 +119,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     true
 }
 
-/// Asks for the section of a random field, plane and start, and looks at each of its steps.
+/// Asks for the section of a random field, plane and start, and checks each of its steps.
 fn check(seed: u64, tally: &mut Tally) {
     let mut random = SplitMix64::new(seed);
     let variables = &["x", "y", "z"][..2 + random.below(2) as usize];

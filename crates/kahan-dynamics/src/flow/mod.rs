@@ -1,11 +1,9 @@
-//! The solution of ẋ = f(x) itself, to measure orbits by.
+//! The solution of ẋ = f(x), to measure orbits against.
 //!
-//! In: a field, a point, a time. Out: x(t) as polynomials, one for each stretch of time, so that it
-//! has a value at every time, whatever grid asks. They are Taylor series of high order
-//! ([`series`]), whose steps follow the motion: short where it is fast, long where it is slow, ever
-//! shorter before a pole. Nothing here knows of Kahan's map, so whatever agrees with a flow shares
-//! no mistake with it. Deliberately absent: a bound. How far a flow is from the solution shows in
-//! how far it is from a second method.
+//! In: a field, a point, a time. Out: x(t) as a piecewise polynomial with a value at every time.
+//! The pieces are Taylor series of high order ([`series`]), short where the motion is fast and near
+//! a pole. Nothing here uses Kahan's map, so agreement of an orbit with a flow is independent
+//! evidence. Error bounds are deliberately absent; comparison with a second method shows the error.
 
 mod piece;
 mod series;
@@ -21,8 +19,8 @@ use series::Expansion;
 /// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in
 /// T: `f64` or [`Dd`].
 ///
-/// Each piece errs by about T's unit roundoff relative to each component; what the flow then makes
-/// of these errors is in x(t).
+/// Each piece adds an error of about T's unit roundoff relative to each component. The flow may
+/// amplify these errors.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -43,24 +41,24 @@ use series::Expansion;
 pub struct Flow<T> {
     pieces: Vec<Piece<T>>,
     end: f64,
-    /// The variables that distances and the scale are of.
+    /// The number of leading variables that distances and the scale refer to.
     measured: usize,
     scale: f64,
     slope: f64,
     turning: f64,
 }
 
-/// Why a flow was not followed to its end.
+/// The reason for which a flow does not reach its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoFlow {
     /// The solution escapes to infinity, or beyond the range of `f64`.
     Escapes {
-        /// When, about.
+        /// The approximate time of the escape.
         time: f64,
     },
-    /// The caller wanted no more pieces.
+    /// The caller stopped the computation.
     Stopped {
-        /// How far they came.
+        /// The time that the pieces reached.
         reached: f64,
     },
 }
@@ -77,16 +75,15 @@ impl std::fmt::Display for NoFlow {
 impl std::error::Error for NoFlow {}
 
 impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
-    /// The degree of a piece, whose coefficients are this many and one more for each variable.
+    /// The degree of a piece, which has one coefficient more for each variable.
     pub const DEGREE: usize = T::TERMS;
 
-    /// Follows the flow from `start` to the time `end`, above 0, and by the part `beyond` of it
-    /// further, for orbits that do not end there exactly; where the solution escapes to infinity in
-    /// between, nothing is added. Before each piece `go_on` is asked with the number of pieces so
-    /// far.
+    /// Follows the flow from `start` to the time `end` > 0, and beyond it by the part `beyond` of
+    /// `end`, for orbits that pass it. A solution that escapes to infinity after `end` is not
+    /// extended. Calls `go_on` before each piece with the number of pieces so far.
     ///
-    /// Cost: a piece takes about 90 evaluations of the bilinear form in `f64`, 240 in [`Dd`]; it is
-    /// as long as 0.14 and 0.09 of the distance to the nearest singularity in complex time.
+    /// Costs about 90 evaluations of the bilinear form for a piece in `f64`, and 240 in [`Dd`]. A
+    /// piece has 0.14 and 0.09 of the distance to the nearest singularity in complex time.
     ///
     /// # Errors
     /// [`NoFlow`].
@@ -114,9 +111,10 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(Piece::of(&series, t));
-            // A double, so that the sum of the steps in double-double is exact for long.
+            // The step is a double, so that sums of steps in double-double stay exact for long.
             let step = series.reach().min(2.0 * last);
-            // Before a pole each step is a part of the way that is left.
+            // Near a pole each step is a fixed part of the remaining time, so steps shrink
+            // geometrically.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
             {
@@ -141,14 +139,13 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             t += Dd::from(step);
         }
         if flow.scale == 0.0 {
-            // A solution that rests in the origin has errors, and no size.
+            // A solution at rest in the origin gets the scale 1.
             flow.scale = 1.0;
         }
         Ok(flow)
     }
 
-    /// The flow with distances and the scale of its first `variables` alone, up to the `end`
-    /// that was asked for.
+    /// Restricts distances and the scale to the first `variables`, up to the time `end`.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {
         let size = |t: f64| {
@@ -159,36 +156,36 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Self { measured: variables, scale: if scale > 0.0 { scale } else { 1.0 }, ..self }
     }
 
-    /// The last time.
+    /// Returns the last time.
     pub fn end(&self) -> f64 {
         self.end
     }
 
-    /// The largest |xᵢ(t)|, over all components and times up to the `end` that was asked for: what
-    /// errors are relative to.
+    /// Returns the largest |xᵢ(t)| over all components and over times up to the requested `end`:
+    /// the scale of relative errors.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// The largest ‖f′(x(t))‖ in the maximum norm: ε times this tells how coarse a step is.
+    /// Returns the largest ‖f′(x(t))‖∞; its product with ε measures how coarse a step is.
     pub fn slope(&self) -> f64 {
         self.slope
     }
 
-    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the
-    /// motion turns. Unlike the slope it says nothing of directions in which nothing moves.
+    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Unlike the slope, it
+    /// ignores directions in which nothing moves.
     pub fn turning(&self) -> f64 {
         self.turning
     }
 
-    /// The times at which pieces begin, the first of them 0: they lie close where the solution
-    /// moves fast.
+    /// Iterates over the start times of the pieces, from 0 on; they are dense where the solution is
+    /// fast.
     pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
         self.pieces.iter().map(|piece| piece.start.into())
     }
 
-    /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component in
-    /// [`Dd`], 36 in `f64`.
+    /// Returns x(t); beyond either end, extrapolates the nearest piece. Costs about 60 operations
+    /// for a component in [`Dd`], and 36 in `f64`.
     pub fn at(&self, t: Dd) -> Vec<T> {
         let piece = self.piece_at(t);
         let dimension = piece.coefficients.len() / (T::TERMS + 1);
@@ -197,18 +194,18 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         value
     }
 
-    /// The distance of a point from x(t) in the maximum norm, relative to the
-    /// [`scale`](Self::scale); what is not a number is infinitely far.
+    /// Returns the distance of a point from x(t) in the maximum norm, relative to the
+    /// [`scale`](Self::scale); infinite for a point with a NaN.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.measure(self.piece_at(t), t, x, &mut vec![T::zero(); x.len()])
     }
 
-    /// The same for points in N variables whose times grow.
+    /// Prepares distances of points in N variables at increasing times.
     pub(crate) fn along<const N: usize>(&self) -> Along<'_, T, N> {
         Along { flow: self, piece: 0, value: [T::zero(); N] }
     }
 
-    /// The piece to which time t belongs: the last that begins before it.
+    /// Returns the piece of time t: the last one that begins at or before t.
     fn piece_at(&self, t: Dd) -> &Piece<T> {
         let later = self.pieces.partition_point(|piece| piece.start <= t);
         &self.pieces[later.saturating_sub(1)]
@@ -224,8 +221,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Distances from a flow at times that grow: no piece is searched for twice, and nothing is
-/// allocated.
+/// Distances from a flow at increasing times, without repeated searches for a piece and without
+/// allocation.
 #[derive(Debug)]
 pub(crate) struct Along<'a, T, const N: usize> {
     flow: &'a Flow<T>,
@@ -234,7 +231,7 @@ pub(crate) struct Along<'a, T, const N: usize> {
 }
 
 impl<T: Digits, const N: usize> Along<'_, T, N> {
-    /// As [`Flow::distance`].
+    /// Returns the distance like [`Flow::distance`].
     pub(crate) fn distance(&mut self, t: Dd, x: &[Dd; N]) -> f64 {
         let pieces = &self.flow.pieces;
         while pieces.get(self.piece + 1).is_some_and(|next| next.start <= t) {
@@ -244,13 +241,12 @@ impl<T: Digits, const N: usize> Along<'_, T, N> {
     }
 }
 
-/// ‖x‖∞; infinite if a coordinate is no number.
+/// Returns ‖x‖∞; infinite if a coordinate is NaN.
 pub(crate) fn norm<T: Digits, const N: usize>(x: &SVector<T, N>) -> f64 {
     let sizes = x.iter().map(|entry| entry.approximate().abs());
     sizes.fold(0.0, |size, entry| if entry.is_nan() { f64::INFINITY } else { entry.max(size) })
 }
 
-/// ‖f′(x)‖∞
 pub(crate) fn slope<T, F, const N: usize>(field: &F, x: &SVector<T, N>) -> f64
 where
     T: Digits,

@@ -1,15 +1,15 @@
-//! A stretch of a flow.
+//! Polynomial pieces of a flow.
 
 use super::series::{Digits, Series};
 use kahan_core::Dd;
 
-/// One polynomial, valid from its start to the start of the next.
+/// A polynomial that is valid from its start to the start of the next piece.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<T> {
     pub(super) start: Dd,
-    /// The coefficients are those of powers of rate·(t − start); a power of 2.
+    /// The unit of time is 1/rate: the polynomial is in powers of rate·(t − start). A power of 2.
     rate: f64,
-    /// x₀, x₁, …, each a vector.
+    /// The coefficient vectors x₀, x₁, ….
     pub(super) coefficients: Vec<T>,
 }
 
@@ -19,7 +19,7 @@ impl<T: Digits> Piece<T> {
         Self { start, rate: series.rate, coefficients }
     }
 
-    /// The value at time t, by Horner's rule.
+    /// Evaluates the polynomial at time t by Horner's rule.
     #[inline(always)]
     pub(super) fn value(&self, t: Dd, value: &mut [T]) {
         let s = T::from(t - self.start) * T::from(self.rate);

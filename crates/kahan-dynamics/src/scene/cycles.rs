@@ -1,30 +1,31 @@
-//! What a step costs, without a clock.
+//! The modelled cost of a step, without a clock.
 //!
-//! In: what the plan of a step says of itself. Out: cycles. The factors are rounded from
-//! measurements of the steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`);
-//! they decide between kinds of numbers, whereas between orders and ε the count of stages does.
+//! In: the cost of a step by its plan. Out: cycles. The factors are rounded from measurements of
+//! the steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`). They decide
+//! between scalars; the number of stages decides between orders and values of ε.
 
 use kahan_core::StepCost;
 
 use super::{Precision, Scheme};
 
-/// An orbit in `f32` waits as long for its operations as one in `f64`.
+/// The factor of `f32`: a single orbit waits as long for its operations as in `f64`.
 const SINGLE: f64 = 1.0;
-/// Conversions to and fro.
+/// The factor of a state in `f32` and steps in `f64`, for the conversions.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
-/// Seven operations a component, beside the chain from state to state.
+/// The factor of compensation: seven operations for a component, off the critical path.
 const COMPENSATED: f64 = 1.1;
-/// With fused multiply-adds an exact product takes two operations,
+/// The factor of `Dd` with fused multiply-adds, where an exact product takes two operations.
 #[cfg(target_feature = "fma")]
 const DOUBLE_DOUBLE: f64 = 6.0;
-/// without them seventeen.
+/// The factor of `Dd` without fused multiply-adds, where an exact product takes seventeen
+/// operations.
 #[cfg(not(target_feature = "fma"))]
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 impl Scheme {
-    /// The modelled cycles of one step on a core of today, from what one of Kahan's map costs:
-    /// stages × the [cycles](StepCost::cycles) of a stage in `f64` × what the numbers and the
-    /// compensation cost more. Only ratios are meant.
+    /// Returns the modelled cycles of one step: stages × the [cycles](StepCost::cycles) of a stage
+    /// in `f64` × the factors of scalar and compensation. `stage` is the cost of one step of
+    /// Kahan's map. Only ratios of results are meaningful.
     #[must_use]
     pub fn cycles(&self, stage: StepCost) -> f64 {
         let numbers = match self.precision {

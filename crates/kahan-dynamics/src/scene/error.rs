@@ -1,39 +1,39 @@
-//! Why no setting serves.
+//! Reasons for which no setting serves a scene.
 
 use std::fmt;
 
-/// Why there is no setting for a scene.
+/// The reason for which no setting serves a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSetting {
-    /// A number of the scene is not finite or not above 0.
+    /// A number of the scene is not finite or not positive.
     NotPositive {
-        /// Which.
+        /// The name of the number.
         name: &'static str,
-        /// Its value.
+        /// The value of the number.
         value: f64,
     },
     /// A coordinate of the first point is not finite.
     NotFinite {
-        /// Its index.
+        /// The index of the coordinate.
         index: usize,
     },
-    /// The solution leaves the finite range before the horizon, or is so sensitive that not even in
-    /// 32 digits two methods agree on it.
+    /// The solution leaves the finite range before the horizon, or is too sensitive for two methods
+    /// to agree on it in 32 digits.
     Lost {
-        /// The time at which it leaves, or until which an orbit came near to it, to a tenth of the
+        /// The time of the escape, or the time until which an orbit stayed within a tenth of the
         /// trajectory's size.
         time: f64,
     },
-    /// The horizon takes more than the 10⁶ steps that a choice may cost to be looked at as a whole.
+    /// The horizon takes more than the 10⁶ steps that a choice may cost.
     TooLong {
-        /// How far it was followed.
+        /// The time that the computation reached.
         time: f64,
     },
-    /// No setting is as accurate as that, or none that could be found and vouched for in the 10⁶
-    /// steps that a choice may cost.
+    /// No setting meets the tolerance, or none could be found and confirmed within the 10⁶ steps
+    /// that a choice may cost.
     OutOfReach {
-        /// A tolerance that is expected to be met.
+        /// A tolerance that should be attainable.
         best: f64,
     },
 }

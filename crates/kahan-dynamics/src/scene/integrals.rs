@@ -1,9 +1,8 @@
-//! The cheapest setting that keeps the map's own integrals.
+//! The cheapest setting that preserves the map's own integrals.
 //!
-//! In: a map, a first point. Out: Kahan's map at an ε that is as large as the orbit bears, in the
-//! numbers whose roundings are small enough. The discretisation does nothing to these integrals;
-//! each step's roundings move the point off their level by u times the condition, and n steps by √n
-//! of that.
+//! In: a map, a first point. Out: Kahan's map at the largest suitable ε, in a scalar with small
+//! enough rounding errors. The map preserves these integrals exactly. Rounding in each step moves
+//! the point off its level set by u times the condition, and n steps by √n times as much.
 
 use kahan_core::nalgebra::SVector;
 
@@ -13,18 +12,15 @@ use kahan_core::{ExtendScalars, PreparedStep};
 use super::search::{PLAIN, WIDE};
 use super::{NoSetting, Scene, Setting};
 
-/// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical
-/// 19 times in 20.
+/// The safety factor on rounding errors: the end of a random walk is within a factor of 2 of the
+/// typical one 19 times in 20.
 const SAFETY: f64 = 2.0;
-/// The most steps: as many as `f64` counts.
+/// The most steps, within the integers of `f64`.
 const MOST_STEPS: f64 = 9e15;
 
-/// The most steps of a pilot orbit.
 const PILOT: f64 = 4096.0;
-/// An orbit is as large as it should be where its largest coordinate is at most this factor beyond
-/// that of a finer one.
+/// The factor by which the largest coordinate of an orbit may exceed that of a finer orbit.
 const LARGER: f64 = 2.0;
-/// How often ε is halved.
 const HALVINGS: i32 = 16;
 
 pub(super) fn choose<M, const N: usize>(
@@ -52,7 +48,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // Compensated, an increment is rounded, not the point.
+            // With compensation, rounding affects the increment and not the point.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
             least_error = least_error.min(error);
@@ -70,7 +66,7 @@ where
     best.ok_or(NoSetting::OutOfReach { best: least_error })
 }
 
-/// Whether the beginning of the orbit is finite and no larger than that with a quarter of ε.
+/// Returns whether the start of the orbit is finite and not much larger than with ε/4.
 fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,
@@ -82,12 +78,12 @@ where
     fine.is_finite() && coarse <= LARGER * fine
 }
 
-/// The largest coordinate of so many points.
+/// Returns the largest coordinate along an orbit.
 fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
     orbit.fold(0.0, |size, x| norm(&x).max(size))
 }
 
-/// How fast the motion turns at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
+/// Returns the rate of the motion at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
 fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
 where
     M: ExtendScalars<f64, N>,

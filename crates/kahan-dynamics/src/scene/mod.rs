@@ -1,12 +1,11 @@
-//! The stepper for a scene: which numbers, which order, compensated or not, and which ε.
+//! Chooses the integrator for a scene: scalar, order, compensation and ε.
 //!
-//! In: a map, a first point, a time to be simulated, what the orbit is for and how accurate it must
-//! be. Out: the [`Setting`] that serves at the least modelled cost. Nothing is timed, so the answer
-//! is the same on every machine of one kind, and every time: a trajectory is compared with the flow
-//! itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count of operations
-//! gives the price ([`cycles`]). The command `kahan trade` makes the search with prices that it
-//! measures. Deliberately absent: extrapolation. What is chosen has been run, over the whole
-//! horizon.
+//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the
+//! [`Setting`] that serves at the least modelled cost. Without a clock the answer is reproducible
+//! on machines of one kind: settings are compared with the flow ([`trajectory`]) one by one
+//! ([`search`]), and the plan's count of operations gives the price ([`cycles`]). `kahan trade`
+//! uses the search with measured prices. Extrapolation is deliberately absent: for trajectories,
+//! the chosen setting was run over the whole horizon.
 
 mod cycles;
 mod error;
@@ -25,22 +24,22 @@ pub use error::NoSetting;
 pub use scheme::{Precision, Scheme};
 pub use setting::Setting;
 
-/// What an orbit is for.
+/// The purpose of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Need {
-    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon,
-    /// at the times of the steps and with the last point standing for the horizon, in the maximum
-    /// norm, relative to the largest coordinate of the trajectory.
+    /// Follows the flow's trajectory. The error is the largest distance from it in the maximum norm
+    /// over all steps, relative to the largest coordinate of the trajectory. The last point is
+    /// compared at the horizon.
     Trajectory,
-    /// To keep the integrals: the error is the largest change of the map's own, those at its ε,
-    /// over the horizon, relative to the value at the beginning. The discretisation does nothing to
-    /// them, only roundings do ([`Scene::condition`]). A composition has none of its own, so its
-    /// error is that of the flow's.
+    /// Preserves the integrals. The error is the largest change of the map's own integrals at its ε
+    /// over the horizon, relative to the initial value; only rounding causes it
+    /// ([`Scene::condition`]). A composition has no integrals of its own, so its error is the
+    /// change of the flow's integrals.
     Integrals,
 }
 
-/// A time to be simulated, and what is needed of the orbit.
+/// A time to be simulated, with the purpose and accuracy of the orbit.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -78,66 +77,64 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene with this need: `horizon` is the time to be simulated, `tolerance` the largest
-    /// error accepted, as [`Need`] defines it. Both must be finite and above 0, which
+    /// Describes a scene: `horizon` is the time to be simulated, and `tolerance` the largest
+    /// accepted error as defined by [`Need`]. Both must be finite and positive, as
     /// [`choose`](Self::choose) checks.
     #[must_use]
     pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
         Self { horizon, need, tolerance, condition: 4.0 }
     }
 
-    /// A scene whose trajectory must be followed.
+    /// Describes a scene whose trajectory must be followed.
     #[must_use]
     pub const fn trajectory(horizon: f64, tolerance: f64) -> Self {
         Self::new(horizon, Need::Trajectory, tolerance)
     }
 
-    /// A scene whose integrals must be kept.
+    /// Describes a scene whose integrals must be preserved.
     #[must_use]
     pub const fn integrals(horizon: f64, tolerance: f64) -> Self {
         Self::new(horizon, Need::Integrals, tolerance)
     }
 
-    /// The same scene with integrals H of this condition: Σ|xᵢ ∂H/∂xᵢ|/|H|, by how much a relative
-    /// change of the state is magnified in them. Without it, it is taken to be 4: a polynomial of
-    /// degree 2 whose terms cancel to a half. Where the value is near zero it is much larger. Only
-    /// [`Need::Integrals`] asks for it.
+    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, the factor by which they amplify a
+    /// relative change of the state. The default is 4: a polynomial of degree 2 whose terms cancel
+    /// to a half. The condition is much larger near zeros of H. Only [`Need::Integrals`] uses it.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;
         self
     }
 
-    /// The cheapest setting, by the model of cost, that meets the tolerance. It is never one in
-    /// `f32`: a step of a single orbit takes as long in `f32` as in `f64`. What `f32` saves is
+    /// Returns the cheapest setting, by the model of cost, that meets the tolerance. The setting is
+    /// never in `f32`, because a step of a single orbit takes as long as in `f64`; `f32` saves
     /// memory, and time in an [`Ensemble`](kahan_core::Ensemble).
     ///
     /// # How
-    /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole
-    /// horizon, and settings are run and compared with it at every one of their steps: the one that
-    /// is chosen was seen to err by at most 0.85 of the tolerance, roundings among it. An orbit in
-    /// [`Dd`](kahan_core::Dd) that came to within a tenth of the tolerance vouches for the flow. All
-    /// of this is deterministic, so the choice run again from the same point errs by the same. What is
-    /// known of it ends with the horizon, and with the point.
+    /// For [`Need::Trajectory`], the [`Flow`](crate::Flow) is computed over the whole horizon, and
+    /// settings are run and compared with it at every step. The observed error of the chosen
+    /// setting is at most 0.85 of the tolerance, including rounding. An orbit in
+    /// [`Dd`](kahan_core::Dd) that agrees with the flow to a tenth of the tolerance confirms the
+    /// flow. The choice is deterministic, and a second run from the start has the observed error.
+    /// Other starts and later times are not covered.
     ///
-    /// For [`Need::Integrals`] no composition is considered. ε‖f′‖∞ is at most 1 at the start, and
-    /// less if the beginning of the orbit then is not as large as it should be; the roundings of n
-    /// steps are taken to be those of a random walk.
+    /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
+    /// start, and less if the beginning of the orbit would otherwise become too large. The rounding
+    /// errors of n steps are modelled as a random walk.
     ///
     /// # How good
-    /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for
-    /// by `cargo test --release -p kahan-study --test scenes -- --ignored`: none that is accepted
-    /// may be beyond its tolerance, and few may be refused that some setting serves. In `benches/`
-    /// the package `kahan-bench-trade` times the choice against every other setting.
+    /// `cargo test --release -p kahan-study --test scenes -- --ignored` tests choices in seeded
+    /// scenes of many fields: chaotic, stiff, escaping and near equilibria. No accepted choice may
+    /// exceed its tolerance, and few scenes may be refused that some setting serves. In `benches/`,
+    /// the package `kahan-bench-trade` times choices against all other settings.
     ///
     /// # Cost
-    /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose
-    /// steps take longer. It pays where a setting is run for long or used for many
-    /// orbits.
+    /// At most the time of 10⁶ steps of the map, and usually of some 10⁴; part of the steps is in
+    /// `Dd` and slower. The choice pays off for long orbits and for many orbits.
     ///
     /// # Errors
-    /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the
-    /// horizon, a tolerance that no setting reaches.
+    /// [`NoSetting`]: numbers that are not positive or not finite, a trajectory that cannot be
+    /// followed to the horizon, or a tolerance that no setting reaches.
     pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
     where
         M: ExtendScalars<f64, N>,
@@ -149,19 +146,19 @@ impl Scene {
         }
     }
 
-    /// The time to be simulated.
+    /// Returns the time to be simulated.
     #[must_use]
     pub const fn horizon(&self) -> f64 {
         self.horizon
     }
 
-    /// What the orbit is for.
+    /// Returns the purpose of the orbit.
     #[must_use]
     pub const fn need(&self) -> Need {
         self.need
     }
 
-    /// The largest error accepted.
+    /// Returns the largest accepted error.
     #[must_use]
     pub const fn tolerance(&self) -> f64 {
         self.tolerance

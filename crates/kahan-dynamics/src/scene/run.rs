@@ -1,4 +1,4 @@
-//! A setting run: every kind of orbit, chosen once before the first step.
+//! Runs a setting; the type of the orbit is chosen once, before the first step.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,24 +6,24 @@ use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF
 
 use super::{Precision, Scheme, Setting};
 
-/// What to do with an orbit of whatever type, whose points `widen` holds without a rounding.
+/// A task for an orbit of any type; `widen` converts its points without rounding.
 trait Task<const N: usize> {
     type Output;
 
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
-/// The point after so many steps.
+/// The task of returning the point after this number of steps.
 struct Last(usize);
 
-/// Every point up to so many steps, until a visitor has seen enough.
+/// The task of showing every point, up to this number of steps, while the visitor returns `true`.
 struct While<F>(u64, F);
 
 impl<const N: usize> Task<N> for Last {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
-        // Not through `Iterator::map`, which would ask for every point.
+        // `Iterator::map` would convert every point on the way.
         orbit.nth(self.0).map(|x| rounded(&widen(x)))
     }
 }
@@ -45,13 +45,12 @@ fn rounded<const N: usize>(x: &[Dd; N]) -> SVector<f64, N> {
 }
 
 impl Setting {
-    /// The last point of the orbit that begins with `x0`, at the time 2ε·[`steps`](Self::steps);
-    /// not finite where the orbit met a pole.
+    /// Returns the last point of the orbit from `x0`, at the time 2ε·[`steps`](Self::steps); not
+    /// finite if the orbit met a pole.
     ///
-    /// Parameters and `x0` are rounded to the setting's precision, the result is rounded or widened
-    /// to `f64`. It runs as the line that the setting prints would.
-    ///
-    /// Cost: as the setting says; no allocation, nothing decided within the orbit.
+    /// Rounds the parameters and `x0` to the setting's precision, and the result to `f64`. Runs the
+    /// orbit that the printed setting describes. Costs these steps, without allocation or decisions
+    /// along the orbit.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
     where
         M: ExtendScalars<f64, N>,
@@ -59,13 +58,13 @@ impl Setting {
         let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
         match self.with_orbit(map, x0, Last(steps)) {
             Some(last) => last,
-            // Orbits over floats have no end.
+            // Orbits over floats are infinite, so this case does not occur.
             None => SVector::from_element(f64::NAN),
         }
     }
 
-    /// The same orbit, each of its points shown to `visit` with its number: x₀ as it was rounded
-    /// with 0, the last with [`steps`](Self::steps). The n-th belongs to the time 2ε·n.
+    /// Shows each point of the orbit to `visit` with its number n: the rounded x₀ with 0, the last
+    /// point with [`steps`](Self::steps). Point n belongs to the time 2ε·n.
     pub fn visit<M, const N: usize>(
         &self,
         map: &M,
@@ -80,7 +79,7 @@ impl Setting {
         });
     }
 
-    /// The same with all digits, as long as `go_on` says so.
+    /// Shows each point of the orbit with all its digits, while `go_on` returns `true`.
     pub(super) fn follow<M, const N: usize>(
         &self,
         map: &M,

@@ -1,5 +1,4 @@
-//! What can be chosen besides ε: the numbers, the order, and whether the state carries its rounding
-//! error.
+//! The choices besides ε: scalar, order and compensation.
 
 use std::fmt;
 
@@ -7,26 +6,26 @@ use kahan_core::{Composition, nearest_short_eps};
 
 use super::Need;
 
-/// The numbers that an orbit is computed in.
+/// The scalar of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
-    /// `f32`
+    /// `f32`.
     Single,
-    /// A state in `f32`, every step computed in `f64` and rounded once:
+    /// A state in `f32`, with every step computed in `f64` and rounded once:
     /// [`ThroughF64`](kahan_core::ThroughF64).
     SingleThroughDouble,
-    /// `f64`
+    /// `f64`.
     Double,
-    /// [`Dd`](kahan_core::Dd), 32 digits.
+    /// [`Dd`](kahan_core::Dd), with 32 digits.
     DoubleDouble,
 }
 
 impl Precision {
-    /// All of them, the cheapest first.
+    /// All precisions, cheapest first.
     pub const ALL: [Self; 4] = [Self::Single, Self::SingleThroughDouble, Self::Double, Self::DoubleDouble];
 
-    /// The name in tables: `f32`, `f32-through-f64`, `f64` or `dd`.
+    /// Returns the name in tables: `f32`, `f32-through-f64`, `f64` or `dd`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,13 +36,13 @@ impl Precision {
         }
     }
 
-    /// Whether the state is in `f32`.
+    /// Returns whether the state is in `f32`.
     #[must_use]
     pub const fn is_single(self) -> bool {
         matches!(self, Self::Single | Self::SingleThroughDouble)
     }
 
-    /// u, the relative error of one rounding (of the state).
+    /// Returns u, the relative error of one rounding of the state.
     #[must_use]
     pub const fn unit(self) -> f64 {
         match self {
@@ -53,9 +52,9 @@ impl Precision {
         }
     }
 
-    /// The ε to take for this one: to keep integrals the nearest [short](nearest_short_eps) one, in
-    /// `Dd` one that is short for `f64`; to follow a trajectory, which must end at its horizon, the
-    /// nearest number.
+    /// Returns an ε near `eps` for this precision. Integrals get the nearest
+    /// [short](nearest_short_eps) ε, for `Dd` one that is short for `f64`. A trajectory, which must
+    /// end at its horizon, gets the nearest number.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {
@@ -67,41 +66,39 @@ impl Precision {
     }
 }
 
-/// A way to step, at any ε.
-///
-/// It is printed as `f64, order 8, compensated`.
+/// A method of stepping, at any ε. Its display is `f64, order 8, compensated`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scheme {
-    /// The numbers.
+    /// The scalar.
     pub precision: Precision,
-    /// The method; [`Composition::KAHAN`] is the map itself.
+    /// The composition; [`Composition::KAHAN`] is the map itself.
     pub composition: Composition,
     /// Whether the state carries its rounding error.
     pub compensated: bool,
 }
 
 impl Scheme {
-    /// The map itself in these numbers, which carry nothing.
+    /// Returns the scheme of the map itself in this precision, without compensation.
     #[must_use]
     pub const fn of(precision: Precision) -> Self {
         Self { precision, composition: Composition::KAHAN, compensated: false }
     }
 
-    /// The same with this method.
+    /// Replaces the composition.
     #[must_use]
     pub const fn composed(self, composition: Composition) -> Self {
         Self { composition, ..self }
     }
 
-    /// The same with a state that carries its rounding error.
+    /// Adds compensation: the state carries its rounding error.
     #[must_use]
     pub const fn compensated(self) -> Self {
         Self { compensated: true, ..self }
     }
 
-    /// Every one there is of the [best](Composition::BEST) compositions. In `Dd`, whose roundings
-    /// are never seen, none is compensated.
+    /// Iterates over the schemes of the [best](Composition::BEST) compositions; in `Dd`, whose
+    /// rounding errors are negligible, only without compensation.
     pub fn all() -> impl Iterator<Item = Self> {
         Precision::ALL.into_iter().map(Self::of).flat_map(|plain| {
             Composition::BEST.into_iter().map(move |method| plain.composed(method)).flat_map(|plain| {
@@ -111,7 +108,7 @@ impl Scheme {
         })
     }
 
-    /// The order of the method.
+    /// Returns the order of the method.
     #[must_use]
     pub const fn order(&self) -> u32 {
         self.composition.order()

@@ -1,4 +1,4 @@
-//! A way to step an orbit, chosen.
+//! A chosen scheme with its ε and number of steps.
 
 use std::fmt;
 
@@ -6,13 +6,14 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// Below this tolerance the rounding of ε, which moves the end by as much of the horizon, is felt.
+/// The tolerance below which the rounding of ε, which shifts the end by that part of the horizon,
+/// matters.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A way to step an orbit over the horizon of a [`Scene`](crate::Scene): a [`Scheme`], ε and a
-/// number of steps; [`Scene::choose`](crate::Scene::choose) makes the cheapest that serves.
+/// A [`Scheme`] with ε and a number of steps, for the horizon of a [`Scene`](crate::Scene).
+/// [`Scene::choose`](crate::Scene::choose) returns the cheapest setting that serves.
 ///
-/// It is printed as a line of Rust, with `map` for the map and `x` for the first point, both of its
+/// Its display is a line of Rust, with `map` for the map and `x` for the first point, both in its
 /// precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
@@ -26,14 +27,14 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// A setting of one's own choosing over this scene's horizon, of about so many steps; what
-    /// error to expect of it is not known, and is said to be infinite.
+    /// Builds a setting of about `steps` steps over the horizon. Its error is unknown and set to
+    /// infinity.
     ///
-    /// In `Dd` it is the next power of 2 where the horizon is to be met more accurately than an ε
-    /// that is rounded, to an `f64` in every precision, has it.
+    /// In `Dd`, the number of steps is rounded up to a power of 2 if a trajectory's tolerance is
+    /// below the error of ε as a rounded `f64`.
     ///
     /// # Panics
-    /// If the horizon is not a finite number above 0, or `steps` is 0.
+    /// If the horizon is not finite and positive, or `steps` is 0.
     pub fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
         assert!(
             self.horizon.is_finite() && self.horizon > 0.0,
@@ -50,35 +51,35 @@ impl Scene {
 }
 
 impl Setting {
-    /// The numbers, the method, and whether the state carries its rounding error.
+    /// Returns scalar, composition and compensation.
     #[must_use]
     pub const fn scheme(&self) -> Scheme {
         self.scheme
     }
 
-    /// ε, half the time step; for [`Need::Integrals`] one of so few bits that its powers are exact
-    /// ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
+    /// Returns ε, half the time step. For [`Need::Integrals`], ε is so short that its powers are
+    /// exact ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
     #[must_use]
     pub const fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// The number of steps: 2ε times this is the horizon, but for the rounding of ε; for
-    /// [`Need::Integrals`], whose ε has few bits, but for less than half a step.
+    /// Returns the number of steps n. The horizon is 2εn, up to the rounding of ε; for
+    /// [`Need::Integrals`] with its short ε, up to half a step.
     #[must_use]
     pub const fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// The error to expect, with the safety factors in it: of what was chosen, at most the scene's
-    /// tolerance.
+    /// Returns the expected error, including safety factors. For a chosen setting, the error is at
+    /// most the scene's tolerance.
     #[must_use]
     pub const fn error(&self) -> f64 {
         self.error
     }
 
-    /// The line of Rust that runs it, from a map and a first point of its precision as they are
-    /// written there.
+    /// Returns the line of Rust that runs the setting, from the texts of a map and a first point in
+    /// its precision.
     #[must_use]
     pub fn in_rust(&self, map: &str, start: &str) -> String {
         let Self { scheme: Scheme { precision, composition, compensated }, eps, steps, .. } = *self;
@@ -93,7 +94,7 @@ impl Setting {
             format!(".composed(Composition::{})", composition.name())
         };
         let compensated = if compensated { ".compensated()" } else { "" };
-        // x₀ and every step after it.
+        // The orbit includes x₀.
         format!("let orbit = {orbit}{composed}{compensated}.take({});", u128::from(steps) + 1)
     }
 }
@@ -104,7 +105,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// The error of a setting as data: `None` where it is not known, as JSON has no infinite numbers.
+/// Stores the error of a setting; an unknown one is `None`, because JSON has no infinity.
 #[cfg(feature = "serde")]
 mod expected {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

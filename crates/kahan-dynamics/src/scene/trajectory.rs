@@ -1,10 +1,9 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! In: a map, a first point, a scene. Out: of all settings that were seen to serve, over the whole
-//! horizon, the one with the least price. The solution itself is computed once ([`Flow`]), each
-//! setting that comes into question is run and compared with it, and one that is ten times as
-//! accurate as asked vouches for the solution. First all of it in `f64`; where roundings cover what
-//! matters, in [`Dd`].
+//! In: a map, a first point, a scene. Out: the cheapest of the settings whose observed error over
+//! the whole horizon is small enough. The solution is computed once ([`Flow`]). Candidates are run
+//! and compared with it, and one that is ten times as accurate as requested confirms the solution.
+//! The computation begins in `f64`, and is repeated in [`Dd`] if rounding errors matter.
 
 use kahan_core::nalgebra::SVector;
 
@@ -14,20 +13,18 @@ use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
 use super::{NoSetting, Scene, Scheme, Setting};
 
-/// The most steps of the map that a choice may cost, all of its trials together.
+/// The most steps of the map for a choice, including all trials.
 const MOST_WORK: f64 = 1e6;
-/// Below this tolerance the roundings of `f64` are felt so soon that it is not begun with.
+/// The tolerance below which the computation begins in `Dd`.
 const FINE: f64 = 1e-12;
-/// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each
-/// of its pieces, and in each of an orbit's steps; and by how much they must be below the
-/// tolerance.
+/// A bound on the accumulated rounding errors of a flow in `f64`, before amplification: one error
+/// in each piece, and in each step of an orbit, with a margin below the tolerance.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
-/// The relative distance of two beginnings that tells growth.
+/// The relative distance of two starts for measuring growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
-/// The part of what is left that the solution may take.
+/// The part of the remaining budget that the solution may take.
 const SHARE: f64 = 0.4;
-/// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances:
-/// there they say nothing more.
+/// The relative error, or four tolerances if these are larger, beyond which a trial ends.
 const LOST: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
@@ -55,13 +52,13 @@ where
     choice.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
-/// The steps of the map that may still be taken.
+/// The remaining budget of steps of the map.
 struct Budget {
     left: f64,
 }
 
 impl Budget {
-    /// The solution from `start` over the scene's horizon, in T, over which the field is.
+    /// Computes the solution from `start` over the horizon, in the scalar T of the field.
     fn flow<T, F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -72,7 +69,7 @@ impl Budget {
         T: Digits,
         F: QuadraticField<T, N>,
     {
-        // A bilinear form takes about a third of a step.
+        // A bilinear form costs about a third of a step.
         let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
         let most = (SHARE * self.left / piece) as usize;
         let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
@@ -85,8 +82,8 @@ impl Budget {
         })
     }
 
-    /// The solution in `f64`, where its roundings stay far below the tolerance: so far as a point
-    /// beside the first one stays beside it.
+    /// Computes the solution in `f64`, if its amplified rounding errors stay below the tolerance.
+    /// The distance from the solution of a nearby start measures the amplification.
     fn sure_flow<F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -97,7 +94,8 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        // Each component by another part of itself: roundings are relative, and differ.
+        // Components differ by different factors, because rounding errors are relative and
+        // independent.
         let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
         let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
@@ -109,20 +107,18 @@ impl Budget {
     }
 }
 
-/// A scene with a solution to compare with.
 struct Choice<'a, T, M, const N: usize> {
     scene: &'a Scene,
     map: &'a M,
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
-    /// The numbers that may be chosen besides plain `f64`.
+    /// The schemes that may be chosen besides plain `f64`.
     others: &'static [Scheme],
 }
 
-/// Why a choice found nothing.
 struct Refusal {
     why: NoSetting,
-    /// Whether for roundings, so that a wider precision may find more.
+    /// Whether rounding errors caused it, so that a wider precision may succeed.
     is_rough: bool,
 }
 
@@ -132,8 +128,8 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
-        // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose
-        // stages are shorter, may be.
+        // The first ε has a mean product of ε and rate of 4. Compositions, with their shorter
+        // stages, may be that coarse.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -143,7 +139,7 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < LOST {
-                    // As much again, as roundings differ from one ε to the next.
+                    // The factor 2 allows for rounding errors that differ between values of ε.
                     NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() }
                 } else if is_short_of_work {
                     NoSetting::TooLong { time: agreed_until }
@@ -156,7 +152,7 @@ where
     }
 }
 
-/// Orbits of one scene, compared with the flow while there is work left.
+/// Orbits of one scene, compared with the flow within a budget.
 struct Runs<'a, T, M, const N: usize> {
     choice: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,
@@ -175,7 +171,7 @@ where
     }
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
-        // A comparison counts as a step.
+        // The comparison counts as one step.
         let work_of_step = setting.scheme.composition.stages() as f64 + 1.0;
         if setting.steps as f64 * work_of_step > share * self.budget.left {
             self.is_short_of_work = true;
@@ -190,7 +186,7 @@ where
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
             if n == setting.steps {
-                // The last point stands for the horizon.
+                // The last point is also compared with the flow at the horizon.
                 worst = worst.max(flow.distance(scene.horizon.into(), x));
             }
             worst <= lost

@@ -1,4 +1,4 @@
-//! Numbers from the unit interval that an index gives directly: nothing is drawn before it.
+//! Sequences of numbers in the unit interval with direct access by index.
 
 mod sobol;
 mod uniform;

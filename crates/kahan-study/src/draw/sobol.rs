@@ -1,26 +1,23 @@
-//! Sobol's sequence by the numbers of Joe and Kuo, in the order of the Gray code.
+//! Sobol's sequence with the direction numbers of Joe and Kuo, in Gray code order.
 
-/// Bits of a number.
 const BITS: usize = 32;
 
-/// The length of the sequence: beyond, its points come again.
+/// The length of the sequence, after which it repeats.
 const LENGTH: u64 = 1 << BITS;
 
-/// How many dimensions there are numbers for.
 const DIMENSIONS: usize = 512;
 
-/// For each dimension from the second on: the polynomial, and the first numbers m.
+/// The primitive polynomial and the initial numbers m of each dimension from the second on.
 const NUMBERS: &str = include_str!("joe_kuo.txt");
 
-/// One dimension of the sequence.
 #[derive(Clone, Debug)]
 pub(crate) struct Sobol {
     directions: [u32; BITS],
 }
 
 impl Sobol {
-    /// Returns the dimension with this index for a number of points; says why not, beyond
-    /// [`DIMENSIONS`] or [`LENGTH`].
+    /// Returns the dimension with this index, for a number of points; fails beyond [`DIMENSIONS`]
+    /// or [`LENGTH`].
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > LENGTH {
             return Err(format!(
@@ -39,8 +36,7 @@ impl Sobol {
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
             }
-            // mᵢ is the sum modulo 2 of 2ᵏ aₖ mᵢ₋ₖ over the coefficients aₖ, and of m of the degree
-            // before.
+            // mᵢ is the XOR of mᵢ₋ₛ, with the degree s, and of 2ᵏ aₖ mᵢ₋ₖ over the coefficients aₖ.
             for i in degree..BITS {
                 m[i] = m[i - degree];
                 for k in 1..=degree {
@@ -53,7 +49,7 @@ impl Sobol {
         Ok(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
     }
 
-    /// The number of this index, which is below [`LENGTH`].
+    /// Returns the number at `index`, which must be below [`LENGTH`].
     pub(crate) fn at(&self, index: u64) -> f64 {
         let gray = index ^ (index >> 1);
         let chosen = self.directions.iter().enumerate().filter(|(bit, _)| gray >> bit & 1 == 1);
@@ -68,8 +64,7 @@ mod tests {
 
     #[test]
     fn points_are_those_of_the_literature() {
-        // The first eight points of five dimensions, as the unscrambled sequence of SciPy gives
-        // them.
+        // The first eight points of five dimensions, from SciPy's unscrambled sequence.
         let expected: [[f64; 5]; 8] = [
             [0.0, 0.0, 0.0, 0.0, 0.0],
             [0.5, 0.5, 0.5, 0.5, 0.5],

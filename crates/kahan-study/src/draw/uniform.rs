@@ -1,9 +1,8 @@
-//! Random numbers by a seed: a stream of ChaCha8 for each axis, in which an index has its place.
+//! Random numbers by seed: each axis has a stream of ChaCha8 with direct access by index.
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-/// The random numbers of one axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Uniform {
     seed: u64,
@@ -11,12 +10,11 @@ pub(crate) struct Uniform {
 }
 
 impl Uniform {
-    /// Those of the axis with this index.
     pub(crate) fn new(seed: u64, axis: usize) -> Self {
         Self { seed, axis }
     }
 
-    /// The number of this index: 53 bits.
+    /// Returns the number at `index`, with 53 bits.
     pub(crate) fn at(&self, index: u64) -> f64 {
         let mut stream = self.stream();
         // A number takes two words of 32 bits.
@@ -42,7 +40,7 @@ mod tests {
         for index in 0..100 {
             assert_eq!(uniform.at(index), (stream.next_u64() >> 11) as f64 / 9_007_199_254_740_992.0);
         }
-        // A sweep that was begun by an older version goes on with the same numbers.
+        // A sweep begun by an older version must continue with the same numbers.
         assert_eq!(uniform.at(123_456), 0.8431035305340336);
         assert_ne!(uniform.at(5), Uniform::new(7, 4).at(5));
         assert_ne!(uniform.at(5), Uniform::new(8, 3).at(5));

@@ -1,4 +1,4 @@
-//! One formula at the points of a group of orbits, each with its own values of the known names.
+//! One formula evaluated at a group of orbits, each with its own values of the known names.
 
 use std::cell::RefCell;
 
@@ -9,8 +9,8 @@ use kahan_program::{Arithmetic, Calls, Program};
 
 use super::{Called, Formula, Operation};
 
-/// A formula with a number of each orbit for each name. Its values have the bits of
-/// [`Formula::of`] at each orbit alone.
+/// A formula with values of the known names for each orbit. Each lane has the bits of
+/// [`Formula::of`].
 pub(crate) struct Abreast {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,
@@ -18,10 +18,10 @@ pub(crate) struct Abreast {
 }
 
 impl Abreast {
-    /// Puts formulas of one text side by side, one an orbit; the last one fills the group.
+    /// Combines formulas of one text, one for each orbit; the last one fills the remaining lanes.
     ///
     /// # Panics
-    /// Without a formula.
+    /// If `formulas` is empty.
     pub(crate) fn of(formulas: &[&Formula]) -> Self {
         let own = |lane: usize| &formulas[lane.min(formulas.len() - 1)].known;
         let group = |place: usize| std::array::from_fn(|lane| own(lane)[place]);
@@ -30,7 +30,7 @@ impl Abreast {
         Abreast { program, variables, workspace }
     }
 
-    /// Returns the values at the points of the orbits, a column a variable.
+    /// Returns the values at the points of the orbits; `points` holds a group for each variable.
     pub(crate) fn at(&self, points: &[Group<f64>]) -> Group<f64> {
         let mut workspace = self.workspace.borrow_mut();
         for (variable, place) in &self.variables {
@@ -41,7 +41,7 @@ impl Abreast {
     }
 }
 
-/// Doubles of a group of orbits, each rounded as it is alone.
+/// Arithmetic in the lanes of a group, each rounded independently.
 struct Lanes;
 
 #[inline(always)]

@@ -1,7 +1,7 @@
-//! Double-double numbers in plans.
+//! Double-double arithmetic for interpreted plans.
 //!
-//! The operations are those of the library's [`Dd`], its multiply-adds included, so a step is the
-//! compiled one bit for bit.
+//! The operations, including multiply-adds, are those of [`Dd`]; a step has the bits of the
+//! compiled one.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
@@ -10,7 +10,7 @@ use kahan_core::{Dd, Scalar};
 use super::number::Number;
 use super::scalar::{Printable, ScalarKind};
 
-/// [`Dd`].
+/// The arithmetic of [`Dd`].
 #[derive(Clone, Copy, Debug)]
 pub struct DoubleDouble;
 
@@ -66,7 +66,7 @@ impl Arithmetic for DoubleDouble {
 impl Printable for DoubleDouble {
     const KIND: ScalarKind = ScalarKind::Dd;
 
-    /// The nearest `f64`, and the one nearest to what it leaves.
+    /// Returns the nearest `f64` plus the `f64` nearest to the remainder.
     fn round(value: &Rational) -> Dd {
         let (high, low) = value.to_double_double();
         Dd::new(high, low)

@@ -1,7 +1,6 @@
-//! Exact numbers in questions and answers: `"3/7"`, or a number as it is written there.
+//! Exact numbers in JSON: `"3/7"`, or a number taken from its text, so that 0.1 is one tenth.
 //!
-//! For `#[serde(with = "exact")]` on a [`Rational`], on one that may be absent, and on lists of
-//! them. A number of JSON is taken from its text, so that 0.1 is one tenth.
+//! Use `#[serde(with = "exact")]` on a [`Rational`], an optional one, or lists of them.
 
 use kahan_algebra::rational::Rational;
 use serde::de::Error;
@@ -10,15 +9,15 @@ use serde_json::Value;
 
 use super::number;
 
-/// Exact numbers as JSON has them.
+/// Values made of exact numbers, with their JSON.
 pub trait Exactly: Sized {
-    /// The text p/q, or p; null where there is none; lists of them.
+    /// Returns the text p/q or p, `null` for `None`, or a list.
     fn to_json(&self) -> Value;
 
-    /// The numbers that [`Rational::parse`] takes.
+    /// Reads numbers in the grammar of [`Rational::parse`].
     ///
     /// # Errors
-    /// What is none, as a sentence.
+    /// A sentence that names the value that is not a number.
     fn of_json(value: &Value) -> Result<Self, String>;
 }
 
@@ -56,7 +55,7 @@ impl<T: Exactly> Exactly for Vec<T> {
 /// Writes exact numbers.
 ///
 /// # Errors
-/// Those of the serializer.
+/// Errors of the serializer.
 pub fn serialize<T: Exactly, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     value.to_json().serialize(serializer)
 }
@@ -64,7 +63,7 @@ pub fn serialize<T: Exactly, S: Serializer>(value: &T, serializer: S) -> Result<
 /// Reads exact numbers.
 ///
 /// # Errors
-/// Where one of them is none.
+/// A value that is not an exact number.
 pub fn deserialize<'de, T: Exactly, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     T::of_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
 }

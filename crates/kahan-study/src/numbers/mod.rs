@@ -1,4 +1,4 @@
-//! The scalars that questions are answered in, and the numbers of answers.
+//! Scalar types of computations, and the numbers of answers.
 
 mod double_double;
 pub mod exact;

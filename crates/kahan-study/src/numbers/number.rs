@@ -1,4 +1,4 @@
-//! A number of an answer, which knows its scalar.
+//! Numbers of answers in one of several scalars.
 
 use std::fmt;
 
@@ -6,25 +6,25 @@ use kahan_algebra::rational::Rational;
 use kahan_core::Dd;
 use serde::{Serialize, Serializer};
 
-/// A number as it was computed.
+/// A number in the scalar of its computation.
 ///
-/// As text it reads back as the same number: p/q, or the shortest decimal, of [`Dd`] 32 digits. In
-/// JSON an exact number is a string, a float a number, and what is not finite `null`; an `f32` is
-/// 0.1 there and not 0.10000000149011612, a [`Dd`] has its 32 digits.
+/// Its text reads back as an equal number: p/q, the shortest decimal of a float, or 32 digits of a
+/// [`Dd`]. In JSON an exact number is a string, a finite float a number, and any other float
+/// `null`; an `f32` of 0.1 is written 0.1, and a [`Dd`] with its 32 digits.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Number {
     /// A rational number.
     Exact(Rational),
-    /// In single precision.
+    /// A number in single precision.
     F32(f32),
-    /// In double precision.
+    /// A number in double precision.
     F64(f64),
-    /// In double-double.
+    /// A double-double number.
     Dd(Dd),
 }
 
 impl Number {
-    /// The nearest double.
+    /// Returns the nearest double.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         match self {
@@ -35,13 +35,13 @@ impl Number {
         }
     }
 
-    /// Whether it is neither infinite nor undefined.
+    /// Returns whether the number is finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         matches!(self, Self::Exact(_)) || self.to_f64().is_finite()
     }
 
-    /// Whether it is no number, as 0/0 in floats.
+    /// Returns whether the number is NaN.
     #[must_use]
     pub fn is_nan(&self) -> bool {
         self.to_f64().is_nan()
@@ -56,7 +56,7 @@ impl fmt::Display for Number {
             Self::F64(value) => write!(f, "{value:?}"),
             Self::Dd(value) => {
                 let text = value.to_string();
-                // A whole number keeps a `.0`, as floats do.
+                // An integer keeps a `.0`, like floats.
                 let end = if value.is_finite() && !text.contains(['.', 'e']) { ".0" } else { "" };
                 write!(f, "{text}{end}")
             }
@@ -66,7 +66,7 @@ impl fmt::Display for Number {
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // The shortest decimal that reads back as this `f32`, or all digits of a `Dd`.
+        // Parses the shortest decimal of an `f32`, or all digits of a `Dd`.
         let written = |text: String| text.parse::<serde_json::Number>().ok();
         match self {
             Self::Exact(value) => serializer.collect_str(value),

@@ -1,4 +1,4 @@
-//! The scalars that a question may be answered in.
+//! The scalar types of a computation.
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
@@ -17,15 +17,15 @@ pub enum ScalarKind {
     /// Double precision.
     #[default]
     F64,
-    /// Double-double: 32 digits.
+    /// Double-double, with 32 digits.
     Dd,
 }
 
 impl ScalarKind {
-    /// All of them.
+    /// All scalar types.
     pub const ALL: [Self; 4] = [Self::Exact, Self::F32, Self::F64, Self::Dd];
 
-    /// Its name in questions and answers.
+    /// Returns the name in questions and answers.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl ScalarKind {
         }
     }
 
-    /// What its numbers are.
+    /// Returns a description.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -50,16 +50,16 @@ impl ScalarKind {
 
 /// An arithmetic over one of the scalars.
 pub trait Printable: Arithmetic<Constant = Rational> {
-    /// Which one.
+    /// The scalar type.
     const KIND: ScalarKind;
 
-    /// The value nearest to an exact number.
+    /// Rounds an exact number to the nearest value.
     fn round(value: &Rational) -> Self::Value;
 
-    /// The value as a number that knows its scalar.
+    /// Tags a value with its scalar type.
     fn number(value: &Self::Value) -> Number;
 
-    /// Whether it is a number.
+    /// Returns whether the value is finite.
     fn is_finite(value: &Self::Value) -> bool {
         Self::number(value).is_finite()
     }

@@ -1,13 +1,13 @@
-//! Numbers as one types them, and what is wrong with those that are none, in words.
+//! Numbers typed by a user, with helpful errors.
 
 use std::fmt::Display;
 
 use kahan_algebra::rational::Rational;
 
-/// An exact number: 3/7, -2, 0.25, 1e-3.
+/// Reads an exact number: 3/7, -2, 0.25, 1e-3.
 ///
 /// # Errors
-/// What is wrong with the text, and what to write, as a sentence.
+/// A sentence that describes the mistake and a correction.
 pub fn number(text: &str) -> Result<Rational, String> {
     let text = text.trim();
     Rational::parse(text).ok_or_else(|| {
@@ -22,7 +22,7 @@ pub fn number(text: &str) -> Result<Rational, String> {
     })
 }
 
-/// Whether it is a number but for the size of its exponent.
+/// Returns whether the text is a number except for the size of its exponent.
 fn has_large_exponent(text: &str) -> bool {
     let parts = text.split(['e', 'E']).collect::<Vec<_>>();
     let [mantissa, exponent] = parts[..] else { return false };
@@ -32,10 +32,10 @@ fn has_large_exponent(text: &str) -> bool {
         && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// A count from `least` to `most`: 1000, 1_000, 1e3.
+/// Reads a count from `least` to `most`: 1000, 1_000, 1e3.
 ///
 /// # Errors
-/// What is wrong with the text, and what to write, as a sentence.
+/// A sentence that describes the mistake and a correction.
 pub fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, most: T) -> Result<T, String> {
     let text = text.trim();
     let usual = || format!("write a whole number, {least} or more, such as 1000 or 1e3");
@@ -46,7 +46,7 @@ pub fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, most: T) -
     if !value.is_integer() || value.is_negative() {
         return Err(usual());
     }
-    // What is no i128 is larger than any count.
+    // A value beyond `i128` is larger than any count.
     let Ok(count) = value.to_string().parse::<i128>() else { return Err(too_large()) };
     let (Ok(lowest), Ok(highest)) = (least.to_string().parse::<i128>(), most.to_string().parse::<i128>())
     else {

@@ -1,4 +1,4 @@
-//! What orbits tend to, over the values of a parameter or of ε: an orbit diagram.
+//! Orbit diagrams: limits of orbits over the values of a parameter or of ε.
 
 use std::ops::ControlFlow;
 
@@ -21,49 +21,48 @@ use super::over::Varied;
 use super::section::{Crossed, Section, name_of, of_name};
 use super::usual_order;
 
-/// Asks what one variable does after a transient, at each value of a parameter or of ε, in doubles:
-/// at each step, or where the orbit crosses a section. Each orbit begins anew at the same point, or
-/// where the orbit before it came to.
+/// A request for the values of one variable after a transient, at each value of a parameter or of
+/// ε, in doubles: at each step, or at crossings of a section. Each orbit starts at one fixed point,
+/// or at the end of the orbit before it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
-    /// ε, half the time step; not looked at where `over` is of ε.
+    /// ε, half the time step; ignored if `over` is ε.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// The first point of each orbit, a coordinate for each variable.
+    /// The first point of each orbit, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The parameter that goes through values, or `eps`.
+    /// The axis: a parameter, or `eps`.
     #[serde(with = "axes")]
     pub over: Axis,
-    /// The variable that is shown; the first where none is named.
+    /// The variable to show, by default the first.
     #[serde(default)]
     pub variable: Option<String>,
-    /// The steps before what is shown.
+    /// The number of steps before the first shown point.
     #[serde(default = "usual_transient")]
     pub transient: u64,
-    /// The steps that are shown, after the point that the transient leads to; of a section the most
-    /// steps, which it needs where it counts no crossings.
+    /// The number of steps to show after the transient. With a section, the most steps; required
+    /// there if `crossings` is absent.
     #[serde(default)]
     pub steps: Option<u64>,
-    /// The formula that vanishes on the section whose crossings are shown; without one all steps
-    /// are shown.
+    /// The formula that vanishes on the section; without a formula, all steps are shown.
     #[serde(default)]
     pub plane: Option<String>,
-    /// Which sign changes count.
+    /// The sign changes that count as crossings.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
-    /// The most crossings that are shown.
+    /// The most crossings to show.
     #[serde(default)]
     pub crossings: Option<u64>,
     /// The order of the method.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether an orbit begins where that at the value before came to.
+    /// Whether each orbit starts at the end of the orbit at the value before.
     #[serde(default)]
     pub carry: bool,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations between
-    /// its variables.
+    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
+    /// lift.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -72,29 +71,29 @@ fn usual_transient() -> u64 {
     1000
 }
 
-/// What orbits tend to.
+/// The points of an orbit diagram.
 #[derive(Clone, Debug, Serialize)]
 pub struct DiagramFound {
     /// The name of the system.
     pub system: String,
-    /// What goes through values.
+    /// The name of the axis.
     pub axis: String,
-    /// What is shown.
+    /// The name of the shown variable.
     pub variable: String,
-    /// The values that were gone through: all of them, unless the watch stopped the work.
+    /// The values on the axis: all of them, unless the watch stopped the work.
     #[serde(with = "exact")]
     pub values: Vec<Rational>,
-    /// At each of them the values of the variable: fewer than asked, or none, where the orbit ends
-    /// at a pole or beyond the range of doubles, or the field is not defined.
+    /// The shown numbers at each value: fewer than requested, or none, if the orbit ends at a pole
+    /// or beyond the range of doubles, or if the field is undefined.
     pub points: Vec<Vec<f64>>,
-    /// At how many of them there are fewer than asked.
+    /// The number of values with fewer numbers than requested.
     pub ended: usize,
     /// Whether the watch stopped the work.
     pub stopped: bool,
 }
 
 impl Diagram {
-    /// The first variable, after a thousand steps.
+    /// Shows the first variable, after a transient of 1000 steps.
     #[must_use]
     pub fn new(eps: Option<Rational>, at: Vec<Rational>, over: Axis, steps: u64) -> Self {
         Diagram {
@@ -113,11 +112,11 @@ impl Diagram {
         }
     }
 
-    /// Follows an orbit at each value. Costs so many orbits, and a number for each point shown.
+    /// Follows an orbit at each value. Costs these orbits, and memory for each shown number.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing, an axis or a variable that
-    /// the field does not have, a plane that is no formula.
+    /// [`StudyError`]: claims that do not hold, missing values, an unknown axis or variable, or a
+    /// plane that is not a formula.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
         study.can_reembed(self.reembed)?;
@@ -136,7 +135,7 @@ impl Diagram {
         }
     }
 
-    /// The section of the orbits, as a question of its own.
+    /// Returns the question for the section of the orbits.
     #[must_use]
     pub fn section(&self, plane: &str) -> Section {
         let Diagram { eps, at, over, transient, steps, direction, crossings, order, carry, reembed, .. } =
@@ -146,7 +145,6 @@ impl Diagram {
         Section { eps, over, transient, steps, direction, crossings, order, carry, reembed, ..plain }
     }
 
-    /// Shows where orbits cross a section.
     fn of_section(
         &self,
         plane: &str,
@@ -172,7 +170,6 @@ impl Diagram {
         Ok(found)
     }
 
-    /// Shows all steps.
     fn of_steps(
         &self,
         mut found: DiagramFound,
@@ -226,7 +223,7 @@ impl Diagram {
     }
 }
 
-/// Keeps one column of a table.
+/// A receiver that collects one column of a table.
 struct Shown {
     column: usize,
     values: Vec<f64>,

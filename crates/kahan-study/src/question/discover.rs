@@ -1,4 +1,4 @@
-//! What a field's map preserves, found from its equations alone.
+//! Finds from the equations what a field's map preserves.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
@@ -24,50 +24,50 @@ use crate::study::Study;
 use super::over::{AtCell, Entry, column};
 use super::seconds_since;
 
-/// Asks what the map of a field preserves.
+/// A request for the structures that the map of a field preserves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Discover {
-    /// ε, half the time step, where it is fixed; generic otherwise.
+    /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The degree up to which relations on orbits are looked for; the number of variables chooses
-    /// where it is absent, and the search goes on while something may be missing.
+    /// The largest degree of relations on orbits. By default, the degree follows from the number of
+    /// variables and grows while findings may be missing.
     pub degree: Option<u32>,
-    /// The seconds that the search may take.
+    /// The time limit in seconds.
     pub seconds: f64,
 }
 
-/// Of whatever degree there is time for in a minute.
+/// Searches any degree, for a minute.
 impl Default for Discover {
     fn default() -> Self {
         Discover { eps: None, degree: None, seconds: 60.0 }
     }
 }
 
-/// What was found, and of what.
+/// The findings about a field.
 #[derive(Clone, Debug)]
 pub struct Discovered {
     /// The name of the system.
     pub system: String,
-    /// The field, with the claims that it brought along.
+    /// The field with its own claims.
     pub field: System,
-    /// The parameters that were fixed; the others are generic.
+    /// The fixed parameters; the others are generic.
     pub fixed: Names<Rational>,
-    /// ε, where it was fixed.
+    /// ε, if fixed.
     pub eps: Option<Rational>,
-    /// All that was found.
+    /// All findings.
     pub report: Report,
-    /// The seconds that it took; `None` without a clock.
+    /// The seconds of the search; `None` without a clock.
     pub seconds: Option<f64>,
 }
 
 impl Discover {
-    /// Looks for integrals, densities, brackets, drifts and structure. Parameters without values
-    /// are generic. Claims of the field are ignored. The watch hears of each proved finding.
+    /// Searches for integrals, densities, brackets, drifts and structure. Parameters without values
+    /// are generic. Ignores the claims of the field. Reports each proved finding to the watch.
     ///
     /// # Errors
-    /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
+    /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is not feasible.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Discovered, StudyError> {
         let begun = watch.now();
         let options = options(study, &self.eps, self.degree, self.seconds)?;
@@ -126,8 +126,6 @@ impl AtCell for Discover {
     }
 }
 
-/// What a search in the study's field is told: its parameters that have values, and what a question
-/// says beside them.
 pub(super) fn options(
     study: &Study,
     eps: &Option<Rational>,
@@ -138,7 +136,7 @@ pub(super) fn options(
     Ok(Options { eps, parameters, degree, seconds, ..Options::default() })
 }
 
-/// The degree that is asked for, if relations of that degree are within reach.
+/// Checks that relations of the requested degree are feasible.
 fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, StudyError> {
     let variables = study.variables().len();
     let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
@@ -153,7 +151,7 @@ fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, Study
 }
 
 impl Discovered {
-    /// The proved claims, each with its line: integrals, densities, brackets and drifts.
+    /// Iterates over the proved claims with their texts: integrals, densities, brackets, drifts.
     pub fn claims(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let Report { integrals, densities, brackets, drifts, .. } = &self.report;
         let formulas = integrals.iter().chain(densities).map(|formula| (&*formula.text, &formula.claim));
@@ -161,43 +159,41 @@ impl Discovered {
         formulas.chain(brackets).chain(drifts.iter().map(|drift| (&*drift.text, &drift.claim)))
     }
 
-    /// The lines of the claims of one kind.
     fn lines(&self, kind: ClaimKind) -> Vec<&str> {
         self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
     }
 
-    /// The claims for people to read: without integrals that the compact forms of modified
-    /// Hamiltonians replace, and without claims of more than [`MOST_READABLE`] characters.
+    /// Iterates over the claims for readers: without integrals that compact forms of modified
+    /// Hamiltonians replace, and without texts above [`MOST_READABLE`] characters.
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
-        // The integrals stand first, so that their indices are those of the claims.
+        // Integrals come first, so their indices are the indices of the claims.
         let kept = self.claims().enumerate().filter(move |(index, _)| !replaced.contains(index));
         kept.map(|(_, claim)| claim).filter(|(text, _)| text.len() <= MOST_READABLE)
     }
 
-    /// The lines of the claims of the [readable field](Self::readable).
+    /// Returns the texts of the claims of the [readable field](Self::readable).
     #[must_use]
     pub fn readable_claims(&self) -> Vec<&str> {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// The field with its claims for people to read: without integrals that the compact forms of
-    /// modified Hamiltonians replace, and without claims of more than [`MOST_READABLE`] characters.
+    /// Returns the field with the claims for readers: without integrals that compact forms of
+    /// modified Hamiltonians replace, and without texts above [`MOST_READABLE`] characters.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
         System { claims, ..self.field.clone() }
     }
 
-    /// The field with all that was found as its claims.
+    /// Returns the field with all findings as its claims.
     #[must_use]
     pub fn claimed(&self) -> System {
         let claims = self.claims().map(|(_, claim)| claim.clone()).collect();
         System { claims, ..self.field.clone() }
     }
 
-    /// All that is claimed as objects of JSON, each claim in its parts, and H where the field is
-    /// K grad H.
+    /// Writes each claim in its parts, as objects of JSON, and H if the field is K grad H.
     fn parts(&self) -> Vec<Value> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
@@ -216,7 +212,7 @@ impl Discovered {
         let claims = self
             .claims()
             .map(|(_, claim)| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
-        // Integrals have the names H1, H2, …, so the H of K1 is H_K1.
+        // Integrals are called H1, H2, …, so the H of K1 is called H_K1.
         let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| {
             let name = found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}"));
             part("hamiltonian", &name, &found.hamiltonian)
@@ -225,9 +221,9 @@ impl Discovered {
     }
 }
 
-/// The relation of a basis as an object of JSON. The integrals are quotients of coefficients `c[m]`
-/// of the relation Σ `c[m]` m = 0 along an orbit, and each term is a sum of monomials whose
-/// coefficients are equal.
+/// Writes the relation of a basis as an object of JSON. The integrals are quotients of coefficients
+/// `c[m]` of the relation Σ `c[m]` m = 0 along an orbit. Each term is a sum of monomials with equal
+/// coefficients.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];
@@ -241,8 +237,8 @@ fn relation(basis: &Basis, variables: &[String]) -> Value {
     })
 }
 
-/// K, H and the modified Hamiltonian at a point x and its image x~ as an object of JSON.
-/// `is_compact` says whether that is news beside the integrals, or a much shorter formula.
+/// Writes K, H and the modified Hamiltonian at a point x and its image x~ as an object of JSON.
+/// `is_compact` says whether the modified Hamiltonian is new, or much shorter than the integrals.
 fn hamiltonian(found: &HamiltonianReport) -> Value {
     json!({
         "K": found.tensor,
@@ -254,7 +250,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// The integrals that composition leaves, and the quotients of two, as an object of JSON.
+/// Writes the integrals that compositions preserve, and quotients of two, as an object of JSON.
 fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

@@ -1,4 +1,4 @@
-//! Every object of a system at one point, in exact or in floating-point numbers.
+//! Evaluates every object of a system at one point, exactly or in floats.
 
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::Point;
@@ -14,7 +14,7 @@ use crate::study::{NoStep, Study};
 
 use super::over::{AtCell, Entry, column};
 
-/// Asks for the field, the matrices, the map, its Jacobian, and the values of the claims at a
+/// A request for the field, the matrices, the map, its Jacobian and the values of the claims at a
 /// point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -22,10 +22,10 @@ pub struct Evaluate {
     /// ε, half the time step.
     #[serde(with = "exact")]
     pub eps: Rational,
-    /// The point, a coordinate for each variable.
+    /// The point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The numbers to compute with; exact ones unless told.
+    /// The scalar of the computation, by default exact.
     #[serde(default = "exactly")]
     pub scalar: ScalarKind,
 }
@@ -34,7 +34,7 @@ fn exactly() -> ScalarKind {
     ScalarKind::Exact
 }
 
-/// The values. One that is undefined at the point is `None`, and null in JSON.
+/// The values at the point; `None`, and null in JSON, for an undefined value.
 #[derive(Clone, Debug, Serialize)]
 pub struct Evaluated {
     /// The name of the system.
@@ -48,53 +48,53 @@ pub struct Evaluated {
     pub eps: Number,
     /// The point.
     pub x: Vec<Number>,
-    /// f(x)
+    /// The field f(x).
     pub field: Vec<Number>,
-    /// f′(x), row by row.
+    /// The Jacobian f′(x), row by row.
     pub field_jacobian: Vec<Vec<Number>>,
-    /// A(x,ε), row by row.
+    /// The matrix A(x,ε), row by row.
     #[serde(rename = "A")]
     pub matrix: Vec<Vec<Number>>,
-    /// b(x,ε)
+    /// The right-hand side b(x,ε).
     #[serde(rename = "b")]
     pub rhs: Vec<Number>,
-    /// det A(x,ε)
+    /// The determinant det A(x,ε).
     #[serde(rename = "det_A")]
     pub det_matrix: Number,
-    /// x̃ of the reduced map.
+    /// The image x̃ under the reduced map.
     pub x_next: Option<Vec<Number>>,
-    /// ∂x̃/∂x of the reduced map, row by row.
+    /// The Jacobian ∂x̃/∂x of the reduced map, row by row.
     pub jacobian: Option<Vec<Vec<Number>>>,
-    /// Its determinant.
+    /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,
-    /// The integrals that are claimed without `when`, or of whose `when` the values are.
+    /// The integrals claimed without a condition, or under a condition that holds at these values.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
-    /// The density of those claims.
+    /// The density of the claims that apply.
     pub density: Option<Number>,
-    /// The brackets of those claims, row by row.
+    /// The brackets of the claims that apply, row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The drifts of those claims: a function, and its next value by the recurrence.
+    /// The drifts of the claims that apply: a function, and its next value by the recurrence.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
-    /// Why there is no next point.
+    /// The reason for which the point has no image.
     #[serde(skip)]
     pub no_step: Option<NoStep>,
 }
 
 impl Evaluate {
-    /// In exact numbers.
+    /// Asks for exact values.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
         Evaluate { eps, at, scalar: exactly() }
     }
 
-    /// The values of a system whose claims hold.
+    /// Evaluates a system whose claims hold.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not
-    /// defined at its parameters.
+    /// [`StudyError`]: claims that do not hold, missing values, or a field that is undefined at its
+    /// parameters.
     pub fn ask(&self, study: &Study, _: &dyn Watch) -> Result<Evaluated, StudyError> {
         let study = study.at_step(&self.eps)?;
         match self.scalar {

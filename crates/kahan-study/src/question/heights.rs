@@ -1,4 +1,4 @@
-//! The Diophantine test on one exact orbit, within bounds.
+//! The Diophantine integrability test on one exact orbit.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Progress, Unwatched, Watch};
@@ -15,22 +15,22 @@ use crate::study::{NoStep, Study};
 use super::over::{AtCell, Entry, column};
 use super::{minute, seconds_since};
 
-/// Asks how the heights of an exact orbit grow.
+/// A request for the growth of the heights of an exact orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Heights {
     /// ε, half the time step.
     #[serde(with = "exact")]
     pub eps: Rational,
-    /// The first point, a coordinate for each variable.
+    /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The number of steps.
     pub steps: u64,
-    /// The greatest number of decimal digits of a numerator or denominator.
+    /// The largest number of decimal digits of a numerator or denominator.
     #[serde(default = "usual_digits")]
     pub digits: u64,
-    /// The seconds that the orbit may take; a step that is likely to end later is not begun.
+    /// The time limit in seconds; a step that would probably exceed it is not begun.
     #[serde(default = "minute")]
     pub seconds: f64,
 }
@@ -39,34 +39,34 @@ fn usual_digits() -> u64 {
     1_000_000
 }
 
-/// The heights, and how they grow.
+/// The heights of an orbit with their growth.
 #[derive(Clone, Debug)]
 pub struct HeightsFound {
     /// The name of the system.
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The heights, their growth, and what ended the orbit.
+    /// The heights, their growth, and the reason of the end.
     pub survey: Survey,
-    /// The seconds that it took; `None` without a clock.
+    /// The seconds of the orbit; `None` without a clock.
     pub seconds: Option<f64>,
     /// The pole that ended the orbit.
     pub pole: Option<NoStep>,
 }
 
 impl Heights {
-    /// Within a million digits and a minute.
+    /// Asks with limits of a million digits and a minute.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         Heights { eps, at, steps, digits: usual_digits(), seconds: minute() }
     }
 
-    /// Follows the orbit of a system whose claims hold. Costs at each step products and gcds of
-    /// numbers as long as the heights say.
+    /// Follows the orbit of a system whose claims hold. Each step costs products and gcds of
+    /// numbers of the orbit's height.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not
-    /// defined at its parameters.
+    /// [`StudyError`]: claims that do not hold, missing values, or a field that is undefined at its
+    /// parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<HeightsFound, StudyError> {
         let begun = watch.now();
         let system = study.proved()?;
@@ -130,14 +130,14 @@ impl AtCell for Heights {
 }
 
 impl HeightsFound {
-    /// The number of steps that were made.
+    /// Returns the number of steps of the orbit.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.survey.heights.len().saturating_sub(1)
     }
 }
 
-/// A height to the 15 digits that are promised.
+/// Rounds a height to 15 significant digits.
 #[must_use]
 pub fn fifteen_digits(height: f64) -> f64 {
     format!("{height:.14e}").parse().expect("a printed float is one")

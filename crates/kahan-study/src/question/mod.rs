@@ -1,12 +1,12 @@
 //! Questions and their answers, as values.
 //!
-//! A question says what is asked, not of which field: that is the [`Subject`](crate::Subject)'s. It
-//! reads itself from JSON, where `ask` names it: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
-//! 3]}`; a name that it does not have is a mistake.
+//! A question says what is asked; the [`Subject`](crate::Subject) says of which field. Its JSON has
+//! a name `ask` and the fields of the question, `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
+//! 3]}`; unknown fields are mistakes.
 //!
-//! Each question has a file with its fields, its answer and `ask`, and with the entries of its row
-//! where it can be asked over axes. Its line in the list below declares the module, exports its
-//! public names, and adds it to [`Question`] and [`Answer`].
+//! Each question has a file with its fields, its answer and `ask`, and, if it can be asked over
+//! axes, the entries of its row. A line in the list below declares the module, exports its public
+//! names, and adds the question to [`Question`] and [`Answer`].
 
 mod over;
 
@@ -43,7 +43,7 @@ macro_rules! questions {
             $(pub use $module::*;)?
         )*
 
-        /// What is asked.
+        /// A question about a field.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Question {
             $($(#[cfg(feature = $feature)])? $(#[$about])* $question($question),)*
@@ -51,7 +51,7 @@ macro_rules! questions {
             Over(Over),
         }
 
-        /// The answer to a question, which has its names in JSON.
+        /// The answer to a question, under the names of its JSON.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
@@ -60,14 +60,13 @@ macro_rules! questions {
             Over(Box<OverFound>),
         }
 
-        /// The values of `ask`.
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
-            /// The values of `ask` of questions that have rows over axes.
+            /// The values of `ask` for questions that can be asked over axes.
             pub const OVER_AXES: &[&str] = &["observe", $($((stringify!($at_cell), $name).1,)?)*];
 
-            /// Its name, the value of `ask`.
+            /// Returns the name of the question, the value of `ask`.
             #[must_use]
             pub fn name(&self) -> &'static str {
                 match self {
@@ -76,7 +75,7 @@ macro_rules! questions {
                 }
             }
 
-            /// The same where it has a row in a table over axes.
+            /// Returns the question as one that has a row in a table over axes.
             fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
                 match self {
                     $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*
@@ -94,7 +93,7 @@ macro_rules! questions {
                 })
             }
 
-            /// Reads the question of this name, which has no axes, from all but its name.
+            /// Reads the question of this name, without axes, from its other fields.
             fn alone(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
                 match name {
                     $(
@@ -105,7 +104,8 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the object of JSON of all but the name; `None` for a question over axes.
+            /// Returns the fields of the question without its name; `None` for a question over
+            /// axes.
             fn rest(&self) -> Option<Value> {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(asked) => Some(json!(asked)),)*
@@ -123,25 +123,25 @@ questions! {
     Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
     /// The points of an orbit.
     Orbit, asked as "orbit", answered by Orbited, in orbit;
-    /// What an orbit does.
+    /// The dynamics of an orbit.
     Observe, asked as "observe", answered by Observed, in observe;
-    /// Where an orbit crosses a plane.
+    /// The crossings of orbits with a plane.
     Section, asked as "section", answered by SectionFound, in section;
-    /// What orbits tend to over the values of a parameter.
+    /// The limits of orbits over the values of a parameter.
     Diagram, asked as "diagram", answered by DiagramFound, in diagram;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
     /// The heights of an exact orbit.
     Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;
-    /// What becomes of singularities.
+    /// The fate of singularities.
     Poles, asked as "poles", answered by PolesFound, in poles;
-    /// What the map preserves.
+    /// The structures that the map preserves.
     Discover, asked as "discover", answered by Discovered, in discover, also AtCell;
     /// Special values of parameters and of ε.
     Scan, asked as "scan", answered by ScanFound, in scan;
-    /// Speed against accuracy on a scene.
+    /// Work against accuracy in one scene.
     Trade, asked as "trade", answered by Traded;
-    /// Whether claims hold.
+    /// A check of claims.
     Verify, asked as "verify", answered by Verified, in verify, with "paper";
 }
 
@@ -149,16 +149,16 @@ impl Study {
     /// Answers a question.
     ///
     /// # Errors
-    /// Where the question does not fit the field, or has no answer: [`StudyError`].
+    /// [`StudyError`]: the question does not fit the field, or has no answer.
     pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
         question.ask(self, watch)
     }
 
-    /// Hands on rows of an answer that is a table, by their numbers from 0 on; how the table ended.
-    /// Rows that are not there are left out.
+    /// Passes on the rows in `range`, counted from 0, of an answer that is a table. Returns how the
+    /// table ended. Rows beyond its end are left out.
     ///
     /// # Errors
-    /// [`StudyError::NoRows`] where the answer is no table, and where there is no answer.
+    /// [`StudyError::NoRows`] if the answer is not a table, and the errors of the question.
     pub fn rows(
         &self,
         question: &Question,
@@ -179,7 +179,7 @@ impl Study {
     }
 }
 
-/// Hands on the rows whose numbers are in a range.
+/// A receiver that passes on only the rows in a range.
 struct Within<'a> {
     range: Range<u64>,
     row: u64,
@@ -202,10 +202,10 @@ impl Rows for Within<'_> {
 }
 
 impl Question {
-    /// Reads a question from JSON. Of a question that has rows over axes, `over` has the axes.
+    /// Reads a question from JSON. The field `over` selects axes if the question supports them.
     ///
     /// # Errors
-    /// The first mistake, with its place.
+    /// The first mistake, with its path.
     pub fn read(mut object: Map<String, Value>) -> Result<Self, Misread> {
         let Some(name) = object.remove("ask") else {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
@@ -239,22 +239,22 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
-/// The usual number of steps from row to row, of periods, and of draws.
+/// The default number of steps between rows, of periods, and of draws.
 fn one<T: From<u8>>() -> T {
     T::from(1)
 }
 
-/// The order of Kahan's map itself, which many questions are about unless told.
+/// The default order of the method: Kahan's map itself.
 fn usual_order() -> u32 {
     2
 }
 
-/// The seconds that many questions may take unless told.
+/// The default time limit of a question, in seconds.
 fn minute() -> f64 {
     60.0
 }
 
-/// The seconds since then; `None` without a clock.
+/// Returns the seconds since `begun`; `None` without a clock.
 fn seconds_since(begun: Option<Duration>, watch: &dyn Watch) -> Option<f64> {
     Some(watch.now()?.saturating_sub(begun?).as_secs_f64())
 }

@@ -1,8 +1,7 @@
-//! What an orbit does: exponents, indicators of chaos, rotation, drift, escape.
+//! Observes an orbit: exponents, indicators of chaos, rotation, drift, escape.
 //!
-//! In: a first point, and what is to be observed. Out: what was seen, in that order. Nothing of the
-//! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
-//! extremes.
+//! In: a first point, and the observables. Out: the observations, in order. No orbit is stored.
+//! Rotation follows the orbit twice, first to find the midpoints of its extrema.
 
 use std::ops::ControlFlow;
 
@@ -26,43 +25,43 @@ use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, Seen};
 
-/// Why calls of a map are not refused.
+/// The reason for which calls of a map succeed.
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST: &str = "the last point was asked for";
 
-/// Asks what the orbit of a point does, in doubles.
+/// A request for observations of the orbit of a point, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Observe {
     /// ε, half the time step.
     #[serde(with = "exact")]
     pub eps: Rational,
-    /// The first point, a coordinate for each variable.
+    /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The steps before the orbit is observed, behind which the others are counted.
+    /// The number of steps before the observation.
     #[serde(default)]
     pub transient: u64,
-    /// The number of steps.
+    /// The number of observed steps.
     pub steps: u64,
     /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose steps of it.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Steps between two times that tangent vectors are made orthogonal.
+    /// The number of steps between orthogonalisations of tangent vectors.
     #[serde(default = "usual_renormalize")]
     pub renormalize: u64,
-    /// The number of exponents in the spectrum, the largest ones; `None` for all.
+    /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// The size of a variable beyond which the orbit has escaped, and ends; `None` for no bound.
+    /// The size of a variable at which the orbit counts as escaped and ends; `None` for no bound.
     /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
     #[serde(default)]
     pub escape: Option<f64>,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations between
-    /// its variables.
+    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
+    /// lift.
     #[serde(default)]
     pub reembed: bool,
-    /// The observables, by default the [usual](Observable::usual) ones; no other is computed.
+    /// The observables to compute, by default the [usual](Observable::usual) ones.
     #[serde(default = "Observable::usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub observe: Vec<Observable>,
 }
@@ -82,29 +81,28 @@ fn of_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Observable
     Vec::<String>::deserialize(deserializer)?.iter().map(of_name).collect()
 }
 
-/// What was observed; exponents are per unit of time, of which a step takes 2ε.
+/// The observations of an orbit. Exponents are per unit of time; a step takes the time 2ε.
 #[derive(Clone, Debug)]
 pub struct Observed {
     /// The name of the system.
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The integrals that are claimed without `when`.
+    /// The integrals claimed without a condition.
     pub integrals: Vec<String>,
-    /// The steps that were made, the transient among them: fewer than asked where the orbit ended
-    /// before.
+    /// The number of steps, including the transient; fewer than requested if the orbit ended early.
     pub steps: u64,
-    /// How the orbit ended.
+    /// The way in which the orbit ended.
     pub end: End,
-    /// The reason of the end, where the lift has one.
+    /// The reason of the end, if the lift caused it.
     pub why: Option<String>,
-    /// What was seen of all that was asked for, in that order.
+    /// The observations, in the order of the observables.
     pub seen: Vec<(Observable, Seen)>,
 }
 
 impl Observe {
-    /// Kahan's map, tangent vectors made orthogonal every ten steps, no bound, and of that all that
-    /// is usual.
+    /// Asks for the usual observables of Kahan's map, with orthogonalisation every ten steps and no
+    /// bound.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
@@ -122,18 +120,18 @@ impl Observe {
         }
     }
 
-    /// Observes so many steps of orbits whose first points and ε are given beside the question.
+    /// Asks for `steps` steps of orbits whose first points and ε are given separately.
     #[must_use]
     pub fn of(observe: Vec<Observable>, steps: u64) -> Self {
         Observe { observe, ..Observe::new(Rational::zero(), Vec::new(), steps) }
     }
 
-    /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
-    /// vectors that the exponents and indicators need, and for rotation another one.
+    /// Observes the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
+    /// vectors of the exponents and indicators, and a second run for rotation.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, an order that there is not, a field that is not defined at its parameters.
+    /// doubles, an unknown order, or a field that is undefined at its parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Observed, StudyError> {
         let system = study.proved()?;
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
@@ -158,14 +156,14 @@ impl Observe {
         })
     }
 
-    /// The steps of an orbit, which some observers follow twice.
+    /// Returns the total number of steps, including second runs.
     #[must_use]
     pub fn steps_in_all(&self) -> u64 {
         let runs = self.observe.iter().map(|one| one.runs()).max();
         self.steps.saturating_mul(runs.unwrap_or(1)).saturating_add(self.transient)
     }
 
-    /// Refuses drifts that are asked for by name where the field claims no integral.
+    /// Refuses an explicit request for drifts if the field claims no integral.
     ///
     /// # Errors
     /// [`StudyError::NoIntegral`].
@@ -177,14 +175,13 @@ impl Observe {
         Ok(())
     }
 
-    /// What is observed, each once.
+    /// Returns the observables without duplicates.
     #[must_use]
     pub fn observables(&self) -> Vec<Observable> {
         let is_first = |(place, one): &(usize, &Observable)| !self.observe[..*place].contains(one);
         self.observe.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
     }
 
-    /// The same with what observers need to know.
     pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
         let relations = study.relations();
         let exponents = self.spectrum.unwrap_or(usize::MAX);
@@ -198,7 +195,7 @@ impl Observe {
         }
     }
 
-    /// The columns of a table that hold what is observed in a field, an orbit a row.
+    /// Returns the columns of the observations, for a table with a row for each orbit.
     #[must_use]
     pub fn columns(&self, study: &Study) -> Vec<Column> {
         let integrals = study.field().integrals();
@@ -214,13 +211,13 @@ impl Observe {
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
-    /// What is seen of many orbits, side by side where there is code for that: the
-    /// [numbers](Self::numbers) of the columns. `maps` has a map an orbit, and `starts` a column a
-    /// variable; ε, order and first point of the question do not count. `tell` hears of steps, and
-    /// may stop the work, whose result is of no use then.
+    /// Observes many orbits, side by side where compiled code allows it. Returns the
+    /// [numbers](Self::numbers) of the columns. `maps` holds a map for each orbit, and `starts` a
+    /// column for each variable; the ε, order and first point of the question are ignored. `tell`
+    /// receives numbers of steps and may stop the work, whose results are then meaningless.
     ///
     /// # Panics
-    /// Where these do not fit each other.
+    /// If `maps` and `starts` do not fit each other.
     pub fn of_orbits<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -236,8 +233,8 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit behind its transient. Steps end where those of a lifted field do; with
-    /// the reason.
+    /// Observes one orbit after its transient. Returns the observations, and the reason if the lift
+    /// ended the orbit.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -259,8 +256,8 @@ impl Observe {
         if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
-    /// Observes many orbits behind their transients, side by side where there is code for that. An
-    /// orbit that ends in its transient is followed once more, to its end.
+    /// Observes many orbits after their transients, side by side where compiled code allows it. An
+    /// orbit that ends in its transient is followed again, up to its end.
     pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -295,7 +292,8 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start on, as far as a lifted field goes; with the reason.
+    /// Observes one orbit from its start, up to the end of the lift; returns the reason of this
+    /// end.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -315,8 +313,8 @@ impl Observe {
         (found, ends)
     }
 
-    /// Observes many orbits from their starts on. An orbit of a lifted field whose last point is
-    /// beyond its end is followed once more, to the end.
+    /// Observes many orbits from their starts. An orbit of a lifted field whose last point is
+    /// beyond the end of the lift is followed again, up to that end.
     fn side_by_side<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -337,8 +335,9 @@ impl Observe {
         found
     }
 
-    /// Returns the observations of an orbit as numbers of a table's columns. Where an orbit ended
-    /// early, only the step of its escape is a number, as the others would not cover all steps.
+    /// Returns the observations of an orbit as the numbers of a table's columns. For an orbit that
+    /// ended early, only the step of its escape is a number, because other observations would not
+    /// cover all steps.
     #[must_use]
     pub fn numbers(found: &Followed<Vec<Seen>>) -> Vec<f64> {
         let numbers = |seen: &Seen| {
@@ -352,11 +351,11 @@ impl Observe {
         found.report.iter().flat_map(numbers).collect()
     }
 
-    /// The method of its order, if all else can be observed, too.
+    /// Returns the composition of the requested order, after checking the other options.
     ///
     /// # Errors
-    /// [`StudyError`] where steps are to be projected, and are not those of a lifted field, or
-    /// something is observed that is of the map itself.
+    /// [`StudyError`]: an unknown order, a count of 0, projection of a field without a lift, or
+    /// projection with an observable of the map itself.
     pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
         if self.reembed {
             study.can_reembed(true)?;
@@ -375,14 +374,13 @@ impl Observe {
 }
 
 impl Observed {
-    /// What was seen of one of the things that were asked for.
+    /// Returns the observation of one observable.
     #[must_use]
     pub fn of(&self, observable: Observable) -> Option<&Seen> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
     }
 }
 
-/// Observables with the last point behind them.
 fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
 }
@@ -405,7 +403,7 @@ fn last_point<T: EmbedScalar>(seen: Seen) -> Option<Vec<T>> {
     Some(point.into_iter().map(T::narrowed).collect())
 }
 
-/// Leaves out variables that answers do not show.
+/// Drops the variables that answers do not show.
 pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
     match seen {
         Seen::Point(point) => Seen::Point(study.project(&point)),
@@ -415,7 +413,7 @@ pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
     }
 }
 
-/// Replaces indicators by NaN where no step was observed, as they say nothing of the orbit then.
+/// Replaces indicators by NaN if no step was observed.
 fn after(has_steps: bool, seen: Seen) -> Seen {
     match seen {
         Seen::Number(_) if !has_steps => Seen::Number(f64::NAN),
@@ -423,7 +421,7 @@ fn after(has_steps: bool, seen: Seen) -> Seen {
     }
 }
 
-/// What was seen, with a value for each variable or integral by name.
+/// Writes an observation, with a value by name for each variable or integral.
 fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
         names.iter().cloned().zip(values.iter().map(value)).collect()

@@ -1,8 +1,8 @@
-//! The points of an orbit, with the integrals at them: a table that may be longer than memory.
+//! The points of an orbit with the integrals at them, as a table that may exceed memory.
 //!
-//! In: a study, ε, a first point, how many steps, which of the points become rows, numbers and a
-//! method. Out: rows in blocks, or an answer that has all of them. [`points`] makes rows of
-//! whatever moves; [`maps`] and [`methods`] are what moves.
+//! In: a study, ε, a first point, numbers of steps, a scalar and a method. Out: rows in blocks, or
+//! an answer with all rows. [`points`] makes rows of any moving point; [`maps`] and [`methods`]
+//! hold the moving points.
 
 mod chain;
 mod maps;
@@ -35,64 +35,65 @@ use maps::Moving;
 pub use paces::Paces;
 use points::{Course, Halt, Points, ended};
 
-/// Asks for the points of an orbit: rows of n, the time t = 2εn, the variables, the integrals that
-/// are claimed without `when`, or `when` what holds for this orbit. A claim is about Kahan's map;
-/// compositions of it and other methods follow the flow, whose integrals are the claims at ε = 0.
+/// A request for the points of an orbit: rows of n, the time t = 2εn, the variables, and the
+/// integrals claimed without a condition or under one that holds for this orbit. Claims concern
+/// Kahan's map. Compositions and other methods follow the flow; their integrals are the claims at ε
+/// = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
-    /// ε, half the time step; a negative one steps back.
+    /// ε, half the time step; a negative ε steps backwards.
     #[serde(with = "exact")]
     pub eps: Rational,
-    /// The first point, a coordinate for each variable.
+    /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The steps to the first row; those of [`steps`](Self::steps) come after them.
+    /// The number of steps before the first row; [`steps`](Self::steps) counts from there.
     #[serde(default)]
     pub transient: u64,
     /// The number of steps.
     pub steps: u64,
-    /// The steps from row to row; the first row is the first point behind the transient.
+    /// The number of steps between rows.
     #[serde(default = "one")]
     pub every: u64,
-    /// The numbers to compute with.
+    /// The scalar of the computation.
     #[serde(default)]
     pub scalar: ScalarKind,
     /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose steps of it, in floats.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// What a step is.
+    /// The method of a step.
     #[serde(default)]
     pub method: Method,
-    /// Whether the orbit goes on at poles, through points at infinity.
+    /// Whether the orbit continues through poles, by points at infinity.
     #[serde(default)]
     pub projective: bool,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations between
-    /// its variables, in doubles.
+    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
+    /// lift, in doubles.
     #[serde(default)]
     pub reembed: bool,
 }
 
-/// What a step of an orbit is; each takes the time 2ε.
+/// The method of a step of an orbit; each step takes the time 2ε.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
-    /// A step of Kahan's map, or of a composition of it.
+    /// Kahan's map, or a composition of it.
     #[default]
     Kahan,
     /// Euler's explicit method, of order 1.
     Euler,
-    /// The classical method of Runge and Kutta, of order 4.
+    /// The classical Runge–Kutta method, of order 4.
     Rk4,
-    /// The flow itself.
+    /// The flow itself, by Taylor series.
     Flow,
 }
 
 impl Method {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 4] = [Self::Kahan, Self::Euler, Self::Rk4, Self::Flow];
 
-    /// Its name in questions.
+    /// Returns the name in questions.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -103,7 +104,7 @@ impl Method {
         }
     }
 
-    /// What it is.
+    /// Returns a description.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -115,26 +116,26 @@ impl Method {
     }
 }
 
-/// Why there is no such orbit.
+/// The reason for which options of an orbit exclude each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoOrbit {
     /// A composition of this order in exact numbers.
     Irrational(u32),
-    /// A composition that goes through poles.
+    /// A composition with projective steps.
     ProjectiveOrder,
-    /// A method that goes through poles.
+    /// Another method with projective steps.
     ProjectiveMethod,
-    /// A method with an order.
+    /// A method that has its own order, with an order.
     OwnOrder(Method),
     /// The flow in exact numbers.
     ExactFlow,
-    /// Symmetric projection of what is not lifted, or in other numbers or steps.
+    /// Symmetric projection without a lift, in another scalar, or with other steps.
     Reembed,
-    /// Something is observed of projected steps, by this name, that is of the map itself.
+    /// Projected steps with this observable, which concerns the map itself.
     OfTheMap(&'static str),
-    /// More variables than a projective orbit can have.
+    /// A projective orbit in too many variables.
     Projective(UnsupportedDimension),
-    /// More variables than the flow can have.
+    /// The flow in too many variables.
     Flow(UnsupportedDimension),
 }
 
@@ -191,7 +192,7 @@ impl NoOrbit {
     }
 }
 
-/// What is known of an orbit before its first step.
+/// The data of an orbit before its first step.
 #[derive(Clone, Debug, Serialize)]
 pub struct OrbitHead {
     /// The name of the system.
@@ -203,28 +204,28 @@ pub struct OrbitHead {
     pub parameters: Names<Number>,
     /// ε, half the time step, in the scalar.
     pub eps: Number,
-    /// The numbers that it is computed with.
+    /// The scalar of the computation.
     pub scalar: ScalarKind,
-    /// What a step is.
+    /// The method of a step.
     #[serde(skip_serializing_if = "is_kahans")]
     pub method: Method,
-    /// The order of Kahan's map or its composition; other methods have their own.
+    /// The order of Kahan's map or its composition; `None` for other methods.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<u32>,
-    /// The steps to the first row.
+    /// The number of steps before the first row.
     #[serde(skip_serializing_if = "is_none")]
     pub transient: u64,
-    /// The number of steps behind them.
+    /// The number of steps after the transient.
     pub steps: u64,
-    /// The steps from row to row.
+    /// The number of steps between rows.
     pub every: u64,
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// How steps of floats are made: `machine code` or `interpreted`.
+    /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
-    /// Whether it goes through poles.
+    /// Whether the orbit continues through poles.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub projective: bool,
 }
@@ -246,19 +247,19 @@ fn names<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok, S::E
 /// An orbit in memory.
 #[derive(Clone, Debug, Serialize)]
 pub struct Orbited {
-    /// What was known before.
+    /// The data before the first step.
     #[serde(flatten)]
     pub head: OrbitHead,
-    /// The rows, a column a column of the head.
+    /// The rows, with the columns of the head.
     pub rows: Table,
-    /// How it ended.
+    /// The way in which the orbit ended.
     #[serde(flatten)]
     pub ending: Ending,
 }
 
-/// An orbit at its first point.
+/// An orbit at its first point, ready to run.
 pub struct Begun<'a> {
-    /// What is known of it.
+    /// The data of the orbit.
     pub head: OrbitHead,
     go_on: GoOn<'a>,
 }
@@ -266,14 +267,13 @@ pub struct Begun<'a> {
 type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
 impl Begun<'_> {
-    /// Hands on rows by their numbers: row k is the point after `transient` and k times `every`
-    /// steps. Costs the
-    /// steps to the last of them, from the first point on; integrals are computed in rows only.
+    /// Passes on the rows in `range`: row k is the point after `transient` + k · `every` steps.
+    /// Costs all steps up to the last row; integrals are computed in rows only.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
 
-    /// Keeps all rows in memory.
+    /// Collects all rows in memory.
     #[must_use]
     pub fn in_memory(self, watch: &dyn Watch) -> Orbited {
         let (head, mut rows) = (self.head.clone(), Table::default());
@@ -283,7 +283,7 @@ impl Begun<'_> {
 }
 
 impl Orbit {
-    /// Every step of Kahan's map, in doubles.
+    /// Asks for every step of Kahan's map, in doubles.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         Orbit {
@@ -305,33 +305,33 @@ impl Orbit {
         Paces::new(self.transient, self.steps, self.every).ok_or_else(zero)
     }
 
-    /// The steps to the last row, the transient among them.
+    /// Returns the number of steps to the last point, including the transient.
     #[must_use]
     pub fn steps_in_all(&self) -> u64 {
         self.transient.saturating_add(self.steps)
     }
 
-    /// Whether its steps are those of Kahan's map itself, of which claims are made.
+    /// Returns whether the steps are steps of Kahan's map itself, which the claims concern.
     #[must_use]
     pub fn is_of_the_map(&self) -> bool {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// The study with the integrals that the orbit keeps without a condition.
+    /// Returns the study in which the integrals that the orbit preserves have no condition.
     ///
     /// # Errors
-    /// Those of [`Study::at_step`].
+    /// The errors of [`Study::at_step`].
     pub fn study(&self, study: &Study) -> Result<Study, StudyError> {
         if self.is_of_the_map() { study.at_step(&self.eps) } else { Ok(study.clone()) }
     }
 
-    /// Begins the orbit of a system whose claims hold; of [its own](Self::study), with all
-    /// integrals.
+    /// Prepares the orbit of a system whose claims hold. Pass [`study`](Self::study)'s result to
+    /// get all integrals.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
-    /// scalar, a field that is not defined at its parameters, an order that there is not, methods,
-    /// orders and scalars that do not go together.
+    /// scalar, a field that is undefined at its parameters, an unknown order, or options that
+    /// exclude each other.
     pub fn begin<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
         match self.scalar {
             ScalarKind::Exact => self.begin_in(&Exact, study),
@@ -341,19 +341,19 @@ impl Orbit {
         }
     }
 
-    /// Begins the same in doubles, whatever the scalar: a program that calls this alone holds the
-    /// code of no other numbers.
+    /// Prepares the orbit in doubles, whatever the scalar. A program that calls only this method
+    /// contains no code for other scalars.
     ///
     /// # Errors
-    /// Those of [`begin`](Self::begin).
+    /// The errors of [`begin`](Self::begin).
     pub fn begin_in_doubles<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
         self.begin_in(&Float64, study)
     }
 
-    /// All rows in memory.
+    /// Returns all rows in memory.
     ///
     /// # Errors
-    /// Those of [`begin`](Self::begin), and more than [`MOST_CELLS`].
+    /// The errors of [`begin`](Self::begin), or more than [`MOST_CELLS`] cells.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
         let study = self.study(study)?;
         let begun = self.begin(&study)?;
@@ -384,7 +384,8 @@ impl Orbit {
         let parameters = parameters.collect::<Result<Vec<_>, _>>()?;
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
-        // What differs exactly may be one number in the scalar.
+        // Numbers that differ exactly may coincide in the scalar, which may make the field
+        // undefined.
         if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
             return Err(study.undefined_field_at(&self.eps));
         }
@@ -416,8 +417,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns: &all, eps, paces };
-            // Rates grow beyond all bounds near infinity, exact points are asked for in long steps,
-            // and other methods are not Kahan's map.
+            // Near infinity rates are unbounded, exact orbits have long steps, and other methods do
+            // not have the growth factor of Kahan's map.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective
@@ -435,7 +436,6 @@ impl Orbit {
         Ok(Begun { head, go_on: Box::new(go_on) })
     }
 
-    /// Whether method, order and scalar go together.
     fn check(&self, study: &Study) -> Result<(), NoOrbit> {
         let is_kahans = self.method == Method::Kahan;
         let has_relations = study.lift().is_some() && self.scalar == ScalarKind::F64;
@@ -457,7 +457,7 @@ impl Orbit {
     }
 }
 
-/// Hands on some of the columns.
+/// A receiver that passes on a selection of the columns, and inspects rates along the way.
 struct Chosen<'a> {
     columns: &'a [Column],
     places: Vec<usize>,
@@ -465,12 +465,11 @@ struct Chosen<'a> {
     looks: Option<Looks>,
 }
 
-/// The rates of the field at some of the rows.
 struct Looks {
     rates: Rates,
-    /// Rows from one that is looked at to the next.
+    /// The number of rows from an inspected one to the next.
     stride: u64,
-    /// Rows to the next one.
+    /// The number of rows before the next inspected one.
     next: u64,
 }
 
@@ -479,7 +478,7 @@ impl Looks {
         Looks { stride: rates.stride(rows), rates, next: 0 }
     }
 
-    /// Looks at rows that have n, t and the variables.
+    /// Inspects a block of rows with n, t and the variables.
     fn rows(&mut self, values: &[Values<'_>]) {
         let count = values[0].count() as u64;
         while self.next < count {
@@ -505,7 +504,7 @@ impl Rows for Chosen<'_> {
     }
 }
 
-/// n and t, the variables, the integrals, of which the last two keep their names.
+/// Returns the columns n, t, variables, integrals; n and t are renamed if these names are taken.
 pub(super) fn columns(variables: &[String], integrals: &[String]) -> Vec<Column> {
     let taken = [variables, integrals].concat();
     let column = |name: &str, meaning: &str| Column { name: name.to_owned(), meaning: meaning.to_owned() };

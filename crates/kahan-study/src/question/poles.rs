@@ -1,4 +1,4 @@
-//! What happens after a map sends a curve to infinity or blows it down.
+//! The orbits of curves that a map sends to infinity or blows down.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::GrowthVerdict;
@@ -15,20 +15,20 @@ use crate::study::Study;
 use super::discover::options;
 use super::seconds_since;
 
-/// Asks what becomes of the curves that the map loses, in three variables of surfaces.
+/// A request for the orbits of the curves, or surfaces in three variables, that the map loses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {
-    /// ε, half the time step, where it is fixed; generic otherwise.
+    /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// How many steps each curve is followed.
+    /// The number of steps for which each curve is followed.
     pub steps: usize,
-    /// The seconds that the search may take; what is not finished then is undecided.
+    /// The time limit in seconds; unfinished curves are undecided.
     pub seconds: f64,
 }
 
-/// Twelve steps, a minute.
+/// Follows twelve steps, for a minute.
 impl Default for Poles {
     fn default() -> Self {
         Poles { eps: None, steps: 12, seconds: 60.0 }
@@ -43,16 +43,15 @@ pub struct PolesFound {
     /// The patterns, and the degrees of iterates.
     #[serde(flatten, serialize_with = "patterns")]
     pub found: kahan_discover::Poles,
-    /// How the degrees grow.
+    /// The growth of the degrees.
     #[serde(flatten, serialize_with = "class")]
     pub growth: GrowthVerdict,
-    /// The seconds that it took; `None` without a clock.
+    /// The seconds of the search; `None` without a clock.
     pub seconds: Option<f64>,
 }
 
 impl Poles {
-    /// Follows the curves modulo two primes. Parameters that are not given are generic; claims are
-    /// not looked at.
+    /// Follows the curves modulo two primes. Parameters without values are generic. Ignores claims.
     ///
     /// # Errors
     /// [`StudyError::Discover`].
@@ -70,7 +69,6 @@ impl Poles {
     }
 }
 
-/// Writes the patterns of curves, and the degrees of iterates.
 fn patterns<S: Serializer>(found: &kahan_discover::Poles, serializer: S) -> Result<S::Ok, S::Error> {
     let image = |image: &Image| json!({"dimension": image.dimension, "infinite": image.is_infinite});
     let curve = |pattern: &Pattern| {
@@ -91,7 +89,6 @@ fn patterns<S: Serializer>(found: &kahan_discover::Poles, serializer: S) -> Resu
     object.end()
 }
 
-/// Writes the class of growth, and the entropy.
 fn class<S: Serializer>(verdict: &GrowthVerdict, serializer: S) -> Result<S::Ok, S::Error> {
     let mut object = serializer.serialize_map(None)?;
     object.serialize_entry("growth", verdict.growth.word())?;

@@ -1,4 +1,4 @@
-//! Which values of parameters, and of ε, are special.
+//! Searches a grid for special values of parameters and of ε.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{GridPoint, Proposal, Sight};
@@ -16,63 +16,62 @@ use crate::study::Study;
 use super::discover::options;
 use super::{minute, seconds_since};
 
-/// The most points of a grid.
 const MOST_POINTS: usize = 1_000_000;
 
-/// Asks at which points of a grid degrees or ranks are not the generic ones, and along which
-/// relations of them.
+/// A request for the points of a grid at which degrees or ranks differ from the generic ones, and
+/// for relations between these points.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
-    /// ε, half the time step, where it is fixed; generic otherwise.
+    /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// What goes through values: parameters, or `eps`.
+    /// The axes: parameters, or `eps`.
     #[serde(with = "axes")]
     pub over: Vec<Axis>,
-    /// The degree up to which relations on orbits are looked for.
+    /// The largest degree of relations on orbits.
     #[serde(default)]
     pub degree: Option<u32>,
-    /// The seconds that it may take.
+    /// The time limit in seconds.
     #[serde(default = "minute")]
     pub seconds: f64,
 }
 
-/// What was seen on the grid.
+/// The findings on a grid.
 #[derive(Clone, Debug, Serialize)]
 pub struct ScanFound {
     /// The name of the system.
     pub system: String,
-    /// The grid as far as there was time, and the relations.
+    /// The searched part of the grid, and the relations.
     #[serde(flatten, serialize_with = "grid")]
     pub found: Grid,
-    /// The points of the whole grid.
+    /// The number of points of the whole grid.
     #[serde(skip)]
     pub total: usize,
-    /// The seconds that it took; `None` without a clock.
+    /// The seconds of the search; `None` without a clock.
     pub seconds: Option<f64>,
 }
 
 impl Scan {
-    /// Over these axes, in a minute.
+    /// Asks for these axes, within a minute.
     #[must_use]
     pub fn new(over: Vec<Axis>) -> Self {
         Scan { over, seconds: minute(), ..Scan::default() }
     }
 
-    /// The points of the grid; `None` where they are more than a million.
+    /// Returns the number of points of the grid; `None` above a million.
     #[must_use]
     pub fn points(&self) -> Option<usize> {
         let total = self.over.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.range.count()));
         total.filter(|total| *total <= MOST_POINTS)
     }
 
-    /// Looks at every point. Parameters that have neither a value nor an axis are generic; claims
-    /// are not looked at. The watch hears of claims that are proved along relations.
+    /// Searches every point. Parameters with neither a value nor an axis are generic. Ignores
+    /// claims. Reports claims proved along relations to the watch.
     ///
     /// # Errors
-    /// [`StudyError`]: no axis, one of nothing that the field has, too many points, a degree out of
-    /// reach, or no map to look at.
+    /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is not feasible,
+    /// or no map.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ScanFound, StudyError> {
         let begun = watch.now();
         let options = options(study, &self.eps, self.degree, self.seconds)?;
@@ -83,7 +82,7 @@ impl Scan {
         Ok(ScanFound { system: study.name().to_owned(), found, total, seconds: seconds_since(begun, watch) })
     }
 
-    /// The axes, each of something that has no value besides.
+    /// Returns the axes, after checking that no axis has another value as well.
     fn scanned(&self, study: &Study) -> Result<Vec<Scanned>, StudyError> {
         if self.over.is_empty() {
             return Err(StudyError::NoAxis);
@@ -106,7 +105,6 @@ impl Scan {
     }
 }
 
-/// Writes a grid, its special points and the relations between them.
 fn grid<S: Serializer>(found: &Grid, serializer: S) -> Result<S::Ok, S::Error> {
     let seen = |sight: &Sight| {
         let Sight { integrals, hilbert, degrees } = sight;

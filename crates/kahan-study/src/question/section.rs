@@ -1,4 +1,4 @@
-//! Where orbits cross a plane, or the level of any function.
+//! Crossings of orbits with a plane, or with a level set of any function.
 
 mod abreast;
 mod course;
@@ -29,52 +29,52 @@ use super::{Question, usual_order};
 use orbits::Orbits;
 pub use plane::Plane;
 
-/// Asks where orbits cross a section, in doubles: the orbit of one point, or of many points and
-/// values of parameters, each with crossings of its own.
+/// A request for crossings of orbits with a section, in doubles: of one orbit, or of an orbit for
+/// each of many first points and values of parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
-    /// ε, half the time step; not looked at where it goes through values.
+    /// ε, half the time step; ignored if ε is an axis.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// The first point, a coordinate for each variable; not looked at where there are `starts`.
+    /// The first point, with a coordinate for each variable; ignored if there are `starts`.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// The most steps of an orbit behind the transient; where only crossings are counted, ten
-    /// thousand for each.
+    /// The most steps of an orbit after the transient; by default 10 000 for each requested
+    /// crossing.
     #[serde(default)]
     pub steps: Option<u64>,
-    /// What vanishes on the section: a formula of the variables, the integrals that are claimed
-    /// without `when`, the parameters and `eps`.
+    /// The formula that vanishes on the section, in the variables, the integrals claimed without a
+    /// condition, the parameters and `eps`.
     pub plane: String,
-    /// Which sign changes count.
+    /// The sign changes that count as crossings.
     #[serde(default, serialize_with = "name_of", deserialize_with = "of_name")]
     pub direction: Direction,
-    /// The most crossings of an orbit; all where none are counted.
+    /// The most crossings of an orbit; `None` for all.
     #[serde(default, alias = "points")]
     pub crossings: Option<u64>,
-    /// The first steps of an orbit, which are not looked at.
+    /// The number of steps before crossings count.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method; a crossing is on its step with a part of ε, so its time has an
-    /// error of that order, too.
+    /// The order of the method. A crossing lies on its step at a part of ε, so the error of its
+    /// time has this order, too.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations between
-    /// its variables.
+    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
+    /// lift.
     #[serde(default)]
     pub reembed: bool,
-    /// First points of many orbits.
+    /// The first points of many orbits.
     #[serde(default, with = "exact", skip_serializing_if = "Vec::is_empty")]
     pub starts: Vec<Vec<Rational>>,
-    /// Parameters, or `eps`, with a value for each of the first points.
+    /// Parameters, or `eps`, with a value for each first point.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
     pub params: Vec<Varied>,
-    /// What goes through values, all multiplied with each other and with the first points.
+    /// The axes, combined in all ways with each other and with the first points.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
     pub over: Vec<Varied>,
-    /// Whether an orbit begins at the last point of that at the value before, of the last axis.
-    /// Only the first one begins at its first point.
+    /// Whether an orbit starts at the last point of the orbit before it on the last axis. Only the
+    /// first orbit on that axis starts at its first point.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carry: bool,
 }
@@ -98,33 +98,33 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The orbits, in the order of the rows.
     pub orbits: Vec<Crossed>,
-    /// A row a crossing: of many orbits the number of the first point and what varies; the step n
-    /// that the crossing comes after, its time, the variables.
+    /// A row for each crossing: for many orbits the index of the first point and the varying
+    /// values; then the step n before the crossing, its time, and the variables.
     pub rows: Table,
 }
 
 /// An orbit whose crossings were found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossed {
-    /// The number of its first point, among those that are listed.
+    /// The index of the first point in the list.
     pub start: u64,
-    /// The values of what varies, in the order of the columns.
+    /// The varying values, in the order of the columns.
     pub values: Vec<f64>,
-    /// The steps that were made.
+    /// The number of steps.
     pub steps: u64,
-    /// How the orbit ended; it is stopped where it has so many crossings as were asked for.
+    /// The way in which the orbit ended; `Stopped` if it has all requested crossings.
     pub end: End,
-    /// Why, where the end is one of the lift.
+    /// The reason of the end, if the lift caused it.
     pub why: Option<String>,
-    /// The number of its crossings.
+    /// The number of crossings.
     pub crossings: u64,
-    /// How often the formula changes its sign in the directions that count, but has no zero: at a
-    /// pole of the formula or of the map, or where the formula jumps.
+    /// The number of sign changes, in the directions that count, without a zero: at a pole of the
+    /// formula or of the map, or at a jump of the formula.
     pub jumps: u64,
 }
 
 impl Section {
-    /// Rising crossings of one orbit.
+    /// Asks for rising crossings of one orbit.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64, plane: impl Into<String>) -> Self {
         Section {
@@ -144,16 +144,16 @@ impl Section {
         }
     }
 
-    /// Whether it is about many orbits, whose rows tell which one they are of.
+    /// Returns whether the question is about many orbits, so that rows identify their orbit.
     #[must_use]
     pub fn is_of_many(&self) -> bool {
         !self.starts.is_empty() || !self.over.is_empty()
     }
 
-    /// All crossings in memory.
+    /// Returns all crossings in memory.
     ///
     /// # Errors
-    /// Those of [`crossings`](Self::crossings), and more than [`MOST_CELLS`].
+    /// The errors of [`find`](Self::find), or more than [`MOST_CELLS`] cells.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
         let mut rows = Table { columns: self.columns(study)?, values: Vec::new() };
         let mut few = Few { rows: &mut rows, cells: 0 };
@@ -165,15 +165,15 @@ impl Section {
         Ok(SectionFound { system, variables, orbits, rows })
     }
 
-    /// The columns of the table.
+    /// Returns the columns of the table.
     ///
     /// # Errors
-    /// Axes that the field does not have, or that do not fit.
+    /// Axes that are unknown or do not fit.
     pub fn columns(&self, study: &Study) -> Result<Vec<Column>, StudyError> {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
 
-    /// The orbits as cells of axes, those of `params` last.
+    /// Returns the orbits as cells over axes; axes of `params` come last.
     fn as_over(&self) -> Over {
         let axes = self.over.iter().chain(&self.params).cloned().collect();
         Over { starts: self.starts.clone(), ..Over::new(Question::Section(self.clone()), axes) }
@@ -190,14 +190,14 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Hands on the crossings of each orbit, one orbit after the other. Follows orbits of a system
-    /// whose claims hold, and refines each crossing on the curve that the step draws as ε grows from
-    /// 0. Costs the orbits, and some steps a crossing; memory does not grow with the crossings.
+    /// Passes on the crossings of each orbit, one orbit after another. Requires claims that hold.
+    /// Refines each crossing on the curve of the step as ε grows from 0. Costs the orbits, and some
+    /// steps for each crossing; memory is bounded.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, a plane that is no formula or a number, a field that is not defined at its
-    /// parameters, axes that do not fit.
+    /// doubles, a plane that is not a formula or is constant, a field that is undefined at its
+    /// parameters, or axes that do not fit.
     pub fn find(
         &self,
         study: &Study,
@@ -209,9 +209,9 @@ impl Section {
         Ok(Orbits::of(self, study, &cells)?.find(rows, watch))
     }
 
-    /// The most steps that are looked at.
+    /// Returns the most steps after the transient.
     fn most_steps(&self) -> Result<u64, StudyError> {
-        /// Steps a crossing where only crossings are counted.
+        /// The number of steps for each crossing, if only crossings are given.
         const EACH: u64 = 10_000;
 
         let by_crossings = || self.crossings.map(|crossings| crossings.saturating_mul(EACH));
@@ -219,7 +219,7 @@ impl Section {
     }
 }
 
-/// Takes as many rows as an answer may have.
+/// A receiver that collects rows up to the limit of an answer.
 struct Few<'a> {
     rows: &'a mut Table,
     cells: u64,
@@ -254,7 +254,7 @@ impl SectionFound {
         self.rows.count()
     }
 
-    /// The numbers of a column; none where it has none.
+    /// Returns the numbers of a column; empty for a missing column.
     fn numbers(&self, column: usize) -> &[f64] {
         match self.rows.values.get(column) {
             Some(Kept::F64(values)) => values,
@@ -262,12 +262,11 @@ impl SectionFound {
         }
     }
 
-    /// The columns in front of n.
     fn front(&self) -> usize {
         self.rows.columns.len() - 2 - self.variables.len()
     }
 
-    /// The steps that crossings come after.
+    /// Returns the number of steps before each crossing.
     #[must_use]
     pub fn steps(&self) -> &[i64] {
         match self.rows.values.get(self.front()) {
@@ -276,13 +275,13 @@ impl SectionFound {
         }
     }
 
-    /// The times of crossings.
+    /// Returns the times of crossings.
     #[must_use]
     pub fn times(&self) -> &[f64] {
         self.numbers(self.front() + 1)
     }
 
-    /// The variables of a crossing.
+    /// Returns the variables at a crossing.
     #[must_use]
     pub fn point(&self, row: usize) -> Vec<f64> {
         let first = self.front() + 2;
@@ -290,7 +289,7 @@ impl SectionFound {
     }
 }
 
-/// One orbit as lists of times and points; of many the rows, and how each ended.
+/// Writes one orbit as lists of times and points, and many orbits as rows with the end of each.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;

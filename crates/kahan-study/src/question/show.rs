@@ -1,4 +1,4 @@
-//! The formulas of a field, one by one, in the notation that is asked for; or what its code costs.
+//! The formulas of a field in several notations, or the costs of its code.
 
 mod plan;
 
@@ -23,19 +23,19 @@ pub use plan::{Costs, Listing, Planned};
 /// The most variables of a field whose matrices are written out.
 const MOST_VARIABLES: usize = 500;
 
-/// Asks for the formulas of a field, its given parameters put in, or for the plan of its code.
+/// A request for the formulas of a field with its given parameters substituted, or for its plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Show {
-    /// As what they are shown.
+    /// The form of the answer.
     #[serde(rename = "as", default)]
     pub form: Form,
-    /// Whether the Jacobian of the map is among the formulas, which may be long.
+    /// Whether to include the Jacobian of the map, which may be long.
     #[serde(default)]
     pub jacobian: bool,
 }
 
-/// As what a field is shown.
+/// The form in which a field is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Form {
@@ -46,13 +46,13 @@ pub enum Form {
     Latex,
     /// Formulas for Python's [`SymPy`].
     Sympy,
-    /// The block of `kahan!` alone, ready to paste.
+    /// Only the block of `kahan!`, ready to paste.
     Kahan,
-    /// What the generated code computes, and what that costs.
+    /// The operations of the generated code, and their costs.
     Plan,
 }
 
-/// A field as it is shown.
+/// A field in one of the forms.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Shown {
@@ -70,87 +70,87 @@ pub enum Shown {
     Plan(Box<Planned>),
 }
 
-/// The formulas of a field, each as a text of its own. One that is beyond the budget of terms is
-/// `None`, and null in JSON.
+/// The formulas of a field, each as a text. A formula beyond the budget of terms is `None`, and
+/// null in JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sheet {
     /// The name of the system.
     pub system: String,
-    /// What the catalog says it is, in one line.
+    /// The description in the catalog.
     pub title: Option<&'static str>,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The parameters that are not put in.
+    /// The parameters without values.
     pub parameters: Vec<String>,
-    /// f(x) with the coefficients that the map has at ε, where these depend on ε.
+    /// The field with the map's coefficients at ε, if they depend on ε.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// f(x) at ε = 0; f′ and Q are those of this field, too.
+    /// The field f(x) at ε = 0, which f′ and Q belong to.
     pub field: Vec<String>,
-    /// f′(x), row by row.
+    /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
-    /// A(x,ε), row by row; A(x,ε) x̃ = b(x,ε).
+    /// The matrix A(x,ε), row by row; A(x,ε) x̃ = b(x,ε).
     #[serde(rename = "A")]
     pub matrix: MatrixText,
-    /// b(x,ε)
+    /// The right-hand side b(x,ε).
     #[serde(rename = "b")]
     pub rhs: Vec<String>,
-    /// Q(x,x′), the second point with primes.
+    /// The bilinear form Q(x,x′); variables of the second point have primes.
     pub bilinear: Vec<String>,
-    /// det A(x,ε)
+    /// The determinant det A(x,ε).
     #[serde(rename = "det_A")]
     pub determinant: Option<String>,
     /// The reduced map, x̃ = x + 2ε n/d in lowest terms.
     pub map: Option<Vec<String>>,
-    /// ∂x̃/∂x of the map, row by row, where it is asked for.
+    /// The Jacobian ∂x̃/∂x of the map, row by row, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jacobian: Option<MatrixText>,
-    /// What was divided out of the map; `None` if nothing was.
+    /// The factor divided out of the map, if any was.
     pub removed_factor: Option<String>,
-    /// The claims, which are proved.
+    /// The proved claims.
     pub claims: Vec<ClaimShown>,
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
-    /// In [`Form::Sympy`] a script for Python, which assigns the symbols, and the matrices and the
-    /// claims made of them, to the names of this sheet.
+    /// A Python script in [`Form::Sympy`], which assigns the symbols, matrices and claims to the
+    /// names of this sheet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub script: Option<String>,
 }
 
-/// A claim as it is shown.
+/// A claim with its formulas.
 #[derive(Clone, Debug, Serialize)]
 pub struct ClaimShown {
-    /// Its name.
+    /// The name.
     pub name: String,
     /// `integral`, `density`, `bracket` or `drift`.
     pub kind: &'static str,
     /// The claim in the language of `kahan!`, ready to paste.
     pub statement: String,
-    /// The relations under which it is made, in that language; empty where it always holds.
+    /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
-    /// What is not 0 where it is made, `a2 != 0`; empty where that is numbers alone.
+    /// The expressions that must not vanish, such as `a2 != 0`; empty if they are numbers.
     pub nonzero: String,
-    /// Where the catalog has it from.
+    /// The catalog's source.
     pub source: Option<&'static str>,
-    /// Its formulas in the notation of the sheet, left and right side: a function; of a drift the
-    /// function and its next value; of a bracket an entry for each of [`pairs`](Self::pairs).
+    /// The formulas in the notation of the sheet, as left and right sides: a function; for a drift
+    /// the function and its next value; for a bracket an entry for each of [`pairs`](Self::pairs).
     pub equations: Vec<(String, String)>,
-    /// Of a bracket the two variables of each equation.
+    /// The two variables of each equation of a bracket.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub pairs: Vec<[String; 2]>,
-    /// The relations under which it is made, in the notation of the sheet.
+    /// The condition in the notation of the sheet.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub condition: String,
 }
 
 impl Show {
-    /// Derives the formulas of a system whose claims hold, the given parameters put in before the
-    /// map is reduced. Costs milliseconds up to a second, as the budget of terms bounds it.
+    /// Derives the formulas of a system whose claims hold, with parameters substituted before the
+    /// map is reduced. Costs milliseconds up to a second, bounded by the budget of terms.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters, one of
-    /// more than 500 variables, of which only the block is shown.
+    /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or one
+    /// of more than 500 variables, of which only the block is shown.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
         study.proved()?;
         let variables = study.variables().len();
@@ -203,7 +203,7 @@ impl Show {
 }
 
 impl ClaimShown {
-    /// A claim of a system, its formulas in a notation.
+    /// Writes a claim of a system in a notation.
     #[must_use]
     pub fn of(system: &System, claim: &Claim, notation: &dyn Notation) -> Self {
         let pairs = match &claim.body {

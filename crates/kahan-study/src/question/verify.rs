@@ -1,5 +1,4 @@
-//! Whether claims hold: those of the paper, or those that a field brings along; and whether each
-//! would fail if a coefficient or a sign of it were another.
+//! Verifies claims of the paper or of a field, and whether they fail after a change.
 
 use kahan_algebra::render::claim_text;
 use kahan_discover::Watch;
@@ -16,55 +15,54 @@ use crate::study::Study;
 
 use super::seconds_since;
 
-/// Asks whether the claims of a field hold.
+/// A request to check the claims of a field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Verify {
-    /// Asks instead whether each claim fails once it is changed.
+    /// Whether to ask if each claim fails after a change of a coefficient or sign.
     pub mutate: bool,
 }
 
-/// What came of the claims.
+/// The results for all claims.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Verified {
-    /// Each as it stands.
+    /// The claims unchanged.
     Claims(#[serde(serialize_with = "object")] Verdicts),
-    /// Each as it is changed.
+    /// The claims after changes.
     Mutations(Mutations),
 }
 
-/// What became of the changes of each claim.
+/// The results of changing each claim.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mutations {
     /// The claims.
     pub mutations: Vec<Mutated>,
-    /// How many hold however they are changed, so that they say nothing.
+    /// The number of claims that hold after every change, and so state nothing.
     pub survived: usize,
-    /// The seconds that it took; `None` without a clock.
+    /// The seconds of the check; `None` without a clock.
     #[serde(skip)]
     pub seconds: Option<f64>,
 }
 
-/// What became of the changes of one claim.
+/// The results of changing one claim.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mutated {
-    /// The claim's name, that of its system first.
+    /// The name of the claim, preceded by the name of its system.
     pub id: String,
-    /// How many changes were tried until one failed.
+    /// The number of changes until one failed.
     pub tried: usize,
-    /// The first that failed, if one did.
+    /// The first failing change, if any.
     pub failed: Option<String>,
 }
 
 impl Verify {
-    /// Decides the claims of a field; of a system of the catalog as it stands the paper's claims
-    /// about it are meant. Parameters that are given are put in. Costs milliseconds a claim, and some
-    /// hundred times as much where a claim of the paper is measured on an orbit.
+    /// Verifies the claims of a field; for an unchanged system of the catalog, the paper's claims
+    /// about it. Substitutes given parameters. Costs milliseconds for each claim, and some hundred
+    /// times as much for claims of the paper that are measured on an orbit.
     ///
     /// # Errors
-    /// [`StudyError::UndefinedField`]; with `mutate` also a claim that does not hold, of which
-    /// there is nothing to change.
+    /// [`StudyError::UndefinedField`]; with `mutate`, also a claim that does not hold.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Verified, StudyError> {
         if let Some(name) = study.as_it_stands() {
             return Ok(self.of_paper(Some(name), watch));
@@ -104,8 +102,8 @@ impl Verify {
         })
     }
 
-    /// Decides the claims of the paper, on the watch's threads: those about one system (`general`
-    /// for what holds for every field), or all of them, which costs about a minute of one processor.
+    /// Verifies claims of the paper on the watch's threads: those about one system (`general` for
+    /// claims about every field), or all, which costs about a minute on one processor.
     #[must_use]
     pub fn of_paper(&self, system: Option<&str>, watch: &dyn Watch) -> Verified {
         let begun = watch.now();
@@ -127,7 +125,7 @@ impl Verify {
     }
 }
 
-/// What is made of each claim, until the watch ends it.
+/// Maps a function over the claims in parallel, until the watch ends the work.
 fn of_each<R: Send>(
     paper: &Paper,
     claims: &[&Claim],
@@ -158,7 +156,6 @@ impl Mutations {
     }
 }
 
-/// Verdicts as JSON has them.
 fn object<S: Serializer>(verdicts: &Verdicts, serializer: S) -> Result<S::Ok, S::Error> {
     let claim = |verdict: &Verdict| {
         let time = verdict.seconds.map(|seconds| format!(" ({:.1} ms)", 1000.0 * seconds));

@@ -1,6 +1,6 @@
-//! The second method: what a path is compared with, and how far the two differ.
+//! Compares a Taylor path with a second, independent method.
 //!
-//! In: the path of the series. Out: the largest difference from the closed solution, or from
+//! In: the path of the Taylor series. Out: its largest difference from the closed solution, or from
 //! Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
@@ -11,34 +11,32 @@ use serde::{Serialize, Serializer};
 use super::path::Limits;
 use super::refusal::{LEAST_DIFFERENCE, NoReference};
 
-/// The fewest steps of the composition, 17 stages each.
+/// The fewest steps of the composition, of 17 stages each.
 const FEWEST_STEPS: f64 = 16.0;
-/// By what factor there are more steps after a trial that failed, at least and at most: in between
-/// as many as the order says will do.
+/// The least and the largest factor by which the number of steps grows after a failed trial; in
+/// between, the order of the method determines it.
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
-/// Where the composition is as far off as this, relative to the scale, what follows says nothing.
+/// The relative difference beyond which the composition is not followed further.
 const LOST: f64 = 0.1;
-/// The times at which a closed solution, which is slow, is compared.
+/// The number of times at which a closed solution, which is slow, is compared.
 const CLOSED_SAMPLES: u32 = 64;
-/// The most times at which the composition is compared.
 const SAMPLES: u64 = 4096;
 
-/// What stands behind a reference.
+/// The evidence for a reference trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Certificate {
     /// The second method.
     #[serde(rename = "second_method", serialize_with = "name")]
     pub method: Method,
-    /// The largest difference from it that was seen, relative to the trajectory's
+    /// The largest observed difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last time before which every difference was as small as was asked for.
+    /// The last compared time up to which every difference was within the allowed one.
     #[serde(skip)]
     pub agreed_until: f64,
 }
 
-/// Writes the name of a method.
 fn name<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(match method {
         Method::ClosedSolution => "closed solution",
@@ -51,15 +49,14 @@ fn name<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
 pub enum Method {
     /// The catalog's closed solution.
     ClosedSolution,
-    /// The Kahan–Li composition of order 8, with so many steps.
+    /// The Kahan–Li composition of order 8.
     Composition {
-        /// The steps.
+        /// The number of steps.
         steps: u64,
     },
 }
 
 impl Certificate {
-    /// The differences from a closed solution.
     pub(super) fn by_solution(path: &Flow<Dd>, solution: &dyn Fn(Dd) -> Vec<Dd>, allowed: f64) -> Self {
         let times = (1..=CLOSED_SAMPLES).map(|k| path.end() * f64::from(k) / f64::from(CLOSED_SAMPLES));
         let mut comparison = Comparison::new(allowed);
@@ -69,11 +66,12 @@ impl Certificate {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// The differences from the composition: more and more steps, until the two are as near as was
-    /// asked for, or come no nearer, or the time is over.
+    /// Compares a path with the composition. Increases the number of steps until the difference is
+    /// allowed, stops falling, or the time is over.
     ///
-    /// It begins with steps that suit the motion. A stiff field has slopes, across the motion, that
-    /// ask for far shorter ones; whether those are needed shows only in the differences.
+    /// The first number of steps suits the speed of the motion. A stiff field has steep slopes
+    /// across the motion and may need far shorter steps, but only the differences show whether it
+    /// does.
     pub(super) fn by_composition<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -92,9 +90,9 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // Where steps are as short as the steepest slope asks for, or the two agree to the last
-            // digits, it is roundings that differ; longer ones may be out of step with a stiff
-            // motion.
+            // Steps as short as the steepest slope requires, or differences near the last digits,
+            // leave only rounding errors. Longer steps may be too coarse for a stiff motion and
+            // still improve.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -109,7 +107,6 @@ impl Certificate {
     }
 }
 
-/// Two methods, compared at times that grow.
 #[derive(Clone, Copy, Debug)]
 struct Comparison {
     allowed: f64,
@@ -129,8 +126,8 @@ impl Comparison {
         }
     }
 
-    /// Whether it is clearly better than a comparison with fewer steps: nearer, or near for longer,
-    /// as two methods are whose differences a sensitive motion amplifies.
+    /// Returns whether the comparison is clearly better than one with fewer steps: a smaller
+    /// difference, or, in a sensitive motion that amplifies differences, a longer agreement.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }
@@ -140,7 +137,7 @@ impl Comparison {
         Certificate { method, difference, agreed_until }
     }
 
-    /// `None` where the time is over first.
+    /// Compares with a composition of `steps` steps; `None` if the time runs out.
     fn with_steps<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -186,8 +183,8 @@ mod tests {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// The largest difference, wherever it was seen; and nothing is agreed on after the first that
-    /// is too large.
+    /// The largest difference counts at any time, but agreement ends at the first that is too
+    /// large.
     #[test]
     fn a_certificate_holds_the_largest_difference_and_the_time_before_it() {
         let smooth = certificate(&[1e-12, 3e-11, 2e-11]);
@@ -199,7 +196,7 @@ mod tests {
         assert_eq!(certificate(&[1e-9, 1.0001e-9]).agreed_until, 1.0);
     }
 
-    /// What is nearer, or near for longer, is better; what errs by its roundings is neither.
+    /// A smaller difference or a longer agreement is a gain; equal rounding errors are none.
     #[test]
     fn a_sensitive_motion_that_is_followed_for_longer_has_gained() {
         let of = |difference: f64, agreed_until: f64| Comparison { allowed: 1e-9, difference, agreed_until };

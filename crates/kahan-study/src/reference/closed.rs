@@ -1,4 +1,4 @@
-//! The closed solutions of the catalog's flows, in 256 bits, rounded to double-double.
+//! Closed solutions of the catalog's flows, computed in 256 bits and rounded to double-double.
 
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
@@ -6,14 +6,11 @@ use kahan_core::num_rational::BigRational;
 use kahan_systems::registry::find;
 use kahan_systems::special::Precise;
 
-/// A solution as a function of time.
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
-/// The closed solution of the system with this command name that starts at this point, where there
-/// is one.
-///
-/// `None` for systems without one (Lotka–Volterra, fields of the user's), and where the point lies
-/// outside the domain of the formula.
+/// Returns the closed solution of the system called `command` that starts at `start`. Returns
+/// `None` for systems without one (Lotka–Volterra, fields of users), and for starts outside the
+/// domain of the formula.
 pub(super) fn closed_solution(
     command: &str,
     parameters: &[BigRational],
@@ -27,7 +24,6 @@ pub(super) fn closed_solution(
     }))
 }
 
-/// The nearest double-double number.
 fn double_double(value: &Precise) -> Dd {
     let high = value.to_f64();
     Dd::new(high, (*value - Precise::from(high)).to_f64())

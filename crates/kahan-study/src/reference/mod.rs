@@ -1,12 +1,10 @@
-//! A trajectory to measure others by: a solution of the flow, with an error bound that a second,
-//! independent method has earned.
+//! Reference trajectories: solutions of the flow with an error estimate by an independent method.
 //!
-//! In: a field, a point, a time. Out: a function of time in double-double numbers, and by how much
-//! the second method differs. The first method is a Taylor series in time, the second the closed
-//! solution, where the catalog has one, or Kahan's map composed to order 8: a composition knows
-//! nothing of derivatives in time, a series nothing of the map. Two settings of one method could
-//! share a mistake. Deliberately absent: interval arithmetic. The difference of two methods is
-//! evidence, not a proof.
+//! In: a field, a point, a time. Out: a function of time in double-double numbers, and its
+//! difference from the second method. The first method is a Taylor series in time. The second is
+//! the closed solution, if the catalog has one, or Kahan's map composed to order 8. The methods
+//! share no formulas, whereas two settings of one method could share a mistake. Interval arithmetic
+//! is deliberately absent: the difference is evidence, not a proof.
 
 mod certificate;
 #[cfg(feature = "catalog")]
@@ -27,8 +25,8 @@ pub use certificate::{Certificate, Method};
 pub use path::Limits;
 pub use refusal::NoReference;
 
-/// The part of a tolerance that the two methods may differ by, where orbits are to be judged by
-/// that tolerance: it takes errors to a tenth of it, which a tenth of that does not change.
+/// The allowed difference of the two methods, as a part of the tolerance of orbits. Errors near a
+/// tenth of the tolerance then stay accurate to a tenth.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -36,34 +34,32 @@ pub const PART_OF_TOLERANCE: f64 = 1e-2;
 pub struct Reference {
     flow: Flow<Dd>,
     certificate: Certificate,
-    /// The coordinates of the flow; those beyond the system's own stay 0.
+    /// The number of coordinates of the flow; padding coordinates stay 0.
     variables: usize,
 }
 
-/// What a reference is made for.
+/// A request for a reference trajectory.
 #[derive(Clone, Copy, Debug)]
 pub struct Trajectory<'a> {
-    /// The system's name in the catalog, or anything else for a field that is not in it.
+    /// The name of the system in the catalog, or any other text for a field outside of it.
     pub command: &'a str,
     /// The parameters.
     pub parameters: &'a [BigRational],
     /// x(0).
     pub start: &'a [BigRational],
-    /// The last time, above 0.
+    /// The last time, positive.
     pub end: f64,
-    /// The largest difference between the methods that is accepted, relative to the scale.
+    /// The largest accepted difference between the methods, relative to the scale.
     pub allowed: f64,
 }
 
 impl Reference {
-    /// The trajectory of a field (the catalog's system, at its parameters, over double-double
-    /// numbers).
+    /// Computes the trajectory of a field over double-double numbers, in N variables. A start with
+    /// fewer coordinates is padded by 0.
     ///
-    /// Cost: about 250 evaluations of the bilinear form a step of the series, whose length is a
-    /// tenth of the distance to the nearest singularity in complex time, and the composition's
-    /// steps.
-    ///
-    /// A start of fewer than N coordinates is at 0 in the others.
+    /// Costs about 250 evaluations of the bilinear form for each step of the series, and the steps
+    /// of the composition. A step of the series is a tenth of the distance to the nearest
+    /// singularity in complex time.
     ///
     /// # Errors
     /// [`NoReference`].
@@ -94,24 +90,23 @@ impl Reference {
         }
     }
 
-    /// x(t) itself, and its scale, which errors are relative to.
+    /// Returns x(t), with the scale to which errors are relative.
     pub fn flow(&self) -> &Flow<Dd> {
         &self.flow
     }
 
-    /// What stands behind it.
+    /// Returns the evidence for the trajectory.
     pub fn certificate(&self) -> Certificate {
         self.certificate
     }
 
-    /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a
-    /// number is infinitely far.
+    /// Returns the distance of a point from x(t) in the maximum norm, relative to the scale;
+    /// infinite for a point with a NaN.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.flow.distance(t, &padded(x, self.variables))
     }
 }
 
-/// The point in so many coordinates, those that it lacks being 0.
 fn padded(x: &[Dd], variables: usize) -> Vec<Dd> {
     (0..variables).map(|i| x.get(i).copied().unwrap_or_default()).collect()
 }

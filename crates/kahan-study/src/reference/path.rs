@@ -1,7 +1,6 @@
-//! The first method: the flow itself, as Taylor series in time, continued from point to point.
+//! The first method: the flow as Taylor series in time, continued from point to point.
 //!
-//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or why there
-//! is none.
+//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or a reason.
 
 use core::fmt;
 
@@ -11,19 +10,17 @@ use kahan_dynamics::{Flow, NoFlow};
 
 use super::refusal::NoReference;
 
-/// The most memory that a trajectory takes, in bytes.
 const MOST_MEMORY: usize = 1 << 30;
 
-/// How far beyond its end a trajectory is followed, and when to give up.
+/// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
 pub struct Limits<'a> {
-    /// The part of [`Trajectory::end`](super::Trajectory::end) by which orbits that do not end
-    /// there exactly may go further. Where the solution escapes to infinity first, nothing is
-    /// added.
+    /// The part of [`Trajectory::end`](super::Trajectory::end) by which the trajectory extends
+    /// beyond its end, for orbits that pass it. A solution that escapes first is not extended.
     pub margin: f64,
-    /// The number of variables, from the first on, that errors and the scale are of; `None` for all.
+    /// The number of leading variables that the errors and the scale refer to; `None` for all.
     pub variables: Option<usize>,
-    /// Whether the time is over; without it there is no limit.
+    /// Returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,
 }
 
@@ -39,7 +36,6 @@ impl fmt::Debug for Limits<'_> {
     }
 }
 
-/// Follows the flow from `start` to the time `end`, and beyond by the margin.
 pub(super) fn path<M, const N: usize>(
     map: &M,
     start: SVector<Dd, N>,

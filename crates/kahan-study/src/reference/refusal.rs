@@ -1,33 +1,33 @@
-//! Why there is no reference, in words.
+//! Reasons for refusing a reference trajectory.
 
 use super::PART_OF_TOLERANCE;
 use crate::error::{Spelling, by_name};
 
-/// Why there is no reference.
+/// The reason for refusing a reference trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoReference {
     /// The solution escapes to infinity.
     Escapes {
-        /// When, about.
+        /// The approximate time of the escape.
         time: f64,
     },
-    /// The series would need more memory than it may take.
+    /// The series would need more memory than its limit.
     TooLong {
-        /// How far the last one came.
+        /// The time that the series reached.
         reached: f64,
     },
-    /// There was no time for it.
+    /// The time ran out.
     NoTime {
-        /// How far the series came.
+        /// The time that the series reached.
         reached: f64,
     },
-    /// The two methods do not agree.
+    /// The two methods disagree.
     Disagree {
-        /// By how much they differ, relative to the scale.
+        /// The difference, relative to the scale.
         difference: f64,
-        /// How much was allowed.
+        /// The allowed difference.
         allowed: f64,
-        /// Until when they agree.
+        /// The time until which they agree.
         until: f64,
     },
 }
@@ -80,7 +80,7 @@ impl NoReference {
 
 impl core::error::Error for NoReference {}
 
-/// A time with so many decimals, or digits where it is very large or small.
+/// A time with this number of decimals, in scientific notation if very large or small.
 struct Time(f64, usize);
 
 impl core::fmt::Display for Time {
@@ -94,6 +94,5 @@ impl core::fmt::Display for Time {
     }
 }
 
-/// Where two methods come as near as this, it is the digits that end, and not the sensitivity that
-/// begins.
+/// The relative difference below which rounding, and not sensitivity, limits the agreement.
 pub(super) const LEAST_DIFFERENCE: f64 = 1e-26;

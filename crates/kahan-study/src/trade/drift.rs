@@ -1,36 +1,37 @@
-//! How far the integrals drift: the map's own, and the flow's.
+//! Drift of integrals along orbits: of the map's integrals and of the flow's.
 
 use kahan_core::Dd;
 
 use super::runner::Runner;
 
-/// The declared integrals, as what a map and a flow conserve.
+/// The claimed integrals, as conserved quantities of a map and of a flow.
 ///
-/// A map's own integral is the claim at its ε; the flow's is the claim at ε = 0. Where that is a
-/// constant (the Euler top's claims are 1 at ε = 0), the coefficient of ε² takes its place, and the
-/// claim is measured from the constant.
+/// An integral of the map is a claim at ε, and an integral of the flow the claim at ε = 0. If the
+/// claim at ε = 0 is constant, like the Euler top's, the flow's integral is the coefficient of ε²,
+/// and the map's is the claim minus the constant.
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim which coefficient in ε depends on the state; `None` where neither does.
+    /// For each claim, 0 or 1 for the coefficient of ε⁰ or ε² that depends on the state; `None` if
+    /// neither does.
     coefficients: Vec<Option<usize>>,
 }
 
-/// The integrals at the beginning of an orbit, and how far they have moved since.
+/// The initial values of the integrals, and the largest changes so far.
 pub(super) struct Drift<'a> {
     subject: &'a Runner<'a>,
     integrals: &'a Integrals,
     eps: f64,
-    /// The map's own, and the flow's.
+    /// The initial values: for each claim, the map's integral and the flow's.
     begin: Option<Vec<[Dd; 2]>>,
-    /// The largest relative change of these.
+    /// The largest relative change of the map's integrals, and of the flow's.
     pub(super) most: [f64; 2],
 }
 
 impl Integrals {
-    /// Looks at a few points near the start which coefficients vary.
+    /// Finds the coefficients that vary between a few points near the start.
     pub(super) fn of(subject: &Runner<'_>, start: &[Dd]) -> Self {
         let size = start.iter().fold(Dd::from(0.0), |size, x| if x.abs() > size { x.abs() } else { size });
-        // The origin has no size.
+        // For a start at the origin, points are taken at distances near 1.
         let size = if size > Dd::from(0.0) { size } else { Dd::from(1.0) };
         let near = |k: usize| -> Vec<Dd> {
             let moved = start.iter().enumerate();
@@ -51,7 +52,6 @@ impl Integrals {
         Integrals { coefficients: coefficients.collect() }
     }
 
-    /// Whether none says anything.
     pub(super) fn is_empty(&self) -> bool {
         self.coefficients.iter().all(Option::is_none)
     }
@@ -62,7 +62,7 @@ impl<'a> Drift<'a> {
         Drift { subject, integrals, eps, begin: None, most: [0.0; 2] }
     }
 
-    /// Looks at a point; the first is where the orbit begins.
+    /// Records the integrals at a point; the first point sets the initial values.
     pub(super) fn visit(&mut self, x: &[Dd]) {
         let values = self.subject.integrals(x, self.eps).into_iter().zip(self.subject.integrals_at_zero(x));
         let now =
@@ -82,8 +82,7 @@ impl<'a> Drift<'a> {
     }
 }
 
-/// The change relative to the value at the beginning, or as it is where that is 0; infinite where
-/// there is no number.
+/// Returns the change relative to the initial value, or absolute if that is 0; NaN becomes ∞.
 fn change(begin: Dd, now: Dd) -> f64 {
     let (size, change) = (f64::from(begin.abs()), f64::from((now - begin).abs()));
     let change = if size > 0.0 { change / size } else { change };

@@ -1,9 +1,8 @@
-//! The front: what no other setting beats in price and accuracy together.
+//! The Pareto front of price and error.
 
 use super::Measured;
 
-/// Puts the cheaper settings first, and of those at one price the more accurate; marks those on the
-/// front.
+/// Sorts settings by price, then error, and marks those that no other setting beats in both.
 pub(super) fn mark(settings: &mut [Measured]) {
     let price = |measured: &Measured| measured.nanoseconds_per_unit_time;
     settings.sort_by(|a, b| price(a).total_cmp(&price(b)).then(a.error().total_cmp(&b.error())));

@@ -1,4 +1,4 @@
-//! One setting measured: an orbit is run, and at points along it compared with what it should be.
+//! Measures a setting: runs an orbit and compares points along it with the expected values.
 
 use std::iter::once;
 use std::ops::ControlFlow;
@@ -17,23 +17,24 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
 
-/// Points at which integrals are evaluated beside, where the need is the trajectory.
+/// The number of points at which integrals are evaluated if the need is the trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
-/// What measures settings of one scene, and remembers them.
+/// Measurements of settings in one scene, with all they need.
 pub(super) struct Measuring<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
-    /// The number of variables, from the first on, that errors are of.
+    /// The number of leading variables that errors refer to.
     pub(super) originals: usize,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Duration,
-    /// Whether the clock tells how long a step takes here: what is interpreted takes longer.
+    /// Whether steps are machine code, so that prices predict their time; interpreted steps are
+    /// slower.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
-    /// The first schemes and ε that there was no time for.
+    /// For each scheme that ran out of time, the ε of its first skipped setting.
     pub(super) skipped: Vec<(Scheme, f64)>,
     pub(super) watch: &'a dyn Watch,
 }
@@ -45,7 +46,7 @@ impl Trials for Measuring<'_> {
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
         if !(setting.eps() > 0.0 && setting.eps().is_finite()) {
-            // It leaves the range of `f32`.
+            // ε is beyond the range of `f32`.
             return Some(f64::INFINITY);
         }
         let (scheme, steps) = (setting.scheme(), setting.steps());
@@ -69,7 +70,7 @@ impl Trials for Measuring<'_> {
     fn cost(&self, setting: &Setting) -> f64 {
         let steps = match self.scene.need() {
             Need::Trajectory => setting.steps() as f64,
-            // An orbit that keeps integrals ends at the step nearest to the horizon.
+            // An orbit for integrals ends at the step nearest to the horizon.
             Need::Integrals => 0.5 * self.scene.horizon() / setting.eps(),
         };
         self.price(setting.scheme()) * steps
@@ -86,14 +87,14 @@ impl Trials for Measuring<'_> {
 }
 
 impl Measuring<'_> {
-    /// Remembers from which number of steps on there was no time for a scheme.
+    /// Records the first number of steps for which a scheme had no time.
     fn skip(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));
         }
     }
 
-    /// Gives back the schemes that there was no time for, to be tried again.
+    /// Takes the schemes that ran out of time, for another attempt.
     pub(super) fn put_off(&mut self) -> Vec<(Scheme, f64)> {
         std::mem::take(&mut self.skipped)
     }
@@ -112,7 +113,7 @@ impl Measuring<'_> {
         Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
     }
 
-    /// `None` where the time is over before the orbit is at its end.
+    /// Measures a setting; `None` if the time is over before the end of the orbit.
     fn measure(&self, setting: Setting) -> Option<Measured> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         let stops = stops(self.reference.as_ref(), eps, steps);
@@ -136,7 +137,7 @@ impl Measuring<'_> {
                     trajectory = trajectory.max(reference.distance(t, x));
                 }
                 if step == steps {
-                    // The last point stands for the horizon.
+                    // The last point is also compared with the trajectory at the horizon.
                     trajectory = trajectory.max(reference.distance(Dd::from(self.scene.horizon()), x));
                 }
             }
@@ -151,7 +152,7 @@ impl Measuring<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // A composition has no integrals of its own: it is to keep the flow's.
+        // A composition does not preserve the map's integrals, so the flow's count.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,
@@ -164,7 +165,8 @@ impl Measuring<'_> {
         })
     }
 
-    /// How far a setting comes from home, there and back, relative to the first point's size.
+    /// Returns the distance from the start after all steps forward and back, relative to the size
+    /// of the start; `None` if the time does not suffice or a number is not finite.
     pub(super) fn return_error(&self, setting: &Setting) -> Option<f64> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         if 2 * self.expected(scheme, eps, steps as f64) > self.time_left() {

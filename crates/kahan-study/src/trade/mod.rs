@@ -1,10 +1,9 @@
-//! Speed against accuracy, measured on one scene: which scalar, which order, compensated or not,
-//! and which ε.
+//! Measures work against accuracy in one scene: scalar, order, compensation and ε.
 //!
-//! In: a system, a point, a horizon, and what is needed of the orbit. Out: settings with their
-//! price (nanoseconds a unit of simulated time, on this machine) and their error, the front that no
-//! other setting beats, and the cheapest that meets the need. The library's own orbits are run and
-//! timed; errors are against a certified [`Reference`].
+//! In: a system, a point, a horizon, and the need. Out: settings with their price (nanoseconds for
+//! a unit of simulated time, on this machine) and error, the Pareto front, and the cheapest setting
+//! that meets the need. The library's own orbits are run and timed; errors refer to a certified
+//! [`Reference`].
 
 mod drift;
 mod front;
@@ -43,23 +42,23 @@ use search::{Ladders, MEASURED};
 
 pub use object::need_name;
 
-/// Asks which setting of the integrator serves one scene, and at what price.
+/// A request for the best setting of the integrator in one scene, and for its price.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
-    /// The first point, a coordinate for each variable.
+    /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The time to be simulated, above 0.
+    /// The time to be simulated, positive.
     #[serde(with = "exact")]
     pub horizon: Rational,
-    /// What the orbit is for: `trajectory` or `integrals`.
+    /// The purpose of the orbit: `trajectory` or `integrals`.
     #[serde(with = "object::NeedByName", default = "trajectory")]
     pub need: Need,
-    /// The largest error that is accepted, above 0.
+    /// The largest accepted error, positive.
     #[serde(with = "exact", default = "usual_tolerance")]
     pub tolerance: Rational,
-    /// The seconds that it may take.
+    /// The time limit of the measurement in seconds.
     #[serde(default = "usual_seconds")]
     pub seconds: f64,
 }
@@ -76,28 +75,28 @@ fn usual_seconds() -> f64 {
     10.0
 }
 
-/// A setting, measured.
+/// A setting with its measurements.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
-    /// The setting; what error to expect of it, this says.
+    /// The setting.
     #[serde(flatten, serialize_with = "object::setting")]
     pub setting: Setting,
-    /// The price.
+    /// The price in nanoseconds for a unit of simulated time.
     pub nanoseconds_per_unit_time: f64,
-    /// The error of [`Need::Trajectory`]; `None` where it was not asked for. May be infinite.
+    /// The error for [`Need::Trajectory`], possibly infinite; `None` for another need.
     pub trajectory_error: Option<f64>,
-    /// The error of [`Need::Integrals`]; `None` where none is declared.
+    /// The error for [`Need::Integrals`]; `None` if no integral is declared.
     pub integral_drift: Option<f64>,
-    /// The same of the flow's integrals.
+    /// The drift of the flow's integrals; `None` if no integral is declared.
     pub flow_integral_drift: Option<f64>,
-    /// The distance from home after all steps forward and back, relative to the first point;
-    /// measured on the front.
+    /// The distance from the start after all steps forward and back, relative to the start;
+    /// measured on the front only.
     pub return_error: Option<f64>,
     /// Whether no other setting is both cheaper and more accurate.
     pub on_front: bool,
 }
 
-/// What was measured, and on what.
+/// The answer to [`Trade`].
 #[derive(Clone, Debug, Serialize)]
 pub struct Traded {
     /// The name of the system.
@@ -111,45 +110,45 @@ pub struct Traded {
     /// The horizon, the need and the tolerance.
     #[serde(flatten, serialize_with = "object::scene")]
     pub scene: Scene,
-    /// What errors of trajectories are relative to.
+    /// The scale of the trajectory, to which its errors are relative.
     pub scale: Option<f64>,
-    /// What stands behind the errors of trajectories.
+    /// The evidence for the errors of trajectories.
     #[serde(rename = "reference")]
     pub certificate: Option<Certificate>,
-    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled
-    /// by the cost of the plans.
+    /// Whether prices are times of this system's compiled steps; otherwise they are times of E6,
+    /// scaled by the cost of the plans.
     #[serde(rename = "timing", serialize_with = "object::timing")]
     pub is_code: bool,
-    /// The settings, the cheapest first.
+    /// The settings, cheapest first.
     pub settings: Vec<Measured>,
-    /// The cheapest that meets the need.
+    /// The cheapest setting that meets the need.
     pub choice: Option<Choice>,
-    /// Schemes that there was no time for, and the ε from which on.
+    /// Schemes that ran out of time, each with the ε of its first skipped setting.
     #[serde(serialize_with = "object::skipped")]
     pub skipped: Vec<(Scheme, f64)>,
-    /// Schemes that cannot: their errors fall no further, and stay above the tolerance.
+    /// Schemes whose errors stopped falling above the tolerance.
     #[serde(skip)]
     pub stalled: Vec<Scheme>,
 }
 
-/// The setting that was chosen.
+/// The chosen setting.
 #[derive(Clone, Debug, Serialize)]
 pub struct Choice {
     /// The setting.
     #[serde(flatten)]
     pub setting: Measured,
-    /// The setting as Rust to paste.
+    /// Rust code of the setting's orbit.
     pub rust: String,
 }
 
-/// Why nothing was measured.
+/// The reason for which nothing was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CannotTrade {
     /// The system cannot be run.
     CannotRun(CannotRun),
-    /// There is no reference trajectory.
+    /// No reference trajectory was found.
     Reference(NoReference),
-    /// The need is integrals, and the system declares none that depends on the state.
+    /// The need is integrals, but no claimed integral depends on the state.
     NoIntegrals,
 }
 
@@ -177,7 +176,7 @@ impl CannotTrade {
 impl core::error::Error for CannotTrade {}
 
 impl Measured {
-    /// The error that the need is about: of the trajectory where it was asked for, else of the
+    /// Returns the error of the trajectory if it was measured, and otherwise the drift of
     /// integrals.
     #[must_use]
     pub fn error(&self) -> f64 {
@@ -186,20 +185,20 @@ impl Measured {
 }
 
 impl Traded {
-    /// The cheapest setting that meets the need.
+    /// Returns the cheapest setting that meets the need.
     #[must_use]
     pub fn choice(&self) -> Option<&Measured> {
         self.choice.as_ref().map(|choice| &choice.setting)
     }
 
-    /// What was simulated, in words: system, first point, time.
+    /// Describes the simulation: system, first point, time.
     #[must_use]
     pub fn title(&self) -> String {
         let point: Vec<String> = self.start.iter().map(ToString::to_string).collect();
         format!("{} from ({}) over {} units of time", self.system, point.join(", "), self.scene.horizon())
     }
 
-    /// What its errors are of.
+    /// Names the kind of error that the need is about.
     #[must_use]
     pub fn error_name(&self) -> &'static str {
         match self.scene.need() {
@@ -210,19 +209,19 @@ impl Traded {
 }
 
 impl Trade {
-    /// To follow a trajectory to eight digits, in ten seconds.
+    /// Asks to follow a trajectory to eight digits, within ten seconds.
     #[must_use]
     pub fn new(at: Vec<Rational>, horizon: Rational) -> Self {
         let (need, tolerance, seconds) = (trajectory(), usual_tolerance(), usual_seconds());
         Trade { at, horizon, need, tolerance, seconds }
     }
 
-    /// Measures for so many seconds, or less where the answer is clear before, on a system whose
-    /// claims hold. Costs the time of the orbits that it runs; the watch must have a clock.
+    /// Measures for the given seconds, or less if the answer is clear earlier. The claims of the
+    /// system must hold, and the watch must have a clock. Costs the time of the orbits.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing or not above 0, no clock,
-    /// or nothing that could be measured.
+    /// [`StudyError`]: claims that do not hold, missing or nonpositive values, no clock, or nothing
+    /// to measure.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Traded, StudyError> {
         study.proved()?;
         let start = study.point(&self.at)?;
@@ -240,7 +239,7 @@ impl Trade {
     }
 }
 
-/// A number above 0, as a float.
+/// Rounds a positive number to a finite float.
 fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
     let float = value.to_f64();
     if float > 0.0 && float.is_finite() {
@@ -251,7 +250,6 @@ fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
 }
 
 impl<'a> Ladders<'a> {
-    /// Measures.
     fn of(
         runner: &'a Runner<'a>,
         study: &Study,
@@ -261,7 +259,7 @@ impl<'a> Ladders<'a> {
         watch: &'a dyn Watch,
     ) -> Result<Self, CannotTrade> {
         let clock = runner.clock;
-        // A time that is too long for a duration is as good as no limit.
+        // A time beyond the range of `Duration` counts as no limit.
         let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
@@ -271,10 +269,9 @@ impl<'a> Ladders<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // A little beyond the horizon: n steps of an ε that was rounded do not end there
-                // exactly.
+                // The margin serves orbits that pass the horizon because ε was rounded.
                 let is_over = || clock() > deadline;
-                // Errors are those of the variables that the equations have as they are written.
+                // Errors refer to the variables of the original equations.
                 let variables = Some(study.coordinates().len());
                 let limits = Limits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
@@ -287,8 +284,8 @@ impl<'a> Ladders<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // ε times the rate, on an average: compositions, whose stages are shorter, follow
-        // trajectories up to 2 or so, with errors to match.
+        // The coarsest ε has a mean product of ε and rate of 4 along a trajectory, and of 1 at the
+        // start for integrals. Compositions, with their shorter stages, may be that coarse.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -305,7 +302,7 @@ impl<'a> Ladders<'a> {
             let stand_in = Runner::stand_in(clock)?;
             Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
-        // The possible error of the reference is taken off the tolerance.
+        // The tolerance leaves room for the error of the reference.
         let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
         let tolerance = scene.tolerance() - certified;
         let measuring = Measuring {
@@ -357,13 +354,13 @@ impl<'a> Ladders<'a> {
 }
 
 impl Measuring<'_> {
-    /// Tells the watch how many settings are known; after it said stop, there is no time left, and
-    /// it hears no more.
+    /// Reports the number of settings to the watch. A watch that ends the work sets the deadline to
+    /// 0, and then gets no more reports.
     fn tell(&mut self) {
         if self.deadline.is_zero() {
             return;
         }
-        // How many there will be depends on what they show.
+        // The total is unknown, because it depends on the results.
         let progress = Progress { what: "settings", done: self.settings.len() as u64, of: None };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {
             self.deadline = Duration::ZERO;
@@ -371,5 +368,5 @@ impl Measuring<'_> {
     }
 }
 
-/// As good as no limit; a clock cannot tell times that are much later.
+/// A duration that counts as no limit; clocks cannot represent much later times.
 const LONG: Duration = Duration::from_secs(1 << 32);

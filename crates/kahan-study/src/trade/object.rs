@@ -1,4 +1,4 @@
-//! Parts of what was measured, in the names of JSON.
+//! The JSON of parts of a trade's answer.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};
@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::named::{Names, by_name};
 use crate::numbers::exact::Exactly;
 
-/// A need by its name.
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Need", rename_all = "lowercase")]
 pub(super) enum NeedByName {
@@ -15,7 +14,7 @@ pub(super) enum NeedByName {
     Integrals,
 }
 
-/// The name of a need in questions and answers.
+/// Returns the name of a need in questions and answers.
 #[must_use]
 pub fn need_name(need: Need) -> &'static str {
     match need {

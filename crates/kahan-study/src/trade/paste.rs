@@ -1,11 +1,11 @@
-//! The chosen setting as Rust to paste.
+//! The chosen setting as Rust code.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 
-/// The orbit of a setting: one statement, after the field where that is the user's own.
+/// Writes the orbit of a setting as a statement, preceded by the field if a user defined it.
 pub(super) fn rust_of(
     study: &Study,
     parameters: &[Rational],
@@ -33,7 +33,7 @@ pub(super) fn rust_of(
     };
     let mut point: Vec<String> = start.iter().map(value).collect();
     if let (true, Some(first)) = (precision.is_single(), point.first_mut()) {
-        // One suffix tells the scalar of all.
+        // A suffix on one coordinate determines the scalar of all.
         if !first.contains('_') {
             *first += "_f32";
         }
@@ -41,7 +41,7 @@ pub(super) fn rust_of(
     before + &setting.in_rust(&map, &format!("vector![{}]", point.join(", ")))
 }
 
-/// A number as the scalar's literal: the float that it rounds to, or in `Dd` all its digits.
+/// Writes a number as a literal of the scalar: the nearest float, or a `Dd` with all its digits.
 fn literal(precision: Precision, value: &Rational) -> String {
     match precision {
         Precision::Single | Precision::SingleThroughDouble => format!("{:?}", value.to_f32()),

@@ -1,29 +1,26 @@
-//! What a step costs on this machine: nanoseconds, for every scheme.
+//! Measures the time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! A system is timed by its code, which is as fast as the library's own, from the scene's own
-//! point. Where there is no code, how fast a field is interpreted says nothing about how fast it
-//! will be; so E6 is timed in its place, and each time scaled by what the plans say the two steps
-//! cost. The ratios between orders are exact either way: an order is a number of stages.
+//! A compiled system is timed from the start of the scene. The speed of an interpreted field says
+//! little about its compiled speed, so E6 is timed instead, scaled by the planned costs of the two
+//! steps. Ratios between orders are exact in both cases, because an order is a number of stages.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
 
 use super::runner::Runner;
 
-/// Nanoseconds a step of every scheme.
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
-/// Rounds, in each of which every scheme has its turn; the least time counts, since nothing makes a
-/// step faster than it is.
+/// The number of rounds, with a turn for every scheme in each. The least time counts, because
+/// disturbances only slow a step down.
 const ROUNDS: usize = 15;
-/// Stages a turn.
 const STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme, in turns, with this ε, or a smaller one where a turn would go beyond the
-    /// horizon: numbers that are too small there, as what decays becomes, take a step a hundred
-    /// times as long.
+    /// Times every scheme in turns at this ε, or a smaller one if a turn would pass the horizon.
+    /// Beyond the horizon a decaying state becomes subnormal, and steps take a hundred times as
+    /// long.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
@@ -32,14 +29,14 @@ impl Prices {
                 let is_wide = scheme.precision == Precision::DoubleDouble;
                 let steps = STAGES / if is_wide { 5 * stages } else { stages };
                 let eps = eps.min(horizon / (2.0 * steps as f64));
-                // How long a step takes is the same with an ε within the range of `f32`.
+                // The time of a step does not depend on ε; this one is in the range of `f32`.
                 let eps = scheme.precision.eps_near(eps.min(f64::from(f32::MAX)), Need::Trajectory);
                 let time = 1e9 * subject.seconds(*scheme, eps, steps) / steps as f64;
                 *least = least.min(time);
             }
         }
-        // A compiler packs steps in single precision, which has made them twice as slow as this
-        // code is, and never much faster.
+        // A compiler vectorises steps in single precision, which can double their time and has
+        // never saved much. They are therefore priced at least like steps in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -50,10 +47,10 @@ impl Prices {
         prices
     }
 
-    /// The times of a system with another step.
+    /// Converts times to a system with another cost of a step.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // Hundreds of operations side by side: what counts is how many.
+            // Double-double steps have hundreds of independent operations, so their number counts.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };
@@ -61,7 +58,7 @@ impl Prices {
         Prices(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
     }
 
-    /// Nanoseconds a step of the whole composition.
+    /// Returns the nanoseconds of a step of the whole composition.
     pub(super) fn nanoseconds(&self, scheme: Scheme) -> f64 {
         let known = self.0.iter().find(|(known, _)| *known == scheme);
         known.map(|(_, time)| *time).expect("every scheme has been timed")

@@ -1,4 +1,4 @@
-//! A system at a starting point: its orbits, and what else is asked of it.
+//! Runs and times the orbits of a system from a point.
 
 use std::iter::once;
 use std::ops::ControlFlow;
@@ -15,26 +15,22 @@ use crate::map::CannotRun;
 
 use super::CannotTrade;
 
-/// A system at a starting point, with a clock.
 pub(super) struct Runner<'a> {
     pub(super) map: Map,
-    /// The same in double-double.
     pub(super) wide: Padded<Dd>,
     pub(super) start: Vec<Rational>,
     pub(super) clock: Clock<'a>,
 }
 
-/// The time since a moment that stays the same.
+/// A function that returns the time since a fixed moment.
 pub(super) type Clock<'a> = &'a dyn Fn() -> Duration;
 
-/// What looks at points: the number of steps so far, and the point; whether to go on.
+/// A callback that gets the number of steps and the point, and decides whether to go on.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 
-/// Numbers of steps, each larger than the one before.
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
 impl<'a> Runner<'a> {
-    /// A field at these parameters and this point.
     pub(super) fn new(
         field: &Field,
         parameters: &[Rational],
@@ -48,26 +44,25 @@ impl<'a> Runner<'a> {
         Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
-    /// E6 at a point of ordinary size: what is timed in place of a field without code.
+    /// Prepares E6 at a point of moderate size, which is timed in place of a field without code.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));
         Runner::new(&field.expect("a field"), &[], &start, clock)
     }
 
-    /// Whether its steps are code.
     pub(super) fn is_code(&self) -> bool {
         self.map.at(1.0).is_code()
     }
 
-    /// The seconds that so many steps take from the scene's own point, without the preparations.
+    /// Returns the seconds of `steps` steps from the start, without preparation.
     pub(super) fn seconds(&self, scheme: Scheme, eps: f64, steps: u64) -> f64 {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
-    /// `stops`, which grow, while `visit` says so; the seconds that it took, without the
-    /// preparations. The orbit begins at `from`, or at the scene's own point.
+    /// Follows an orbit from `from`, by default the start of the scene, and shows its first point
+    /// and the points after each number of steps in `stops`, until `visit` ends it. Returns the
+    /// seconds of the orbit, without preparation.
     pub(super) fn follow(
         &self,
         scheme: Scheme,
@@ -92,7 +87,6 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Follows the orbit of `x`.
     fn run<T: RuntimeFloat>(
         &self,
         Scheme { composition, compensated, .. }: Scheme,
@@ -130,13 +124,13 @@ impl<'a> Runner<'a> {
 }
 
 impl Runner<'_> {
-    /// The declared integrals at this ε.
+    /// Returns the claimed integrals at this ε; NaN for undefined values.
     pub(super) fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
         let values = self.wide.integrals(&padded(x, |value| value), &Dd::from(eps));
         values.into_iter().map(|value| value.unwrap_or(Dd::from(f64::NAN))).collect()
     }
 
-    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
+    /// Returns the coefficients of ε⁰ and ε² of each claimed integral.
     pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
         // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
         let fixed = |value: Dd| Dual::<_, 1>::from_value(Dual::<_, 1>::from_value(value));
@@ -152,17 +146,15 @@ impl Runner<'_> {
     }
 }
 
-/// A point in numbers made from its coordinates, with zeros for the variables that stand still.
+/// Pads a point with zeros for constant variables, and converts its coordinates.
 fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
     SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
 }
 
-/// A point, each coordinate rounded once.
 fn rounded<T: Scalar>(x: &[Rational]) -> Vec<T> {
     x.iter().map(round).collect()
 }
 
-/// A float as the number that it is.
 fn rational(value: f64) -> Rational {
     Rational::from_f64(value).expect("what orbits begin with is finite")
 }

@@ -1,5 +1,4 @@
-//! The order in which schemes are measured: those first that are likely to serve, which ends the
-//! ladders of others early.
+//! The order of measuring schemes: likely winners first, which ends the ladders of others early.
 
 use kahan_core::Composition;
 use kahan_dynamics::search::{Rules, Search};
@@ -7,31 +6,30 @@ use kahan_dynamics::{Precision, Scheme};
 
 use super::measure::Measuring;
 
-/// The rules where settings are measured: all rungs of ladders are shown, and the reference, which
-/// is certified, leaves the whole tolerance to them.
+/// The rules for measured settings: show all rungs of ladders, and leave the whole tolerance to the
+/// settings, because the reference is certified.
 pub(super) const MEASURED: Rules =
     Rules { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
-/// The part of the time left that one setting may take: others may take less.
+/// The part of the remaining time that one setting may take.
 const SHARE: f64 = 0.3;
-/// Errors of `f64` above this are seldom roundings.
+/// The error of `f64` above which rounding errors are unlikely.
 const UNEVEN: f64 = 1e-11;
 
-/// A search, and the schemes that cannot serve: their errors fall no further.
+/// A search with the schemes whose errors have stopped falling.
 pub(super) struct Ladders<'a> {
     pub(super) search: Search<Measuring<'a>>,
-    /// The largest measured error that serves.
+    /// The largest error that meets the need.
     pub(super) tolerance: f64,
     pub(super) stalled: Vec<Scheme>,
 }
 
 impl Ladders<'_> {
-    /// Measures until the answer is clear; `coarsest` is the least number of steps over the
-    /// horizon.
+    /// Measures until the answer is clear; `coarsest` is the least number of steps to the horizon.
     pub(super) fn run(&mut self, coarsest: u64) {
         self.climb(coarsest);
         self.search.set_share(1.0);
         if self.search.best().is_none() {
-            // No other takes less, so what was put off has all the time that is left.
+            // With no setting found, schemes that ran out of time get all the remaining time.
             for (scheme, _) in self.search.trials_mut().put_off() {
                 self.ladder(scheme, coarsest);
             }
@@ -49,7 +47,6 @@ impl Ladders<'_> {
         }
     }
 
-    /// The ladder of every scheme that may be the cheapest.
     fn climb(&mut self, coarsest: u64) {
         let plain = |precision, composition| Scheme::of(precision).composed(composition);
         let [.., highest] = Composition::BEST;
@@ -57,13 +54,12 @@ impl Ladders<'_> {
         if self.search.best().is_none() {
             self.ladder(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // Where the roundings of f64 are felt, ten times the price for none can be the better
-        // bargain.
+        // If rounding errors of f64 matter, double-double may win at ten times the price.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // No point is nearer to a trajectory than its own rounding: one order shows how
-                // near that is.
+                // Rounding of states bounds the error from below, so one order suffices to show
+                // that a precision cannot reach the tolerance.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {
@@ -84,8 +80,8 @@ impl Ladders<'_> {
         }
     }
 
-    /// Climbs in the plain scheme, and in the compensated one where the plain one's errors show its
-    /// roundings, which it returns.
+    /// Climbs in the plain scheme, and in the compensated one if rounding errors matter. Returns
+    /// whether rounding errors matter in the plain scheme.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.ladder(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {
@@ -94,7 +90,7 @@ impl Ladders<'_> {
         has_felt
     }
 
-    /// Whether roundings were felt.
+    /// Climbs the ladder of a scheme; returns whether rounding errors matter.
     fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let climb = self.search.ladder(scheme, coarsest);
         if climb.has_stalled() {

@@ -1,17 +1,17 @@
-//! The points of an orbit that are looked at.
+//! The steps of an orbit at which points are compared.
 
 use crate::reference::Reference;
 
-/// Steps at equal distances along an orbit, or all where they are fewer.
+/// The number of evenly spaced stops; all steps if they are fewer.
 const EVENLY: u64 = 512;
-/// Steps on each stretch of the trajectory that one polynomial describes: there are many where it
-/// moves fast, however short that is.
+/// The number of stops on each polynomial piece of the trajectory; pieces are dense where it moves
+/// fast.
 const ON_A_PIECE: u32 = 3;
-/// The most such stretches: of more than these, each is as good as the next.
+/// The most pieces with stops of their own; beyond it, only some pieces have stops.
 const MOST_PIECES: usize = 2048;
 
-/// Numbers of steps after which an orbit of so many steps, at least one, with ε = `eps`, is looked
-/// at, each larger than the one before; the last step is among them.
+/// Returns increasing numbers of steps at which to inspect an orbit of `steps` ≥ 1 steps at ε =
+/// `eps`. The last step is included.
 pub(super) fn stops(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
     let stride = steps.div_ceil(EVENLY);
     let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();

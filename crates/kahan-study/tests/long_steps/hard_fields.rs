@@ -1,9 +1,9 @@
-//! Fields: the catalog, some that are known to be hard, and random sparse ones.
+//! Fields: the catalog, some known to be hard, and random sparse ones.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_systems::registry::SYSTEMS;
 
-/// Fields of six variables that lose digits where states are eliminated by pivots of 1, or minors
+/// Fields of six variables that lose digits because states are eliminated by pivots of 1, or minors
 /// cancel.
 const HARD: [(&str, &str); 6] = [
     (
@@ -35,16 +35,15 @@ const HARD: [(&str, &str); 6] = [
 
 const STATES: [&str; 6] = ["x", "y", "z", "u", "v", "w"];
 
-/// A name and a block.
 pub(crate) type Named = (String, String);
 
-/// The catalog, and the hard ones.
 pub(crate) fn known() -> Vec<Named> {
     let catalog = SYSTEMS.iter().map(|entry| (entry.command.to_owned(), entry.text().to_owned()));
     catalog.chain(HARD.map(|(name, text)| (name.to_owned(), text.to_owned()))).collect()
 }
 
-/// A random field: one or two quadratic terms an equation; one field in three has linear ones, too.
+/// Draws a field with one or two quadratic terms in each equation; one field in three has linear
+/// terms, too.
 pub(crate) fn sparse(dimension: usize, seed: u64) -> Named {
     let name = format!("random field {seed} of {dimension} variables");
     let mut random = SplitMix64::from_bytes(name.as_bytes());

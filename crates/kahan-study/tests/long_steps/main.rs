@@ -1,4 +1,4 @@
-//! Long steps: the fast tier beside elimination with partial pivoting, both against exact
+//! Long steps: the fast tier against elimination with partial pivoting, both compared with exact
 //! rationals.
 //!
 //! In `f64`, at points with ‖εf′‖∞ near 1, 10, 100 and 1000: up to the size to which a step
@@ -23,7 +23,7 @@ use hard_fields::{Named, known, sparse};
 
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 
-/// The errors of some steps of one size, in units u, sorted.
+/// The errors of steps of one size, in units u, sorted.
 struct Errors(Vec<f64>);
 
 impl Errors {
@@ -32,13 +32,12 @@ impl Errors {
         Errors(errors)
     }
 
-    /// The value that a share of all is below.
     fn quantile(&self, share: f64) -> f64 {
         self.0[((self.0.len() - 1) as f64 * share) as usize]
     }
 }
 
-/// What is computed of a field: Â and p.
+/// The plans of Â and p for a field.
 struct Linear<'a> {
     field: &'a Field,
     matrix: Plan,
@@ -66,7 +65,7 @@ impl<'a> Linear<'a> {
         (run(&self.matrix).chunks(n).map(<[A::Value]>::to_vec).collect(), run(&self.right))
     }
 
-    /// ‖f′‖∞, from A at ε = 1.
+    /// Returns ‖f′‖∞, computed from A at ε = 1.
     fn norm(&self, values: &[f64]) -> f64 {
         let mut values = values.to_vec();
         *values.last_mut().expect("ε is the last") = 1.0;
@@ -76,7 +75,8 @@ impl<'a> Linear<'a> {
         (0..n).map(|i| (0..n).map(|j| entry(i, j).abs()).sum()).fold(0.0, f64::max)
     }
 
-    /// The exact step, each component as an unevaluated sum of two floats; `None` at a pole.
+    /// Returns the exact step, each component as an unevaluated sum of two floats; `None` at a
+    /// pole.
     fn exact(&self, values: &[f64]) -> Option<Vec<(f64, f64)>> {
         let values: Vec<Rational> =
             values.iter().map(|value| Rational::from_f64(*value).expect("finite")).collect();
@@ -89,7 +89,6 @@ impl<'a> Linear<'a> {
         Some(next.collect())
     }
 
-    /// The step by elimination with partial pivoting.
     fn eliminated(&self, values: &[f64]) -> Vec<f64> {
         let (mut a, mut b) = self.system(&Float64, values);
         let n = b.len();
@@ -115,7 +114,7 @@ impl<'a> Linear<'a> {
     }
 }
 
-/// The step of a plan, in the order of its operations.
+/// Makes the step of a plan, in the order of its operations.
 fn fast(step: &StepPlan, values: &[f64]) -> Vec<f64> {
     let value = |variable: Variable| Some(values[usize::from(variable.0)]);
     let constants = step.constants.evaluate(&Float64, |input| input.value(&[], value));
@@ -135,7 +134,7 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// The errors of some plans and of elimination, which is the last, at random points of one size.
+/// Returns the errors of some plans, and last of elimination, at random points of one size.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],
@@ -151,12 +150,12 @@ fn errors(
         if all[0].len() == points {
             break;
         }
-        // From 1/8 to 1024, uniform in the logarithm.
+        // The width is log-uniform between 1/8 and 1024.
         let width = 2_f64.powf(13.0 * share() - 3.0);
         let mut values: Vec<f64> = symbols.states.iter().map(|_| width * (2.0 * share() - 1.0)).collect();
         values.extend(symbols.parameters.iter().map(|_| 0.5 + 1.5 * share()));
         values.push(0.0);
-        // Not the size itself: where f′ has one entry, that is a pole.
+        // At the size itself, a field whose f′ has one entry would have a pole.
         let eps = f64::from(size) * (0.8 + 0.4 * share()) / linear.norm(&values);
         *values.last_mut()? = eps;
         let Some(exact) = Some(()).filter(|()| eps.is_normal()).and_then(|()| linear.exact(&values)) else {
@@ -167,11 +166,10 @@ fn errors(
         }
         all[steps.len()].push(error(&exact, &linear.eliminated(&values)));
     }
-    // A field whose f′ vanishes nearly everywhere has no such points.
+    // Fields with f′ = 0 nearly everywhere have too few points.
     (all[0].len() == points).then(|| all.into_iter().map(Errors::of).collect())
 }
 
-/// What came of several fields.
 #[derive(Default)]
 struct Tally {
     fields: usize,
@@ -180,7 +178,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Measures the step of a field, and the one that lanes take.
+    /// Measures the step of a field, and the step for lanes.
     fn add(&mut self, (name, text): &Named, points: usize, seed: u64) {
         let system = read_unproved(&lex(text).tokens).system().unwrap_or_else(|_| panic!("{text}"));
         let derived = derive(&system);
@@ -214,12 +212,12 @@ impl Tally {
     }
 }
 
-/// Another sample by `KAHAN_SEED`.
+/// Returns the seed, which `KAHAN_SEED` replaces.
 fn seed() -> u64 {
     std::env::var("KAHAN_SEED").ok().map_or(1, |seed| seed.parse().expect("KAHAN_SEED is a whole number"))
 }
 
-/// The known fields, and so many random ones of 2 to 6 variables each.
+/// Measures the known fields, and this number of random fields in each of 2 to 6 variables.
 fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
     let seed = seed();
     let mut tally = Tally::default();
@@ -239,7 +237,8 @@ fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
 fn a_step_keeps_what_elimination_keeps_as_far_as_it_is_said_to_hold() {
     let Tally { fields, limited, failures } = survey(3, 25);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    // Not by claiming nothing: of the fields that are known, four have a limit.
+    // A limit must be rare, so that the test cannot pass by claiming limits; four known fields have
+    // one.
     assert!(10 * limited <= 3 * fields, "{limited} of {fields} with a limit");
 }
 

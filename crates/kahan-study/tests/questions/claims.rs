@@ -1,4 +1,4 @@
-//! Claims that are found, shown, proved and refuted.
+//! Claims: found, shown, proved and refuted.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -87,10 +87,10 @@ fn claims_of_a_field_hold_or_not() {
     assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
     assert_eq!(of_field["claims"][0]["id"], "field.H");
     assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
-    // Claims that do not fit the values of the parameters are left out.
+    // Claims that do not hold at the values of the parameters are dropped.
     let put_in = verdicts(Subject::text(field).with("a", one()));
     assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
-    // Of a system of the catalog as it stands the paper's claims are meant.
+    // An unchanged system of the catalog is verified by the paper's claims.
     assert_eq!(verdicts(Subject::named("e9").with("xi", one()))["claims"][1]["id"], "e9.H3");
     let of_paper = verdicts(Subject::named("lagrange"));
     assert_eq!([&of_paper["failed"], &of_paper["claims"][0]["system"]], [&json!(0), &json!("lagrange")]);

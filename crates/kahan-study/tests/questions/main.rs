@@ -1,4 +1,4 @@
-//! Questions as JSON, subjects that are wrong, and answers under the names of the command's JSON.
+//! Questions as JSON, wrong subjects, and answers under the names of the command's JSON.
 
 mod claims;
 mod cycles;
@@ -32,7 +32,7 @@ fn answer(study: &Study, object: Value) -> Value {
     json!(study.ask(&question, &Unwatched).expect("an answer"))
 }
 
-/// A clock of the test's own: a microsecond passes each time that it is read.
+/// A clock that advances by a microsecond at each reading.
 #[derive(Default)]
 struct Clock(AtomicU64);
 
@@ -42,7 +42,7 @@ impl Clock {
     }
 }
 
-/// A clock, and what was heard.
+/// A watch with a clock that records reports.
 struct Listening {
     clock: Clock,
     heard: Mutex<Vec<String>>,

@@ -7,8 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Clock, Listening, answer, question, study};
 
-/// ẋ = x² + 1 reaches a pole of the flow; rotations about the fixed point of x″ = −x take 2π a
-/// turn.
+/// ẋ = x² + 1 meets a pole of the flow; x″ = −x rotates about its fixed point in 2π.
 #[test]
 fn what_orbits_do() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -18,10 +17,9 @@ fn what_orbits_do() {
     let turning = study(Subject::text("xdot = y; ydot = -x; integral E = x^2 + y^2;"));
     let asked = json!({"ask": "observe", "eps": "1/20", "at": [1, 0], "steps": 10_000});
     let observed = answer(&turning, asked.clone());
-    // tan of half the angle of a step is ε.
+    // The tangent of half the angle of a step is ε.
     let turns = 0.05_f64.atan() / std::f64::consts::PI;
-    // Backwards, as the phase of x and its rate goes. A weighted mean over 10⁴ steps rounds as
-    // often.
+    // The rotation is clockwise, and a weighted mean over 10⁴ steps has as many rounding errors.
     let value = observed["rotation"]["x"]["value"].as_f64().expect("a number");
     assert!((value + turns).abs() < 1e4 * f64::EPSILON * turns, "{observed}");
     assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");
@@ -44,7 +42,7 @@ fn crossings_of_a_plane() {
     let points = found["points"].as_array().expect("points");
     assert_eq!((points.len(), found["times"].as_array().map(Vec::len)), (2, Some(2)));
     let x = points[0][0].as_f64().expect("a number");
-    // The map keeps x² + y², and the crossing lies on its curve.
+    // The map preserves x² + y², and the crossing lies on this level set.
     assert!((x + 1.25_f64.sqrt()).abs() < 1e-3, "{found}");
 }
 
@@ -79,7 +77,7 @@ fn cycles_and_their_branches() {
 
 #[test]
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
-    // A sink at a, whatever a is; with ε = 1/10 the distance from it falls to 9/11 in a step.
+    // The point a attracts for every a; at ε = 1/10 each step multiplies the distance by 9/11.
     let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
     let asked = json!({
         "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"a": "0:2:3"},

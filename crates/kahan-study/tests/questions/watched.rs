@@ -1,4 +1,4 @@
-//! Work that somebody watches, and stops.
+//! Watched work, and its early end.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -20,13 +20,13 @@ fn findings_are_told_when_they_are_proved() {
         let heard = watch.heard.into_inner().expect("no listener fails");
         let claims: Vec<&str> = found.claims().map(|(text, _)| text).collect();
         assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
-        // Once it is told to stop, the search says no more.
+        // After the request to stop, the search reports nothing more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
         assert_eq!(found.report.out_of_time, stops_at_first);
     }
 }
 
-/// A clock, and a `Break` at every look; that the watch is asked again after it is a mistake.
+/// A watch that stops at every look; a further look after the stop is an error.
 struct Ending {
     clock: Clock,
     looks: AtomicU32,

@@ -1,11 +1,11 @@
-//! What `Scene::trajectory` chooses, on seeded scenes of twenty fields: chaotic, stiff, escaping,
-//! beside equilibria.
+//! Choices of `Scene::trajectory` on seeded scenes of twenty fields: chaotic, stiff, escaping, and
+//! near equilibria.
 //!
-//! The truth is a Taylor series in 32 digits that a second method agrees with to a tenth of the
-//! tolerance; scenes without one are not judged. No clock: every run of a seed gives the same
-//! numbers. Two thousand scenes take minutes, so they are not part of `cargo test`; repeat them, or
-//! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-study --test scenes
-//! -- --ignored --nocapture`.
+//! The truth is a Taylor series in 32 digits, confirmed by a second method to a tenth of the
+//! tolerance; scenes without a truth are not judged. Results are reproducible by seed, without a
+//! clock. Two thousand scenes take minutes and are not part of `cargo test`; run them with
+//! `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-study --test scenes -- --ignored
+//! --nocapture`.
 
 mod seeded_fields;
 
@@ -18,14 +18,13 @@ use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use seeded_fields::*;
 
-/// What became of a scene.
 #[derive(Clone, Debug)]
 enum Outcome {
-    /// There is no truth to judge by; whether there was a choice all the same.
+    /// The truth is unknown; holds whether there was a choice.
     Unjudged { is_accepted: bool },
     /// The error over the tolerance.
     Accepted { ratio: f64 },
-    /// Why, and what would have served within the budget.
+    /// The reason, and a setting that would have served within the budget.
     Refused { why: NoSetting, exists: Option<Setting> },
 }
 
@@ -34,7 +33,7 @@ struct Judged {
     outcome: Outcome,
 }
 
-/// Steps of the map, three runs of which are all that a choice may cost.
+/// The largest number of steps of a setting: three runs must stay within the cost of a choice.
 const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
@@ -64,7 +63,8 @@ where
     Judged { scene: name, outcome }
 }
 
-/// The largest distance from the truth over every step, the last of them standing for the horizon.
+/// Returns the largest distance from the truth over all steps; the last point stands for the
+/// horizon.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,
@@ -81,7 +81,7 @@ where
     worst
 }
 
-/// A setting whose three runs take no more than a choice may cost.
+/// Returns a setting whose three runs cost at most as much as a choice may.
 fn within_budget<M, const N: usize>(
     scene: &Scene,
     map: &M,
@@ -107,7 +107,6 @@ where
     None
 }
 
-/// A whole number from the environment.
 fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |text| text.parse().expect("a whole number"))
 }
@@ -124,7 +123,6 @@ fn scene(seed: u64, index: u64) -> Judged {
     with_fields!(judge_one)
 }
 
-/// All outcomes, in order.
 fn sweep(seed: u64, count: u64) -> Vec<Judged> {
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
     let mut judged: Vec<(u64, Judged)> = std::thread::scope(|scope| {
@@ -143,7 +141,7 @@ fn sweep(seed: u64, count: u64) -> Vec<Judged> {
     judged.into_iter().map(|(_, judged)| judged).collect()
 }
 
-/// Missed tolerances and refusals, printed and bounded as the promise of `Scene::choose` has it.
+/// Prints missed tolerances and refusals, and checks the bounds promised by `Scene::choose`.
 fn check(seed: u64, count: u64) {
     let judged = sweep(seed, count);
     let (mut accepted, mut refused, mut unjudged, mut blind) = (0, 0, 0, 0);
@@ -191,7 +189,7 @@ fn of_two_thousand_scenes_at_most_two_miss_their_tolerance() {
     check(setting("KAHAN_SEED", 1), setting("KAHAN_SCENES", 2000));
 }
 
-/// The first of the two thousand: none of them takes long to find the truth of.
+/// The first of the two thousand scenes, whose truths are all quick to compute.
 #[test]
 fn of_a_dozen_scenes_none_misses_its_tolerance() {
     check(1, 12);

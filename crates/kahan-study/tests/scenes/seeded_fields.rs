@@ -1,30 +1,28 @@
-//! Twenty fields, each with the points that its scenes begin at and the horizons that they have.
+//! Twenty fields, with the starts and horizons of their scenes.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
 
-/// Uniform in [0, 1).
+/// Draws uniformly from [0, 1).
 fn unit(rng: &mut SplitMix64) -> f64 {
     (rng.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Uniform between two numbers.
 fn between(rng: &mut SplitMix64, low: f64, high: f64) -> f64 {
     low + (high - low) * unit(rng)
 }
 
-/// Uniform in the logarithm.
+/// Draws log-uniformly between two numbers.
 pub(crate) fn log_between(rng: &mut SplitMix64, low: f64, high: f64) -> f64 {
     between(rng, low.ln(), high.ln()).exp()
 }
 
-/// A small step off an equilibrium, of either sign.
+/// Draws a small displacement from an equilibrium, of either sign.
 fn off(rng: &mut SplitMix64) -> f64 {
     let size = log_between(rng, 1e-12, 1e-2);
     if rng.next_u64().is_multiple_of(2) { size } else { -size }
 }
 
-/// A field with its scenes.
 pub(crate) trait Cases<const N: usize> {
     const NAME: &str;
     const HORIZONS: (f64, f64);
@@ -32,7 +30,7 @@ pub(crate) trait Cases<const N: usize> {
     fn start(rng: &mut SplitMix64) -> [f64; N];
 }
 
-/// A field with its horizons, its starts and its block.
+/// Declares a field with its horizons, its starts and its block.
 macro_rules! case {
     ($(#[$doc:meta])* $name:ident[$n:literal], $low:literal..$high:literal, |$rng:ident| $start:expr, { $($block:tt)* }) => {
         kahan! {
@@ -52,7 +50,7 @@ macro_rules! case {
     };
 }
 
-/// A point of a box, or one beside an equilibrium.
+/// Draws a point of a box, or a point near an equilibrium.
 macro_rules! start {
     ($rng:ident, [$($low:literal..$high:literal),*], [$($near:expr),*]) => {
         if $rng.next_u64().is_multiple_of(3) { [$($near),*] } else { [$(between($rng, $low, $high)),*] }
@@ -172,7 +170,7 @@ case!(
     { ndot = 2 - n - n*s; sdot = 100*s*(n - 1); }
 );
 
-/// Calls a macro with all of them, in this order.
+/// Calls a macro with all fields, in a fixed order.
 macro_rules! with_fields {
     ($macro:ident) => {
         $macro!(

@@ -1,65 +1,65 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! In: a search. Out: its verdict. A ladder for each order, in plain `f64` first; a second method
-//! for the flow that trials are compared with ([`vouch`](super::vouch)); then [`Search::refine`].
+//! In: a search. Out: its verdict. A ladder is climbed for each order, in plain `f64` first. A
+//! second method then confirms the flow ([`vouch`](super::vouch)), and [`Search::refine`] follows.
 
 use kahan_core::Composition;
 
 use super::{Precision, Rules, Scheme, Search, Setting, Trials};
 
-/// The rules where operations are counted.
+/// The rules for costs by counted operations.
 pub(super) const COUNTED: Rules = Rules {
     enough: 0.85,
     aim: 0.97,
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // The trial that confirms the flow needs time, too.
+    // Part of the time is reserved for the trial that confirms the flow.
     share: 0.45,
 };
-/// A trial in `Dd` confirms the reference flow if its error is smaller than the tolerance by this
-/// factor: two independent methods then agree.
+/// The factor by which the error of a trial in `Dd` must be below the tolerance to confirm the
+/// flow.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The most rungs of a ladder that begins where another felt roundings.
+/// The most rungs of a ladder that begins where another ladder met rounding errors.
 const MORE_RUNGS: usize = 5;
 
-/// The numbers of the first trials, plain `f64`.
+/// The scheme of the first trials: plain `f64`.
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
-/// `Dd`, whose roundings are never seen.
+/// The scheme in `Dd`, whose rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// Numbers for a single orbit besides plain `f64`. `f32` is left out, since its steps take as long.
+/// The alternatives to plain `f64` for a single orbit; steps in `f32` take as long as in `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
-/// Those of them in `f64`.
+/// The alternatives in `f64`.
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
-/// The answer.
+/// The result of a search.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest of what serves, with an error that has the doubt about the flow in it.
+    /// The cheapest setting that serves; its error includes the uncertainty of the flow.
     Choice(Setting),
-    /// Nothing serves, or nothing vouches for the flow.
+    /// No setting serves, or no trial confirms the flow.
     None {
-        /// Of all trials.
+        /// The least error of all trials.
         least_error: f64,
-        /// Whether roundings were seen in some ladder, or in the flow.
+        /// Whether rounding errors were seen in some ladder, or in the flow.
         is_rough: bool,
     },
 }
 
 impl<L: Trials> Search<L> {
-    /// Makes the search of operations counted.
+    /// Prepares a search with costs by counted operations.
     pub(in crate::scene) const fn counted(trials: L, tolerance: f64) -> Self {
         Self::new(trials, tolerance, COUNTED)
     }
 
-    /// Tries until the answer is clear; `coarsest` is the least number of steps over the horizon,
-    /// `others` are the numbers that may be chosen besides plain `f64`.
+    /// Tries settings until the answer is clear. `coarsest` is the least number of steps to the
+    /// horizon, and `others` are the alternatives to plain `f64`.
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
-        // High orders first: something that serves ends the ladders of others early.
+        // High orders come first, because a setting that serves ends other ladders early.
         for composition in Composition::BEST.into_iter().rev() {
             self.climb(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
-                // Finer steps round more often.
+                // Finer steps would only add rounding errors.
                 break;
             }
         }
@@ -85,8 +85,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others',
-    /// too. What then serves is vouched for.
+    /// Climbs the ladder of an order in plain `f64`, and, if rounding errors matter, in the other
+    /// schemes. If a setting serves, confirms the flow.
     fn climb(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.ladder(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
@@ -101,8 +101,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Whether double-double, which has no roundings in common with anything, came as near to the
-    /// flow as it must.
+    /// Returns whether an orbit in `Dd`, whose rounding errors are independent, agrees with the
+    /// flow well enough.
     fn is_vouched_for(&self) -> bool {
         let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))

@@ -1,43 +1,40 @@
-//! Ladders: an order at more and more steps.
+//! Ladders: trials of a scheme with more and more steps.
 //!
-//! In: a scheme and where to begin. Out: trials, until one serves, or costs more than a setting
-//! that does, or is sure to by the law error ∝ ε^order, or two rungs in a row gain nothing; and
-//! whether roundings were felt.
+//! In: a scheme, and its first number of steps. Out: trials, and whether rounding errors matter. A
+//! ladder ends if a trial serves, costs more than a setting that serves, is sure to by the law
+//! error ∝ ε^order, or if two rungs in a row gain nothing.
 
 use kahan_core::Composition;
 
 use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
-/// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to
-/// follow it.
+/// The deviation of a gain's logarithm from the law, relative to the law's, within which the law
+/// holds.
 const LAWFUL: f64 = 0.3;
-/// The law is trusted below this error.
+/// The error below which the law is trusted.
 const USEFUL: f64 = 0.01;
-/// So many rungs in a row that gain nothing want an explanation.
+/// The number of successive rungs without gain after which a ladder checks for rounding errors.
 const STALLS: u32 = 2;
-/// A rung that gained less than this part of what the law has it, in logarithms, gained nothing,
-/// once the law was seen to hold.
+/// The part of the law's gain, in logarithms, below which a rung gains nothing, once the law has
+/// held.
 const LITTLE: f64 = 0.3;
-/// The most rungs of a ladder.
 const RUNGS: usize = 34;
-/// Roundings differ from one ε to the next by about this factor.
+/// The factor by which rounding errors vary between neighbouring values of ε.
 const NEAR: f64 = 30.0;
-/// A ladder's longest step where the law is seen to hold.
+/// The largest factor of a leap, once the law holds.
 const LEAP: u64 = 1 << 12;
 
-/// What a rung gained on the one before.
 #[derive(Clone, Copy, Debug)]
 struct Gain {
-    /// The error before.
     before: f64,
     /// The error before over the error now.
     factor: f64,
-    /// The same as a part of what the law has it, in logarithms.
+    /// The logarithm of the factor over the logarithm by the law.
     part: f64,
 }
 
 impl Gain {
-    /// Whether the rung gained what the law has it, at errors at which it can be trusted.
+    /// Returns whether the gain follows the law, at errors at which the law can be trusted.
     fn is_lawful(&self) -> bool {
         (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
     }
@@ -52,33 +49,30 @@ impl Gain {
 /// The result of a ladder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Climb {
-    /// Whether some rung gained as the law has it.
+    /// Whether some rung followed the law.
     was_lawful: bool,
-    /// Whether some rung gained less.
+    /// Whether some rung gained less than the law.
     gained_little: bool,
-    /// How many rungs in a row gained nothing.
     stalls: u32,
-    /// Whether it ended where rungs gained nothing, for their roundings.
     has_stalled: bool,
-    /// The finest rung.
     pub(super) finest: Option<Setting>,
 }
 
 impl Climb {
-    /// Whether errors fell less than the order has it: there may be roundings in them, which
-    /// compensation makes fewer.
+    /// Returns whether errors fell less than the order predicts, possibly because of rounding
+    /// errors, which compensation reduces.
     #[must_use]
     pub const fn has_felt_roundings(&self) -> bool {
         self.gained_little
     }
 
-    /// Whether the ladder ended where finer steps gain nothing, for their roundings.
+    /// Returns whether the ladder ended because of rounding errors.
     #[must_use]
     pub const fn has_stalled(&self) -> bool {
         self.has_stalled
     }
 
-    /// Counts what a rung gained on the one before, if there was one that said something.
+    /// Records a trial; returns its gain over the rung before, if that had a finite error.
     fn add(&mut self, trial: Setting) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = Gain::of(&before, &trial);
@@ -92,8 +86,8 @@ impl Climb {
 }
 
 impl<L: Trials> Search<L> {
-    /// Tries more and more steps of a scheme, from `coarsest` on, until some serve, or more cannot
-    /// be the cheapest.
+    /// Tries more and more steps of a scheme, from `coarsest` on, until a trial serves or finer
+    /// ones cannot be the cheapest.
     pub fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> Climb {
         self.rungs(scheme, coarsest, RUNGS)
     }
@@ -105,7 +99,7 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // Where a leap takes too long, the next rung may not.
+            // If a leap takes too long, the next rung may still be affordable.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -114,18 +108,17 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // So near, where another rung may do by luck, the price of what serves is the only
-                // end.
+                // Near the tolerance, another rung may serve by chance, so only the price ends the
+                // ladder.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
                     break;
                 }
-                // A stiff motion: steps of either size meet poles of the map, which finer ones will
-                // not.
+                // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
                 climb.stalls = 0;
             }
-            // A setting of few bits has fewer or more steps than asked.
+            // A short ε changes the number of steps.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
@@ -133,7 +126,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // Where the law is seen to hold, there is no need of the rungs between.
+                // If the law holds, rungs in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
@@ -142,15 +135,15 @@ impl<L: Trials> Search<L> {
         climb
     }
 
-    /// Whether a trial errs by its roundings rather than by its order: double-double, which has
-    /// none, errs less.
+    /// Returns whether rounding dominates the error of a trial: an orbit in `Dd` then has a smaller
+    /// error.
     pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
         let wide = WIDE.composed(trial.scheme.composition);
         let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
-    /// The finest steps of an order at which the errors of plain `f64` still fell by the law.
+    /// Returns the largest number of steps at which errors of plain `f64` still fell by the law.
     pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();

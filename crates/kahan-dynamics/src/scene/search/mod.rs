@@ -1,11 +1,11 @@
-//! A search for the cheapest setting, in as few trials as make the answer clear.
+//! Searches for the cheapest setting in few trials.
 //!
 //! In: [`Trials`], which return the error of a setting and the price of a step: operations counted
-//! by the plans ([`Scene::choose`](crate::Scene::choose)), or nanoseconds measured (`kahan trade`).
+//! by plans ([`Scene::choose`](crate::Scene::choose)), or measured nanoseconds (`kahan trade`).
 //! Out: the cheapest setting whose measured error serves. A [ladder](Search::ladder) tries more and
-//! more steps of a scheme. [`refine`](Search::refine) looks between its last rung that fails and
-//! the first that serves, by the law error ∝ ε^order. The law proposes trials; the chosen setting
-//! is always one that was tried.
+//! more steps of a scheme. [`refine`](Search::refine) searches between the last rung that fails and
+//! the first that serves, by the law error ∝ ε^order. The law only proposes trials; the chosen
+//! setting was tried.
 
 mod choose;
 mod ladder;
@@ -19,73 +19,71 @@ pub use ladder::Climb;
 
 pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
 
-/// Errors above this say nothing: trajectories have lost their phase.
+/// The error above which a trajectory has lost its phase, so that its error is meaningless.
 const SMALL: f64 = 0.1;
-/// Errors that differ by a factor nearer to 1 than this do not differ.
+/// The ratio of two errors above which they count as equal.
 const STALL: f64 = 0.7;
-/// Steps that differ by less than this factor are not told apart.
+/// The ratio of two numbers of steps below which they count as equal.
 const CLOSE: f64 = 1.06;
-/// Where errors fall unevenly, steps that differ by this factor are tried.
+/// The ratio of successive numbers of steps in a scan.
 const GRID: f64 = 1.1;
-/// Trials between two rungs.
 const TRIALS: usize = 5;
 
-/// Settings run, and the price of their steps.
+/// Runs settings, and prices their steps.
 pub trait Trials {
     /// Returns the setting of a scheme with about this number of steps.
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
-    /// The error of a setting; infinite where it is beyond use, `None` where finding out takes more
-    /// than `share` of the time that is left.
+    /// Returns the error of a setting; infinite for a useless one, `None` if its trial would take
+    /// more than `share` of the remaining time.
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64>;
 
-    /// The price of one step.
+    /// Returns the price of one step.
     fn price(&self, scheme: Scheme) -> f64;
 
-    /// The price of a setting, of which the least is looked for.
+    /// Returns the price of a setting, which the search minimises.
     fn cost(&self, setting: &Setting) -> f64 {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Whether to give up a ladder before the rung of `next` steps, since its end, at about `end`
-    /// steps, takes more than `share` of the time that is left.
+    /// Returns whether to leave a ladder before the rung of `next` steps, because its last rung, at
+    /// about `end` steps, would take more than `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
 }
 
-/// How eagerly a search goes on.
+/// The parameters of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// The part of the tolerance that a setting's error may be.
+    /// The part of the tolerance that the error of a setting may reach.
     pub enough: f64,
-    /// The part of that error which [`Search::refine`] aims at,
+    /// The part of that error which [`Search::refine`] aims at.
     pub aim: f64,
-    /// and this factor takes more steps than the law has it.
+    /// The factor on the number of steps that the law proposes for this aim.
     pub surplus: f64,
-    /// Whether ladders leave out rungs where the law is seen to hold. The rungs between are on the
-    /// picture of a search whose trials are shown.
+    /// Whether ladders skip rungs once the law holds. Searches whose trials are drawn keep all
+    /// rungs.
     pub leaps: bool,
-    /// The factor by which the law may have a ladder's end cost more than what is known to serve.
+    /// The factor by which the predicted cost of a ladder's end may exceed the least known cost.
     pub surely: f64,
-    /// The part of the time that is left that one trial may take.
+    /// The part of the remaining time that one trial may take.
     pub share: f64,
 }
 
-/// Trials and what they showed.
+/// A search with its trials and their results.
 #[derive(Debug)]
 pub struct Search<L> {
     trials: L,
     tolerance: f64,
     rules: Rules,
-    /// What was tried, with the errors seen.
     tried: Vec<Setting>,
-    /// Whether roundings were seen in some ladder, or in the flow.
+    /// Whether rounding errors were seen in some ladder, or in the flow.
     is_rough: bool,
 }
 
 impl<L: Trials> Search<L> {
-    /// A search for a setting that errs by at most [`Rules::enough`] of this tolerance.
+    /// Prepares a search for a setting with an error of at most [`Rules::enough`] · `tolerance`.
     #[must_use]
     pub const fn new(trials: L, tolerance: f64, rules: Rules) -> Self {
         Self { trials, tolerance, rules, tried: Vec::new(), is_rough: false }
@@ -102,24 +100,24 @@ impl<L: Trials> Search<L> {
         &mut self.trials
     }
 
-    /// Returns the trials and ends the search.
+    /// Ends the search and returns the trials.
     #[must_use]
     pub fn into_trials(self) -> L {
         self.trials
     }
 
-    /// Sets the part of the time that is left that one trial may take.
+    /// Sets the part of the remaining time that one trial may take.
     pub const fn set_share(&mut self, share: f64) {
         self.rules.share = share;
     }
 
-    /// Whether some setting of a scheme was tried.
+    /// Returns whether some setting of a scheme was tried.
     #[must_use]
     pub fn has_tried(&self, scheme: Scheme) -> bool {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest that serves; of several at one cost the most accurate.
+    /// Returns the cheapest setting that serves; among equal costs, the most accurate.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -127,7 +125,7 @@ impl<L: Trials> Search<L> {
         serve.min_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.error.total_cmp(&b.error))).copied()
     }
 
-    /// The error that serves.
+    /// Returns the largest error that serves.
     fn enough(&self) -> f64 {
         self.rules.enough * self.tolerance
     }
@@ -153,14 +151,14 @@ impl<L: Trials> Search<L> {
         self.best().map_or(f64::INFINITY, |best| self.trials.cost(&best))
     }
 
-    /// The steps at which the orders' law would meet an error.
+    /// Returns the number of steps at which the law predicts this error.
     fn by_law(trial: &Setting, error: f64) -> f64 {
         trial.steps as f64 * (trial.error / error).powf(1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Whether finer steps were seen to err more in `f64`, at errors that are seldom roundings,
-    /// which are above `roundings`. Where a motion is stiff, steps of some sizes meet poles of the
-    /// map, and there is more than one stretch of sizes that serve.
+    /// Returns whether finer steps had larger errors in `f64`, with errors above `roundings`, which
+    /// are rarely rounding errors. In stiff motions, steps of some sizes meet poles of the map, and
+    /// the sizes that serve form several intervals.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
@@ -174,7 +172,7 @@ impl<L: Trials> Search<L> {
         !self.is_rough && coarse.any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
     }
 
-    /// Tries all sizes of steps, as far as they cost less than what is known to serve.
+    /// Tries steps of all sizes that cost less than the cheapest known solution.
     pub fn scan(&mut self, scheme: Scheme, coarsest: u64) {
         let mut steps = coarsest;
         while CLOSE * self.cost(scheme, steps as f64) < self.least_cost()
@@ -184,7 +182,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Looks for fewer steps that still serve.
+    /// Searches for fewer steps that still serve.
     pub fn refine(&mut self, scheme: Scheme) {
         for _ in 0..TRIALS {
             let dearest = self.least_cost() / self.trials.price(scheme);
@@ -204,7 +202,7 @@ impl<L: Trials> Search<L> {
             if dearest / low < CLOSE || guess >= CLOSE * dearest {
                 return;
             }
-            // Of few steps the next number may be the one.
+            // With few steps, the next number may be the solution.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
             if steps as f64 >= dearest || self.trial(scheme, steps, self.rules.share).is_none() {
                 return;

@@ -1,4 +1,4 @@
-//! Both prices on errors that are known in advance.
+//! Searches with both prices on a known law of errors.
 
 use kahan_core::Composition;
 
@@ -6,7 +6,7 @@ use super::choose::COUNTED;
 use super::*;
 use crate::{Need, Scene};
 
-/// Errors by the law, with roundings that grow with the number of steps.
+/// Errors by the law, plus rounding errors that grow with the number of steps.
 #[derive(Clone, Copy, Debug)]
 struct Law {
     price_of_order: fn(u32) -> f64,
@@ -39,7 +39,7 @@ impl Trials for Law {
     }
 }
 
-/// The stages of the compositions, and prices at which order 4 pays more often.
+/// Prices by stages of the compositions, and prices that favour order 4 more often.
 const PRICES: [fn(u32) -> f64; 2] = [
     |order| Composition::of_order(order).expect("an order").stages() as f64,
     |order| 0.7 + f64::from(order).powi(2),
@@ -51,7 +51,7 @@ fn plain() -> impl Iterator<Item = Scheme> {
     Composition::BEST.into_iter().rev().map(|composition| PLAIN.composed(composition))
 }
 
-/// The least cost of all numbers of steps of plain `f64`.
+/// Returns the least cost over all numbers of steps in plain `f64`.
 fn least(law: &Law, enough: f64) -> f64 {
     let cost = |scheme: Scheme| {
         let serves = |steps: &u64| Law::error_of(&law.setting(scheme, *steps)) <= enough;

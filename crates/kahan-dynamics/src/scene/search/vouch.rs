@@ -1,8 +1,8 @@
-//! A second method for the flow.
+//! Confirms the flow by a second method.
 //!
-//! In: the trials so far. Out: an orbit in double-double, of the order that gets there with the
-//! fewest stages, which comes within a part of the tolerance of the flow; or the verdict that it is
-//! the flow that has roundings.
+//! In: the trials so far. Out: an orbit in `Dd`, of the order with the fewest stages, that agrees
+//! with the flow to a part of the tolerance; or the finding that the flow has large rounding
+//! errors.
 
 use std::cmp::Reverse;
 
@@ -11,22 +11,22 @@ use kahan_core::Composition;
 use super::super::{Scheme, Setting};
 use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 
-/// Trials that may vouch for the flow.
 const VOUCHERS: usize = 16;
 
 impl<L: Trials> Search<L> {
-    /// Looks for an orbit in double-double that is so near to the flow that both must be right.
+    /// Searches for an orbit in `Dd` so close to the flow that both are confirmed.
     pub(super) fn vouch(&mut self) {
         let wanted = self.tolerance / VOUCHING;
         for _ in 0..VOUCHERS {
-            // Of the order that gets there with the fewest stages, by what its last trials showed.
+            // Each trial takes the order with the fewest stages, as predicted from the trials so
+            // far.
             let next = Composition::BEST
                 .into_iter()
                 .rev()
                 .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // It is the flow that has roundings.
+                // No order comes closer, so the flow itself has rounding errors.
                 self.is_rough = true;
                 return;
             };
@@ -36,8 +36,9 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// The steps at which an order may come so near: by the law, from its finest trial in
-    /// double-double, or its best in `f64`. `None` where trials come no nearer.
+    /// Returns the number of steps at which an order may come this close, by the law from its
+    /// finest trial in `Dd`, or from its best in `f64`. Returns `None` if finer trials in `Dd` come
+    /// no closer.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
@@ -56,7 +57,7 @@ impl<L: Trials> Search<L> {
             return None;
         }
         let steps = finest.steps as f64;
-        // The law tells the least; where it does not hold yet, more are needed.
+        // The law gives a lower bound; at errors where it does not hold yet, more steps are needed.
         let next =
             if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
         Some(next.ceil() as u64)

@@ -1,8 +1,8 @@
-//! The points of an orbit of a chain of any number of sites, in doubles.
+//! Orbits of chains with any number of sites, in doubles.
 //!
-//! In: a lattice that was read, its map, and the state that it begins with. Out: rows of the
-//! variables, or in long chains of the range of each array, with what the map keeps; and the states
-//! themselves. How a state was given, this module must not know.
+//! In: a lattice, its map, and an initial state. Out: rows of the variables, or for long chains the
+//! range of each array, with the conserved quantities; and the states themselves. The source of the
+//! initial state is not this module's concern.
 
 use std::ops::{ControlFlow, Range};
 
@@ -20,51 +20,51 @@ use super::paces::Paces;
 use super::points::{Course, Halt, Points, Why, moment};
 use super::{columns, is_none, names};
 
-/// A chain, ready to step.
+/// A chain with its map and state.
 #[derive(Debug)]
 pub struct Chain {
-    /// The family's name in answers.
+    /// The name of the family in answers.
     pub name: String,
     /// The family.
     pub lattice: Lattice,
-    /// The names of a short chain's variables; of a long one there are none.
+    /// The names of the variables of a short chain; empty for a long one.
     pub variables: Vec<String>,
-    /// Its map.
+    /// The map of the chain.
     pub map: ChainAt,
-    /// How many sites it has.
+    /// The number of sites.
     pub sites: usize,
     /// ε, half the time step.
     pub eps: f64,
-    /// The parameters that the chain has once.
+    /// The parameters shared by all sites.
     pub parameters: Names<f64>,
-    /// The state that it is at, site by site, arrays interleaved.
+    /// The current state, site by site, with the arrays interleaved.
     pub state: Vec<f64>,
 }
 
-/// What is known of the orbit of a chain before its first step.
+/// The data of a chain's orbit before its first step.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChainHead {
-    /// The family's name.
+    /// The name of the family.
     pub system: String,
-    /// Its arrays.
+    /// The arrays of the family.
     pub arrays: Vec<String>,
-    /// How many sites the chain has.
+    /// The number of sites.
     pub sites: usize,
-    /// The parameters that the chain has once.
+    /// The parameters shared by all sites.
     #[serde(serialize_with = "by_name")]
     pub parameters: Names<f64>,
     /// ε, half the time step.
     pub eps: f64,
-    /// The numbers that it is computed with.
+    /// The scalar of the computation.
     pub scalar: ScalarKind,
     /// The order of the method.
     pub order: u32,
-    /// The steps to the first row.
+    /// The number of steps before the first row.
     #[serde(skip_serializing_if = "is_none")]
     pub transient: u64,
-    /// The number of steps behind them.
+    /// The number of steps after the transient.
     pub steps: u64,
-    /// The steps from row to row.
+    /// The number of steps between rows.
     pub every: u64,
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
@@ -72,7 +72,7 @@ pub struct ChainHead {
 }
 
 impl Chain {
-    /// Returns the head of an orbit.
+    /// Returns the data of an orbit.
     #[must_use]
     pub fn head(&self, Paces { transient, steps, every }: Paces) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
@@ -99,9 +99,9 @@ impl Chain {
         }
     }
 
-    /// Makes the steps that [`head`](Self::head) describes from the state. Hands on rows as an
-    /// [`Orbit`](super::Orbit) does, and shows `see` the state of each before, which ends the work
-    /// by [`ControlFlow::Break`].
+    /// Advances the state by the steps that [`head`](Self::head) describes. Passes on rows like an
+    /// [`Orbit`](super::Orbit), and shows the state of each row to `see` first, which may end the
+    /// work by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
         paces: Paces,
@@ -132,7 +132,7 @@ impl Chain {
     }
 }
 
-/// A chain that steps while somebody sees its states.
+/// A chain whose states are shown to a callback.
 struct Seen<'a> {
     chain: &'a mut Chain,
     see: &'a mut dyn FnMut(&[f64]) -> ControlFlow<()>,
@@ -153,7 +153,7 @@ impl Points<Float64> for Seen<'_> {
         } else {
             cells.extend_from_slice(state);
         }
-        // The state is as long as the chain.
+        // The state has the length of the chain, so these calls succeed.
         cells.extend(map.integrals(state).into_iter().flatten());
         cells.extend(map.hamiltonian(state).ok().flatten());
         cells.extend(map.modified_energy(state).ok().flatten());

@@ -21,40 +21,36 @@ use crate::study::Study;
 use super::points::{Halt, Points, Why, moment, one_by_one};
 use super::{NoOrbit, Orbit};
 
-/// An arithmetic in which points move, and whose numbers are cells of tables.
+/// An arithmetic for moving points whose numbers are cells of tables.
 pub(super) trait Moving: Printable {
-    /// A cell.
     type Cell: Clone;
 
-    /// A coordinate of a point at infinity.
+    /// The cell of a coordinate at infinity.
     const INFINITE: Self::Cell;
 
-    /// What has no value.
     const UNDEFINED: Self::Cell;
 
-    /// The scalar of the library that its numbers are.
+    /// The scalar of the library with these numbers.
     type Scalar: ProjectiveScalar + Into<Self::Value>;
 
-    /// The cell of a number; one that is not finite has no value.
+    /// Returns the cell of a number; undefined if it is not finite.
     fn cell(number: &Self::Value) -> Self::Cell;
 
-    /// The same of what may have no value.
+    /// Returns the cell of an optional number; undefined for `None`.
     fn cell_of(number: Option<Self::Value>) -> Self::Cell {
         number.map_or(Self::UNDEFINED, |number| Self::cell(&number))
     }
 
-    /// Cells of a column.
     fn values(cells: &[Self::Cell]) -> Values<'_>;
 
-    /// The number nearest to a count; [`Printable::round`] gives the same, and takes longer than a
-    /// step.
+    /// Rounds a count to the nearest number, faster than [`Printable::round`].
     fn whole(n: i64) -> Self::Value;
 
-    /// A double-double as one of its numbers; `None` where they are exact.
+    /// Rounds a double-double to a number; `None` for exact numbers.
     fn narrow(number: Dd) -> Option<Self::Value>;
 
-    /// The orbit of Kahan's map, or of a composition of it, at its first point; in doubles its
-    /// steps may be projected onto the relations of a lifted field.
+    /// Prepares the orbit of Kahan's map, or of a composition, at its first point. In doubles,
+    /// steps may be projected onto the relations of a lift.
     fn kahan<'a>(
         study: &'a Study,
         asked: &Orbit,
@@ -63,7 +59,7 @@ pub(super) trait Moving: Printable {
     ) -> Result<Box<dyn Points<Self> + 'a>, StudyError>;
 }
 
-/// The arithmetics whose values are the scalar's, and cells.
+/// Implements [`Moving`] for a float arithmetic; values, scalars and cells have one type.
 macro_rules! of_float {
     ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $lifted:expr) => {
         impl Moving for $arithmetic {
@@ -119,7 +115,7 @@ of_float!(
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
-    // What the nearest double leaves over is a double.
+    // The remainder from the nearest double is a double.
     |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
     |study, at, _| Study::lifted_step(study, at)
 );
@@ -157,19 +153,17 @@ impl Moving for Exact {
     }
 }
 
-/// An orbit in floats.
 struct Floats<'a, T: RuntimeFloat> {
     at: MapAt<T>,
     composition: Composition,
-    /// The steps, where a lifted field ends orbits of its own accord.
+    /// The steps of a lifted field that may end orbits early.
     lifted: Option<LiftedStep<'a, MapAt<T>>>,
     x: Vec<T>,
-    /// The points of the rows that are being made.
+    /// The points of the current block of rows.
     points: Vec<T>,
 }
 
 impl<T: RuntimeFloat> Floats<'_, T> {
-    /// Appends a point and its integrals.
     fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();
@@ -190,7 +184,6 @@ impl<T: RuntimeFloat> Floats<'_, T> {
     }
 }
 
-/// What a step that divides by zero is.
 fn pole(map: &Map) -> Why {
     Why::Pole { is_reduced: map.field().derived().map.is_some() }
 }
@@ -258,7 +251,6 @@ impl Points<Exact> for ExactOrbit {
     }
 }
 
-/// The orbit through poles at its first point.
 pub(super) fn projective<A: Moving>(
     map: &Map,
     eps: &Rational,

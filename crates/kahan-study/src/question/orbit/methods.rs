@@ -1,4 +1,4 @@
-//! What Kahan's map is compared with: explicit methods on the field, and the flow itself.
+//! Methods to compare Kahan's map with: explicit methods, and the flow itself.
 
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::Plan;
@@ -18,7 +18,6 @@ use super::maps::Moving;
 use super::points::{Halt, Points, Why, moment, one_by_one};
 use super::{Method, NoOrbit};
 
-/// An explicit method in any numbers.
 struct Explicit<'a, A: Moving> {
     arithmetic: &'a A,
     derived: &'a Derived,
@@ -28,7 +27,6 @@ struct Explicit<'a, A: Moving> {
     x: Vec<A::Value>,
 }
 
-/// The orbit of an explicit method at its first point.
 pub(super) fn explicit<'a, A: Moving>(
     arithmetic: &'a A,
     map: &'a Map,
@@ -43,31 +41,29 @@ pub(super) fn explicit<'a, A: Moving>(
 }
 
 impl<A: Moving> Explicit<'_, A> {
-    /// The results of a plan at a point.
+    /// Evaluates a plan at a point, with ε = 0.
     fn values(&self, plan: &Plan, x: &[A::Value]) -> Vec<Option<A::Value>> {
         let symbols = &self.derived.system.field.symbols;
         plan.evaluate(self.arithmetic, |input| match symbols.symbol(input.variable()?) {
             Symbol::State(i) | Symbol::SecondState(i) => Some(x[i].clone()),
             Symbol::Parameter(k) => Some(self.parameters[k].clone()),
-            // The field has none, and the integrals are those of the flow.
+            // The field does not depend on ε here, and the integrals are those of the flow.
             Symbol::Epsilon => Some(A::round(&Rational::zero())),
         })
     }
 
-    /// f(x)
     fn field(&self, x: &[A::Value]) -> Vec<A::Value> {
         let values = self.values(self.derived.field(), x).into_iter();
         values.map(|value| value.expect("the field is defined at its parameters")).collect()
     }
 
-    /// x + h·k
     fn moved(&self, h: &A::Value, k: &[A::Value]) -> Vec<A::Value> {
         let arithmetic = self.arithmetic;
         let entry = |(x, k)| arithmetic.add(x, &arithmetic.multiply(h, k));
         self.x.iter().zip(k).map(entry).collect()
     }
 
-    /// The point one time step h = 2ε later.
+    /// Returns the point after a time step h = 2ε.
     fn next(&self) -> Vec<A::Value> {
         let arithmetic = self.arithmetic;
         // h/2 is ε.
@@ -79,7 +75,7 @@ impl<A: Moving> Explicit<'_, A> {
         let second = self.field(&self.moved(half, &first));
         let third = self.field(&self.moved(half, &second));
         let fourth = self.field(&self.moved(&h, &third));
-        // (k₁ + 2k₂ + 2k₃ + k₄)/6
+        // The mean slope is (k₁ + 2k₂ + 2k₃ + k₄)/6.
         let sixth = A::round(&Rational::new(1, 6));
         let mean = |i: usize| {
             let inner = arithmetic.add(&second[i], &third[i]);
@@ -109,7 +105,7 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        // Exact numbers double their digits from step to step.
+        // The digits of exact numbers double in each step.
         if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
     }
 
@@ -118,7 +114,7 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     }
 }
 
-/// The flow, or where ε is below 0 the flow backwards, whose field is −f.
+/// The field f, or −f for a negative ε.
 struct Directed {
     map: Padded<Dd>,
     sign: Dd,
@@ -145,15 +141,14 @@ impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
     }
 }
 
-/// The flow, as Taylor series in double-double.
 struct Solution {
     field: Directed,
-    /// |2ε|
+    /// The time step |2ε|.
     step: Dd,
     x: Point,
 }
 
-/// The flow at its first point, at times 2ε apart.
+/// Prepares the flow from its first point, at times 2ε apart.
 pub(super) fn flow<A: Moving>(
     map: &Map,
     eps: &Rational,
@@ -168,15 +163,15 @@ pub(super) fn flow<A: Moving>(
 }
 
 impl Solution {
-    /// Goes so many steps on, and shows each point. The solution is followed over many steps at
-    /// once, and over fewer where that leads to infinity.
+    /// Advances by `steps` steps, and shows each point. Follows the solution over many steps at
+    /// once, and over fewer near a singularity.
     fn walk<A: Moving>(
         &mut self,
         steps: u64,
         progress: &Count<'_>,
         mut see: impl FnMut(&Self, u64),
     ) -> Result<(), Halt> {
-        /// A series takes some kilobytes.
+        /// The most series of one stretch; a series takes some kilobytes.
         const MOST_SERIES: usize = 1 << 16;
 
         let (mut made, mut span) = (0, 1 << 10);

@@ -1,55 +1,54 @@
-//! Which points of an orbit are rows, and the way along them in floats.
+//! The choice of an orbit's points for rows, and a run along them in floats.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 
 use kahan_runtime::{DimensionError, End, Follow, Followed};
 
-/// The points of an orbit that are shown: the first behind a transient, and those after every so
-/// many of the steps behind it.
+/// The steps of an orbit at which rows are taken: after a transient, and after every `every`
+/// further steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paces {
-    /// The steps to the first row.
+    /// The number of steps before the first row.
     pub transient: u64,
-    /// The steps behind the first row, of which the last may lead to no row.
+    /// The number of steps after the first row; the last ones may lead to no row.
     pub steps: u64,
-    /// The steps from row to row.
+    /// The number of steps between rows.
     pub every: NonZeroU64,
 }
 
 impl Paces {
-    /// Returns the paces of an orbit; `None` where rows are no steps apart.
+    /// Returns the paces of an orbit; `None` if `every` is 0.
     #[must_use]
     pub fn new(transient: u64, steps: u64, every: u64) -> Option<Self> {
         Some(Paces { transient, steps, every: NonZeroU64::new(every)? })
     }
 
-    /// The steps to the last point.
+    /// Returns the number of steps to the last point.
     #[must_use]
     pub fn in_all(&self) -> u64 {
         self.transient.saturating_add(self.steps)
     }
 
-    /// The number of rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn rows(&self) -> u64 {
         (self.steps / self.every).saturating_add(1)
     }
 
-    /// The steps to a row.
     pub(super) fn steps_to(&self, row: u64) -> u64 {
         self.transient + row * self.every.get()
     }
 
-    /// Follows an orbit from `x` to its last point, and writes its rows one after the other. The
-    /// report is the number of rows that were filled; the others stay as they are.
+    /// Follows an orbit from `x` to its last point and writes its rows one after another. Reports
+    /// the number of filled rows; the others stay unchanged.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` has not as many entries as a state of the map, or `rows` is not a
-    /// whole number of states.
+    /// [`DimensionError`] if `x` does not have the length of a state, or the length of `rows` is
+    /// not a multiple of it.
     ///
     /// # Panics
-    /// Where `rows` has no room for the first row.
+    /// If `rows` has no room for the first row.
     pub fn follow<S: Follow>(
         &self,
         step: &S,
@@ -64,7 +63,7 @@ impl Paces {
         let (first, rest) = rows.split_at_mut(x.len());
         first.copy_from_slice(x);
         let Followed { report, end } = step.rows(x, self.every, rest, &mut watch)?;
-        // The steps behind the last row show whether the orbit goes as far as it was asked.
+        // The steps after the last row show whether the orbit reaches its full length.
         let left = self.steps % self.every;
         let end = match end {
             End::Complete if left > 0 => step.follow(x, left, watch)?.end.after(self.in_all() - left),

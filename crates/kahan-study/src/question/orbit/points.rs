@@ -1,7 +1,7 @@
-//! Rows of whatever moves from point to point, in blocks.
+//! Rows of a point that moves by steps of any kind, in blocks.
 //!
-//! In: points that advance, and which of them become rows. Out: blocks, handed on as they are full,
-//! and how it ended. What a step is, this module must not know.
+//! In: a point that advances, and the steps at which rows are taken. Out: blocks of rows as they
+//! fill, and the end of the orbit.
 
 use std::ops::{ControlFlow, Range};
 
@@ -20,42 +20,39 @@ use super::Orbit;
 use super::maps::Moving;
 use super::paces::Paces;
 
-/// Why points do not go on.
 pub(super) enum Halt {
-    /// The watch stopped them, after so many steps.
+    /// The watch stopped it, after this number of steps.
     Stopped(u64),
-    /// There is no next point: after so many steps, and why.
+    /// There is no next point, after this number of steps.
     Ended(u64, Why),
 }
 
-/// Why there is no next point.
 #[derive(Clone, Copy)]
 pub(super) enum Why {
-    /// det A = 0; whether the map is reduced, so that it has no value there.
+    /// det A = 0; only a reduced map is known to have no value there.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
-    /// The map has no value whatever the direction.
+    /// The projective map has no value, because it has no limit independent of the direction.
     NoLimit(Option<SingularStep>),
     /// A step of the map leaves the range of the scalar.
     Range,
-    /// So does one of another method.
+    /// A step of another method leaves the range of the scalar.
     TooLarge,
     /// The flow escapes.
     Escapes,
-    /// A lifted field ends there.
+    /// The lift of the field ends.
     Lift(LiftEnds),
 }
 
-/// Points that move on.
 pub(super) trait Points<A: Moving> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
 
-    /// Goes so many steps on, or to the last point that there is.
+    /// Advances by `steps` steps, or to the last point.
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
 
-    /// The same for so many rows, each after so many steps; the steps of a [`Halt`] are those since
+    /// Appends the cells of `count` rows, each after `every` steps. A [`Halt`] counts steps since
     /// the call.
     fn rows(
         &mut self,
@@ -71,31 +68,31 @@ pub(super) trait Points<A: Moving> {
         Ok(())
     }
 
-    /// How many rows make a block: so many as take a moment, so that a reader sees them soon.
+    /// Returns the number of rows in a block that takes a moment to compute, so that readers see
+    /// rows soon.
     fn at_once(&self, _every: u64) -> usize {
         1
     }
 
-    /// The coordinates; none where the point may be at infinity, or has too many to be told.
+    /// Returns the coordinates; empty if the point may be at infinity or is too long for a message.
     fn point(&self) -> Vec<Number> {
         Vec::new()
     }
 
-    /// Whether steps of floats are machine code, where it is asked.
+    /// Returns whether steps of floats run as machine code, if the question applies.
     fn is_code(&self) -> Option<bool> {
         None
     }
 }
 
-/// How many rows in floats, each after so many steps, take some milliseconds.
+/// Returns the number of rows in floats, each after `every` steps, that take some milliseconds.
 pub(super) fn moment(variables: usize, every: u64) -> usize {
     const MOST: u64 = 1024;
-    // A step takes longer in more variables.
+    // The cost of a step is taken to grow with the square of the number of variables.
     let steps = (1 << 20) / (variables as u64).pow(2);
     (steps / every).clamp(1, MOST) as usize
 }
 
-/// Makes `steps` steps, and reports each to `progress`.
 pub(super) fn one_by_one(
     steps: u64,
     progress: &Count<'_>,
@@ -111,7 +108,7 @@ pub(super) fn one_by_one(
 }
 
 impl Halt {
-    /// Where an orbit was not followed to its end.
+    /// Returns an error for an orbit that did not reach its end.
     pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> Why) -> Result<(), Self> {
         match followed.end {
             End::Complete => Ok(()),
@@ -130,7 +127,6 @@ impl Halt {
     }
 }
 
-/// Which points become rows of what table.
 pub(super) struct Course<'a, A: Moving> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
@@ -139,8 +135,8 @@ pub(super) struct Course<'a, A: Moving> {
 }
 
 impl<A: Moving> Course<'_, A> {
-    /// Hands on a range of rows, in blocks of columns that are filled again and again. Where the
-    /// points end before that, the steps of the [`Halt`] are those from the first point.
+    /// Passes on a range of rows in reused blocks. If the point stops earlier, the [`Halt`] counts
+    /// steps from the first point.
     pub(super) fn hand_on(
         &self,
         points: &mut dyn Points<A>,
@@ -168,7 +164,7 @@ impl<A: Moving> Course<'_, A> {
             }
             gone?;
             if next == end {
-                // The steps behind the last row may have no value.
+                // The steps after the last row may still fail.
                 let left = if end == paces.rows() { paces.in_all() - made } else { 0 };
                 return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
@@ -181,7 +177,6 @@ impl<A: Moving> Course<'_, A> {
     }
 }
 
-/// Rows as columns.
 struct Block<A: Moving> {
     counts: Vec<i64>,
     times: Vec<A::Cell>,
@@ -189,7 +184,7 @@ struct Block<A: Moving> {
 }
 
 impl<A: Moving> Block<A> {
-    /// Takes the rows of these cells, the first of which has this number, in place of those before.
+    /// Replaces the rows by these cells; the first row has the number `first`.
     fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
         let Course { arithmetic, eps, paces, .. } = course;
         let time_step = arithmetic.add(eps, eps);
@@ -208,7 +203,6 @@ impl<A: Moving> Block<A> {
         }
     }
 
-    /// Hands on the rows, if there are some.
     fn hand_on(&self, columns: &[Column], rows: &mut dyn Rows) -> ControlFlow<()> {
         if self.counts.is_empty() {
             return ControlFlow::Continue(());
@@ -219,7 +213,7 @@ impl<A: Moving> Block<A> {
     }
 }
 
-/// How an orbit ended, after so many steps, at a point.
+/// Describes the end of an orbit at the point `at` after `n` steps.
 pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> Ending {
     let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
     let point = study.place(at, &asked.eps);
@@ -258,7 +252,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
              point is {point}; {kept}"
         ),
     };
-    // Whether a float is 0 at a pole is a matter of rounding.
+    // In floats, rounding decides whether a determinant at a pole is 0.
     let end = match why {
         Why::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         Why::NoLimit(_) => End::Pole(n),

@@ -1,7 +1,8 @@
-//! What a question about one point or one map says at a cell, in a row of a table.
+//! Rows for questions about one point or one map, asked at the cells of a grid.
 //!
-//! In: where the cell is, and the field at its parameters. Out: entries, a column each. What a
-//! search finds must not depend on how fast a machine is, so nobody watches, and degrees end it.
+//! In: the place of a cell, and the field at its parameters. Out: an entry for each column.
+//! Searches end by degree and have no time limit, so that results do not depend on the speed of the
+//! machine.
 
 use kahan_algebra::rational::Rational;
 
@@ -11,18 +12,18 @@ use crate::study::Study;
 
 /// A question that [`Over`](super::Over) can ask at each of its cells.
 pub(in crate::question) trait AtCell: Sync {
-    /// ε and the point of the question as it stands, where it has them.
+    /// Returns the ε and the point of the question, if it has them.
     fn place(&self) -> (Option<&Rational>, Option<&[Rational]>);
 
-    /// The columns of what is found, in a field of these variables, which are all of a lifted one.
+    /// Returns the columns of the results, in a field with these variables, including lifted ones.
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
 
-    /// Asks at another ε and point. The point of a lifted field has its original variables alone.
-    /// There are as many entries as columns, also where there is no answer.
+    /// Asks the question at another ε and point; for a lifted field, a point of its original
+    /// variables. Returns an entry for each column even without an answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 
-/// A column, and where its entries of one kind will be.
+/// Returns a column with an empty list for its entries.
 pub(in crate::question) fn column<V>(name: &str, meaning: &str, kind: fn(Vec<V>) -> Kept) -> (Column, Kept) {
     (Column { name: name.to_owned(), meaning: meaning.to_owned() }, kind(Vec::new()))
 }

@@ -1,7 +1,7 @@
-//! What a question over axes goes through: names, and for each its values.
+//! The axes of a question: names with their values.
 //!
-//! In: JSON, or values. Out: the value that has an index, exactly and in doubles. What a name
-//! stands for in a field, its neighbour `cells` knows.
+//! In: JSON, or values. Out: the value at an index, exactly and in doubles. The module `cells`
+//! resolves the names in a field.
 
 use kahan_algebra::rational::Rational;
 use serde::{Deserialize, Serialize};
@@ -13,46 +13,46 @@ use crate::numbers::ScalarKind;
 use crate::numbers::exact::{self, Exactly};
 use crate::range::{Axis, Range};
 
-/// A name with the values that it goes through: a variable, whose first value it is, a parameter,
-/// `eps`, and of orbits the `order` of the method and the `scalar`.
+/// A name with the values of its axis: a variable, for its initial value, a parameter, `eps`, and
+/// for orbits also the `order` of the method and the `scalar`.
 ///
-/// In JSON it is an entry of an object: `"x": "0:1:/9"`, a [`Range`], `"x": [0, "1/2"]`, a list,
-/// `"x": 1`, or `"x": {"draw": "sobol", "low": 0, "high": 1}`.
+/// Its JSON is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`, one
+/// value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
-    /// What goes through them.
+    /// The name of the axis.
     pub name: String,
     /// The values.
     pub through: Through,
 }
 
-/// The values that something goes through.
+/// The values of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Through {
-    /// Equally far from each other.
+    /// Equally spaced values.
     Range(Range),
-    /// One after the other.
+    /// Listed values.
     List(Vec<Rational>),
-    /// Scalars, one after the other.
+    /// Listed scalars.
     Scalars(Vec<ScalarKind>),
-    /// As many as the question has draws, which go through all drawn axes together.
+    /// Drawn values, whose number the question sets; all drawn axes vary together.
     Drawn {
-        /// From where.
+        /// The source of the draws.
         source: Source,
-        /// Above or at this.
+        /// The lower bound, included.
         low: Rational,
-        /// Below this.
+        /// The upper bound, excluded.
         high: Rational,
     },
 }
 
-/// From where numbers are drawn.
+/// A source of draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Sobol's sequence, a dimension an axis: evenly, all drawn axes together.
+    /// Sobol's sequence, with a dimension for each axis, which fills the box evenly.
     Sobol,
-    /// At random, by the seed of the question.
+    /// Random numbers by the seed of the question.
     Uniform,
 }
 
@@ -62,7 +62,6 @@ impl From<Axis> for Varied {
     }
 }
 
-/// A draw, as it stands in JSON.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Drawn {
@@ -111,13 +110,12 @@ impl Entry for Varied {
     }
 }
 
-/// The number 0 ≤ u < 1 that has an index.
+/// A function that returns the number 0 ≤ u < 1 at an index.
 type Draw = dyn Fn(u64) -> f64 + Sync;
 
-/// The values of an axis, found by their indices.
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
-    /// The bits of their floats.
+    /// The numbers of bits of the scalars.
     Scalars(Vec<Rational>),
     Spaced {
         first: Rational,
@@ -132,7 +130,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Returns the values of the axis at `place`; drawn axes have `draws` values, by the seed.
+    /// Builds the values of the axis at `place`; drawn axes have `draws` values by `seed`.
     pub(super) fn of(axes: &'a [Varied], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol = |axis: &&Varied| matches!(axis.through, Through::Drawn { source: Source::Sobol, .. });
         match &axes[place].through {
@@ -171,7 +169,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// How many there are; `None` where the draws say it.
+    /// Returns the number of values; `None` for a drawn axis.
     pub(super) fn count(&self) -> Option<u64> {
         match self {
             Values::List(values) => Some(values.len() as u64),
@@ -181,7 +179,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The one with this index; a drawn one is a double, exactly.
+    /// Returns the value at an index; a drawn value is a double, converted exactly.
     pub(super) fn exactly(&self, index: u64) -> Rational {
         match self {
             Values::List(values) => values[index as usize].clone(),
@@ -193,7 +191,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The same, rounded to a double.
+    /// Returns the value at an index, rounded to a double.
     pub(super) fn double(&self, index: u64) -> f64 {
         match self {
             Values::List(values) => values[index as usize].to_f64(),

@@ -1,7 +1,7 @@
-//! The cells of a question over axes, each found from its number.
+//! The cells of a question over axes, accessed by number.
 //!
-//! In: the field, and the question. Out: where each cell is, exactly and in doubles, and the
-//! columns that say it. What is asked there, this module must not know.
+//! In: the field, and the question. Out: the place of each cell, exactly and in doubles, and the
+//! columns that describe it.
 
 use kahan_algebra::rational::Rational;
 
@@ -12,7 +12,7 @@ use crate::error::StudyError;
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
-/// What an axis gives a value to.
+/// The quantity that an axis varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::question) enum Target {
     Variable(usize),
@@ -22,14 +22,14 @@ pub(in crate::question) enum Target {
     Scalar,
 }
 
-/// An axis of a field.
+/// An axis resolved in a field.
 pub(in crate::question) struct Along<'a> {
     axis: &'a Varied,
     pub(in crate::question) target: Target,
     values: Values<'a>,
 }
 
-/// Where a cell is.
+/// The place of a cell: point, parameters and ε.
 #[derive(Clone, Debug)]
 pub(in crate::question) struct Place<V> {
     pub(in crate::question) at: Vec<V>,
@@ -37,22 +37,21 @@ pub(in crate::question) struct Place<V> {
     pub(in crate::question) eps: V,
 }
 
-/// All cells: the last axis runs fastest, but for the draws, and first points most slowly.
+/// All cells. Draws run fastest, then the axes from the last to the first, then the first points.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<Along<'a>>,
-    /// How many of the axes, the last ones, have a value for each first point.
+    /// The number of trailing axes with one value for each first point.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
-    /// What no axis changes.
+    /// The values before axes replace them.
     exactly: Place<Rational>,
     in_doubles: Place<f64>,
-    /// Values of each drawn axis.
     draws: u64,
-    /// How many cells there are.
+    /// The number of cells.
     pub(in crate::question) count: u64,
 }
 
-/// The most cells: beyond, a number has no place in a column.
+/// The most cells; larger numbers would not fit a column.
 const MOST: u64 = 1 << 62;
 
 impl<'a> Cells<'a> {
@@ -60,11 +59,12 @@ impl<'a> Cells<'a> {
         Self::with_starts(over, 0, study)
     }
 
-    /// Returns the cells where the last `with_starts` axes have a value for each first point, and
-    /// are not multiplied with the others.
+    /// Builds the cells; the last `with_starts` axes have one value for each first point and do not
+    /// multiply the number of cells.
     ///
     /// # Errors
-    /// Those of [`Over::cells`], and another number of values than of first points.
+    /// The errors of [`Over::cells`], or an axis whose number of values differs from the number of
+    /// first points.
     pub(in crate::question) fn with_starts(
         over: &'a Over,
         with_starts: usize,
@@ -108,7 +108,7 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// Whether cells that follow each other mostly differ in their first points alone.
+    /// Returns whether consecutive cells mostly differ only in their first points.
     pub(super) fn neighbours_share_a_map(&self) -> bool {
         let is_start = |along: &Along<'_>| matches!(along.target, Target::Variable(_));
         if self.draws > 1 {
@@ -118,8 +118,8 @@ impl<'a> Cells<'a> {
         last.map_or(!self.starts.is_empty(), is_start)
     }
 
-    /// The columns that say where a cell is: its number, its first point where these go through a
-    /// list, and the axes of more than one value.
+    /// Returns the columns that describe a cell: its number, its first point if first points are
+    /// listed, and the axes with more than one value.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
         let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
@@ -137,7 +137,6 @@ impl<'a> Cells<'a> {
         [index].into_iter().chain(starts).chain(axes).collect()
     }
 
-    /// The entries of these columns.
     pub(super) fn entries(&self, index: u64, place: &Place<f64>, values: &[f64]) -> Vec<Entry> {
         let starts = if self.starts.is_empty() { &[] } else { &place.at[..] };
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
@@ -150,7 +149,7 @@ impl<'a> Cells<'a> {
         [Entry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
     }
 
-    /// The names of the axes that vary, first points as `start_x`.
+    /// Returns the names of the varying axes; first points are called `start_x`.
     pub(in crate::question) fn names(&self) -> Vec<String> {
         let names = self.axes.iter().filter(|along| along.varies()).map(|along| match along.target {
             Target::Variable(_) => format!("start_{}", along.axis.name),
@@ -159,29 +158,29 @@ impl<'a> Cells<'a> {
         names.collect()
     }
 
-    /// The values of the axes that vary.
+    /// Selects the values of the varying axes.
     pub(in crate::question) fn varying(&self, values: &[f64]) -> Vec<f64> {
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
         varying.map(|(_, value)| *value).collect()
     }
 
-    /// The number of the first point of a cell, among those that are listed.
+    /// Returns the index of a cell's first point in the list of first points.
     pub(in crate::question) fn start(&self, index: u64) -> u64 {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// How many values the last axis has that is multiplied with others.
+    /// Returns the number of values of the last multiplied axis.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
     }
 
-    /// Where a cell is, in doubles, with the value of each axis.
+    /// Returns the place of a cell in doubles, with the value of each axis.
     pub(in crate::question) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
-    /// The same, exactly.
+    /// Returns the exact place of a cell.
     pub(in crate::question) fn exactly(&self, index: u64) -> Place<Rational> {
         self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }
@@ -226,13 +225,12 @@ impl<'a> Cells<'a> {
 const STARTS: &str = "first value of the variable";
 
 impl Along<'_> {
-    /// Whether it has more than one value.
     fn varies(&self) -> bool {
         self.values.count() != Some(1)
     }
 }
 
-/// The axis at a place, of what the field and the question have.
+/// Resolves the axis at `place` in the field, and checks it against the question.
 fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, StudyError> {
     let (axis, observes) = (&over.over[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
@@ -259,7 +257,7 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // What is drawn may be anything.
+        // Drawn values are arbitrary, so NaN stands for them and matches no known value.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {
@@ -271,7 +269,6 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
     }
 }
 
-/// An entry of a row.
 #[derive(Clone, Debug)]
 pub(in crate::question) enum Entry {
     Integer(i64),

@@ -1,9 +1,9 @@
 //! A question at every value of some axes: a chart, or a sweep.
 //!
-//! In: a question, and what goes through values. Out: a table with a row a cell. Cells are
-//! numbered: first points run most slowly, then the axes, of which the last runs fastest, and the
-//! draws, which go through all drawn axes together, run fastest of all. A row depends on its number
-//! alone, and not on where, when, and beside what it is computed.
+//! In: a question, and axes. Out: a table with a row for each cell. Cells are numbered: first
+//! points vary slowest, then the axes, the last one fastest, and draws fastest of all; all drawn
+//! axes share one index. A row depends only on its number, not on the thread, the time, or its
+//! neighbours.
 
 mod at_cell;
 mod axis;
@@ -34,29 +34,27 @@ pub(super) use at_cell::{AtCell, column};
 pub use axis::{Source, Through, Varied};
 pub(super) use cells::{Cells, Entry};
 
-/// Asks a question at every value of some axes: [`Observe`](super::Observe), or one about a point
-/// or a map, such as [`Heights`](super::Heights).
+/// A question asked at every value of some axes: [`Observe`](super::Observe), or a question about a
+/// point or a map, such as [`Heights`](super::Heights).
 ///
-/// In JSON it is the question itself with `over`, and perhaps `starts`, `draws` and `seed`:
-/// `{"ask": "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
-/// question's own `at` and `eps` may be left out where all of them go through values.
+/// Its JSON is the question's with `over`, and optionally `starts`, `draws` and `seed`: `{"ask":
+/// "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
+/// question's `at` and `eps` may be left out if axes give all their values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Over {
-    /// What is asked; what goes through values takes the place of what stands there.
+    /// The question; axes replace its values.
     pub question: Box<Question>,
-    /// What goes through which values. All are multiplied with each other, but for those that are
-    /// drawn.
+    /// The axes. Their values are combined in all ways, except that drawn axes share an index.
     pub over: Vec<Varied>,
-    /// First points that are gone through, a coordinate for each variable; none where the
-    /// question's is the only one.
+    /// The first points, each with a coordinate for each variable; empty for the question's own.
     pub starts: Vec<Vec<Rational>>,
-    /// How many values each drawn axis has.
+    /// The number of values of each drawn axis.
     pub draws: u64,
-    /// The seed of what is drawn at random.
+    /// The seed of random draws.
     pub seed: u64,
 }
 
-/// All of [`Over`] but the question, as it stands in JSON.
+/// The fields of [`Over`] in JSON, without the question.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Beside {
@@ -70,19 +68,19 @@ struct Beside {
     seed: u64,
 }
 
-/// A row a cell: where it is, and what was found there. What is not a number is null in JSON.
+/// A row for each cell: its place, and the results there. NaN is null in JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct OverFound {
     /// The name of the system.
     pub system: String,
-    /// The columns by name.
+    /// The names of the columns.
     pub columns: Vec<String>,
     /// The rows.
     pub rows: Table,
 }
 
 impl Over {
-    /// Refuses drifts that are asked for by name where the field claims no integral.
+    /// Refuses an explicit request for drifts if the field claims no integral.
     ///
     /// # Errors
     /// [`StudyError::NoIntegral`].
@@ -93,13 +91,12 @@ impl Over {
         }
     }
 
-    /// Of one draw.
+    /// Asks with one draw.
     #[must_use]
     pub fn new(question: Question, over: Vec<Varied>) -> Self {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }
     }
 
-    /// Reads all but the name of the question.
     pub(super) fn read(name: &str, mut object: Map<String, Value>) -> Result<Self, Misread> {
         let keys = ["over", "starts", "draws", "seed"];
         let beside = keys.into_iter().filter_map(|key| Some((key.to_owned(), object.remove(key)?)));
@@ -107,7 +104,7 @@ impl Over {
         if object.contains_key("seconds") {
             return Err(Misread::at("seconds", "no clock ends a row; leave `seconds` out"));
         }
-        // A search has no start, and may be of any ε.
+        // A search has no start, and may leave ε generic.
         if name != "discover" {
             object.entry("at").or_insert_with(|| json!([]));
             if over.iter().any(|axis| axis.name == "eps") {
@@ -118,7 +115,6 @@ impl Over {
         Ok(Over { question, over, starts, draws, seed })
     }
 
-    /// Returns the object of JSON.
     fn to_json(&self) -> Map<String, Value> {
         let Over { question, over, starts, draws, seed } = self.clone();
         let mut object = Map::from_iter([("ask".to_owned(), json!(question.name()))]);
@@ -138,10 +134,10 @@ impl Over {
         object
     }
 
-    /// All cells. Costs the question at each.
+    /// Answers the question at all cells.
     ///
     /// # Errors
-    /// [`StudyError`]: as [`rows`](Study::rows), and more than [`MOST_CELLS`] cells.
+    /// [`StudyError`]: the errors of [`rows`](Study::rows), or more than [`MOST_CELLS`] cells.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<OverFound, StudyError> {
         let cells = self.cells(study)?;
         if cells > MOST_CELLS {
@@ -153,17 +149,16 @@ impl Over {
         Ok(OverFound { system: study.name().to_owned(), columns, rows })
     }
 
-    /// How many cells there are.
+    /// Returns the number of cells.
     ///
     /// # Errors
-    /// [`StudyError`]: axes that the field does not have, or that are given twice, or without
-    /// values; more than 2⁶² cells.
+    /// [`StudyError`]: axes that are unknown, given twice, or empty, or more than 2⁶² cells.
     pub fn cells(&self, study: &Study) -> Result<u64, StudyError> {
         Ok(Cells::of(self, study)?.count)
     }
 
-    /// The rows of these cells, a block after the other. Of no cells there is one block without
-    /// rows, which says what the columns are.
+    /// Passes on the rows of a range of cells, block by block. For an empty range, passes on one
+    /// block without rows, which describes the columns.
     pub(super) fn rows(
         &self,
         study: &Study,
@@ -189,7 +184,7 @@ impl Over {
             return Ok(End::Complete);
         }
         let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
-            // Of cells that follow each other many have the same parameters.
+            // Consecutive cells often have equal parameters, so the last field is kept.
             let (mut table, mut field) = (empty.clone(), None);
             match &found {
                 Found::Orbits(orbits) if goes_on(0) => {
@@ -217,7 +212,7 @@ impl Over {
         Ok(in_waves(range, block, &make, rows, watch))
     }
 
-    /// ε and the first point where no axis changes them.
+    /// Returns ε and the first point before axes replace them.
     fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
         let is_varied = |name: &str| self.over.iter().any(|axis| axis.name == name);
         let (eps, at) = match &*self.question {
@@ -251,15 +246,13 @@ impl Serialize for Over {
     }
 }
 
-/// By what cells are answered.
 enum Found<'a> {
-    /// Orbits side by side.
+    /// Side by side, as orbits.
     Orbits(Orbits<'a>),
-    /// The question at each.
+    /// One by one, by the question.
     OneByOne(&'a dyn AtCell),
 }
 
-/// Adds a row.
 fn push(table: &mut Table, row: Vec<Entry>) {
     for (kept, entry) in table.values.iter_mut().zip(row) {
         match (kept, entry) {

@@ -1,7 +1,7 @@
-//! What is observed of the orbits of cells.
+//! Observes the orbits of cells.
 //!
-//! In: cells, and what is asked of their orbits. Out: a row a cell. Orbits are followed side by
-//! side, whatever maps they have; a cell where the field divides by zero has none.
+//! In: cells, and the observables. Out: a row for each cell. Orbits with any maps are followed side
+//! by side; a cell whose field divides by zero has no orbit.
 
 use std::ops::ControlFlow;
 
@@ -16,23 +16,21 @@ use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
-/// Orbits that fill registers.
+/// The number of orbits that fill the registers.
 const LANES: u64 = 16;
-/// Steps of all orbits that are followed at once.
+/// The number of steps, of all orbits together, in one block.
 const AT_ONCE: u64 = 1 << 24;
 
 const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
 
-/// The orbits of all cells.
 pub(super) struct Orbits<'a> {
     study: &'a Study,
     cells: &'a Cells<'a>,
     asked: &'a Observe,
-    /// How many columns hold what is seen.
     numbers: usize,
 }
 
-/// Where an orbit begins, and the order of its method.
+/// The start of an orbit, with its order and scalar.
 struct Begun {
     index: u64,
     place: Place<f64>,
@@ -50,7 +48,7 @@ impl<'a> Orbits<'a> {
         }
         let (Place { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
-        // What is wrong everywhere is told once.
+        // A mistake in the only field is reported once, instead of at every cell.
         let is_one_field = !cells.axes.iter().any(|along| matches!(along.target, Target::Parameter(_)));
         if is_one_field {
             study.map()?;
@@ -68,14 +66,14 @@ impl<'a> Orbits<'a> {
         [ended, steps].into_iter().chain(seen).collect()
     }
 
-    /// How many cells should be done at once, at least and at most: enough to fill registers, and
-    /// few enough that they are done in a moment.
+    /// Returns the least and the largest number of cells in a block: enough to fill registers, and
+    /// few enough to be done in a moment.
     pub(super) fn at_once(&self) -> [u64; 2] {
         [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
 
-    /// The rows of cells that follow each other; none where `tell`, which hears that steps were
-    /// made, ends the work.
+    /// Returns the rows of consecutive cells; none if `tell`, which receives numbers of steps, ends
+    /// the work.
     pub(super) fn rows(
         &self,
         cells: std::ops::Range<u64>,
@@ -93,7 +91,7 @@ impl<'a> Orbits<'a> {
             }
             for (begun, found) in same.iter().zip(found) {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
-                // Where the field is not defined no point follows the start.
+                // In an undefined field no point follows the start.
                 let end = found.as_ref().map_or(End::Range(0), |found| found.end);
                 row.push(Entry::Text(end.name().to_owned()));
                 row.push(Entry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
@@ -116,7 +114,6 @@ impl<'a> Orbits<'a> {
         Begun { index, place, values, order, bits }
     }
 
-    /// What is seen of orbits of one order in one scalar.
     fn found<T: ObservedFloat + EmbedScalar>(
         &self,
         begun: &[Begun],
@@ -168,8 +165,8 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// The last point of each orbit; nothing is looked at on the way. Where neighbours share a map
-    /// these orbits go through its step for columns, which is faster.
+    /// Returns the last point of each orbit, without observers. Orbits that share a map with their
+    /// neighbours use its faster step for columns.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],
@@ -203,7 +200,7 @@ impl<'a> Orbits<'a> {
     }
 }
 
-/// The map at the parameters that were met last; there is none where the field divides by zero.
+/// The map at the last used parameters; `None` if the field divides by zero there.
 #[derive(Default)]
 struct Known(Option<(Vec<f64>, Option<Map>)>);
 
@@ -216,7 +213,6 @@ impl Known {
     }
 }
 
-/// Whether these are the same numbers, bit for bit.
 fn is_same(a: &[f64], b: &[f64]) -> bool {
     a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()))
 }

@@ -1,7 +1,6 @@
-//! Blocks of rows on all threads that a watch has, handed on in their order.
+//! Computes blocks of rows on all threads of a watch, and passes them on in order.
 //!
-//! In: what makes the rows of some cells. Out: blocks. What rows are made of, this module must not
-//! know.
+//! In: a function that computes the rows of some cells. Out: blocks.
 
 use std::ops::Range;
 
@@ -11,15 +10,15 @@ use kahan_runtime::{End, threads};
 use crate::count::Count;
 use crate::rows::{Rows, Table};
 
-/// Blocks that are made before their rows are handed on, for each thread.
+/// The number of blocks for each thread that are computed before their rows are passed on.
 const WAVE: u64 = 64;
 
-/// Makes the rows of cells: it tells how many are done, and ends where that is answered by `false`.
+/// A function that computes rows of cells; it reports finished cells, and ends on the answer
+/// `false`.
 pub(super) type Make<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Hands on the rows of a range, up to the first that is missing, whose number is that of
-/// [`End::Stopped`]. Threads have blocks of a number between these two, and several each, so that
-/// none is left with much where others are done.
+/// Passes on the rows of a range, up to the first missing one, whose number is in [`End::Stopped`].
+/// Blocks have between `least` and `most` cells, and each thread gets several, for a balanced load.
 pub(super) fn in_waves(
     range: Range<u64>,
     [least, most]: [u64; 2],

@@ -1,8 +1,9 @@
-//! Orbits side by side, each shown to its section where the formula changes its sign.
+//! Follows orbits side by side, and shows sign changes of the formula to their sections.
 //!
-//! In: orbits at their first points, with a map and a plane each. Out: orbits that ended, or whose
-//! crossings have no more room. The formula is computed for a group at once, and a section sees
-//! the two points around a sign change alone; so its crossings have the bits of a single orbit's.
+//! In: orbits at their first points, with a map and a plane each. Out: orbits at their ends, or
+//! with full buffers of crossings. The formula is evaluated for a group of orbits at once. A
+//! section sees only the two points around a sign change, so crossings have the bits of a single
+//! orbit's.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -17,9 +18,9 @@ use crate::study::Study;
 use super::course::{Course, Taking};
 use super::plane::Plane;
 
-/// Steps between two looks at which orbits go on.
+/// The number of steps between checks of which orbits go on.
 const STEPS: u64 = 1024;
-/// Fewer orbits than these are followed one by one.
+/// The number of orbits below which each orbit is followed by itself.
 const FEWEST: usize = 4;
 
 /// The part of the question that all orbits share.
@@ -27,19 +28,18 @@ pub(super) struct Asked<'a> {
     pub(super) study: &'a Study,
     pub(super) direction: Direction,
     pub(super) transient: u64,
-    /// The steps to the last point, the transient among them.
+    /// The number of steps to the last point, including the transient.
     pub(super) limit: u64,
     pub(super) tell: &'a dyn Fn(u64) -> ControlFlow<()>,
 }
 
-/// An orbit's section, and where it was seen last.
+/// An orbit with its section and its last seen point.
 struct Lane<'a, F> {
     section: Section<&'a dyn Step<Scalar = f64>, F, Taking<'a>>,
     level: F,
     x: &'a mut Vec<f64>,
     made: &'a mut u64,
     end: &'a mut Option<End>,
-    /// The formula at the point that was seen last.
     height: f64,
     direction: Direction,
 }
@@ -57,7 +57,7 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> Lane<'a, F> {
         self.end.is_none() && !self.section.is_done()
     }
 
-    /// Looks at the next point, and shows it to the section where the formula changes its sign.
+    /// Takes the next point, and shows it to the section if the formula changed its sign.
     fn look(&mut self, step: u64, x: &[f64], height: f64) {
         let rises = self.direction != Direction::Falling && self.height < 0.0 && height >= 0.0;
         let falls = self.direction != Direction::Rising && self.height > 0.0 && height <= 0.0;
@@ -71,10 +71,10 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> Lane<'a, F> {
     }
 }
 
-/// A lane that looks at a group's next points.
+/// A lane during a run of its group.
 struct Looking<'c, 'a, F> {
     lane: &'c mut Lane<'a, F>,
-    /// The formula of the whole group; `None` where it names integrals.
+    /// The formula of the whole group; `None` if it depends on integrals.
     abreast: Option<&'c Abreast>,
     before: u64,
 }
@@ -100,8 +100,8 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Computes the formula for all orbits at once, where all points are finite: those that are not
-    /// stay so.
+    /// Evaluates the formula for all orbits at once if the last points are finite; all earlier
+    /// points are then finite, too.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();
@@ -128,7 +128,7 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
                     go_on[lane] = own.lane.goes_on();
                 }
             }
-            // An orbit that is done changes its sign no more.
+            // NaN keeps a finished orbit from further sign changes.
             for ((height, now), goes_on) in heights.iter_mut().zip(now).zip(go_on) {
                 *height = if goes_on { now } else { f64::NAN };
             }
@@ -143,7 +143,6 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
     }
 }
 
-/// Whether a number changes its sign, or comes to 0.
 fn changes(before: &Group<f64>, now: &Group<f64>) -> bool {
     let mut any = false;
     for (before, now) in before.iter().zip(now) {
@@ -161,9 +160,8 @@ fn show<F: Fn(&[f64]) -> f64 + Copy, P: Grouped<f64>>(
     }
 }
 
-/// Makes the steps that are not looked at.
 pub(super) fn pass(asked: &Asked<'_>, maps: &[&MapAt<f64>], courses: &mut [Course]) {
-    /// Steps of an orbit between two looks of the watch.
+    /// The number of steps of an orbit between checks of the watch.
     const AT_ONCE: u64 = 1 << 14;
 
     let (eps, first) = (maps.iter().map(|map| MapAt::eps(map)).collect::<Vec<_>>(), maps[0]);
@@ -195,7 +193,7 @@ pub(super) fn pass(asked: &Asked<'_>, maps: &[&MapAt<f64>], courses: &mut [Cours
     }
 }
 
-/// Follows orbits that stand at one step each, as far as they have crossings and room for them.
+/// Follows orbits until they end or their buffers of crossings are full.
 pub(super) fn follow(asked: &Asked<'_>, maps: &[&MapAt<f64>], planes: &[&Plane], courses: &mut [Course]) {
     let levels: Vec<_> = planes.iter().zip(maps).map(|(plane, at)| plane.height(at)).collect();
     let variables = courses[0].x.len();

@@ -1,4 +1,4 @@
-//! One orbit on its way: where it is, and the crossings that nobody took yet.
+//! The progress of one orbit: its point, and its crossings not yet passed on.
 
 use std::ops::ControlFlow;
 
@@ -9,30 +9,26 @@ use kahan_runtime::{End, Follow};
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-/// An orbit that is followed as far as its crossings have room, and can be followed on.
+/// An orbit that is followed while its buffer of crossings has room, and can be resumed.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
-    /// All variables of its last point.
+    /// The last point, in all variables.
     pub(super) x: Vec<f64>,
-    /// The steps to that point.
     pub(super) made: u64,
     pub(super) kept: Kept,
     pub(super) jumps: u64,
-    /// Its end; `None` where it can go on.
+    /// The end; `None` if the orbit can go on.
     pub(super) end: Option<End>,
 }
 
-/// Crossings in columns, of the variables that are shown.
+/// Crossings in columns, in the shown variables.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Kept {
     steps: Vec<i64>,
     times: Vec<f64>,
     points: Vec<Vec<f64>>,
-    /// The number of all crossings, with those that were taken away.
     pub(super) all: u64,
-    /// The number of crossings that are wanted in all.
     most: u64,
-    /// The number of crossings that are kept until somebody takes them.
     room: usize,
 }
 
@@ -42,7 +38,7 @@ impl Kept {
     }
 }
 
-/// Takes crossings as a table shows them.
+/// A sink that stores crossings in the form of the table.
 pub(super) struct Taking<'a> {
     pub(super) kept: &'a mut Kept,
     pub(super) study: &'a Study,
@@ -68,7 +64,7 @@ impl Sink<Crossing<Vec<f64>, f64>> for Taking<'_> {
     fn report(self) {}
 }
 
-/// The crossings of one orbit, which go on where they were left.
+/// An observer of a resumed orbit, with steps counted from its start.
 struct GoingOn<'a, O> {
     section: &'a mut O,
     before: u64,
@@ -89,20 +85,18 @@ impl<O: Observer<f64>> Observer<f64> for GoingOn<'_, O> {
 }
 
 impl Course {
-    /// An orbit at its first point, of which so many crossings are wanted, and so many kept at a
-    /// time.
+    /// Prepares an orbit at its first point, with `most` requested crossings and a buffer for
+    /// `room`.
     pub(super) fn new(x: Vec<f64>, shown: usize, most: u64, room: usize) -> Self {
         let kept = Kept { points: vec![Vec::new(); shown], most, room, ..Kept::default() };
         Course { x, made: 0, kept, jumps: 0, end: None }
     }
 
-    /// Ends it before its first step.
     pub(super) fn never(mut self) -> Self {
         self.end = Some(End::Range(0));
         self
     }
 
-    /// Makes the steps that are not looked at.
     pub(super) fn pass(
         &mut self,
         by: &dyn Step<Scalar = f64>,
@@ -116,7 +110,7 @@ impl Course {
         }
     }
 
-    /// Follows it to step `limit`, as many crossings as are wanted, or as there is room for.
+    /// Follows the orbit to step `limit`, until it has all crossings or a full buffer.
     pub(super) fn follow(
         &mut self,
         study: &Study,
@@ -142,14 +136,14 @@ impl Course {
         self.jumps += jumps;
         let has_all = self.kept.all >= self.kept.most;
         match end {
-            // There is no room, or the watch wants no more.
+            // The buffer is full, or the watch ended the work.
             End::Stopped(steps) if is_full && !has_all => self.made += steps,
             End::Complete => (self.made, self.end) = (limit, Some(End::Complete)),
             end => self.ends(end, left),
         }
     }
 
-    /// Ends it where it has all crossings, or came to the last step.
+    /// Ends the orbit if it has all crossings or has reached the last step.
     pub(super) fn settle(&mut self, limit: u64) {
         if self.end.is_none() && self.kept.all >= self.kept.most {
             self.end = Some(End::Stopped(self.made));
@@ -158,14 +152,13 @@ impl Course {
         }
     }
 
-    /// Adds the steps of a run that was asked to make `asked` of them.
     fn ends(&mut self, end: End, asked: u64) {
         let before = self.made;
         self.made += end.steps(asked);
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Hands on its crossings, with these values in front of each.
+    /// Passes on the crossings and empties the buffer; `values` precede each crossing.
     pub(super) fn hand_on(
         &mut self,
         columns: &[Column],

@@ -1,8 +1,8 @@
-//! The orbits of a question, in groups on all threads, their crossings in order.
+//! The orbits of a section, in groups on all threads, with their crossings in order.
 //!
-//! In: a question, and its orbits as cells. Out: rows, and how each orbit ended. An orbit with more
-//! crossings than there is room for waits, and goes on when its rows come; so memory is bounded,
-//! and neither rows nor ends depend on threads.
+//! In: a question, and its orbits as cells. Out: rows, and the end of each orbit. An orbit with a
+//! full buffer of crossings waits and is resumed when its rows are due. Memory is therefore
+//! bounded, and rows and ends do not depend on threads.
 
 use std::ops::{ControlFlow, Range};
 
@@ -22,33 +22,31 @@ use super::course::Course;
 use super::plane::Plane;
 use super::{Cells, Crossed, Section};
 
-/// Crossings that are kept at once.
+/// The capacity of all buffers of crossings together.
 const ROOM: usize = 1 << 21;
 
-/// All orbits of a question.
 pub(super) struct Orbits<'a> {
     asked: &'a Section,
     study: &'a Study,
     cells: &'a Cells<'a>,
     composition: Composition,
     columns: Vec<Column>,
-    /// The steps to the last point of an orbit, the transient among them.
+    /// The number of steps to the last point of an orbit, including the transient.
     limit: u64,
-    /// Crossings that are kept at once.
+    /// The capacity of all buffers of crossings together.
     room: usize,
 }
 
-/// An orbit's map and plane.
 struct Begun {
     at: MapAt<f64>,
     plane: Plane,
 }
 
 impl<'a> Orbits<'a> {
-    /// Looks at what is asked, with the plane of the first orbit.
+    /// Checks the question, with the plane of the first orbit.
     ///
     /// # Errors
-    /// Those of [`Section::find`].
+    /// The errors of [`Section::find`].
     pub(super) fn of(asked: &'a Section, study: &'a Study, cells: &'a Cells<'a>) -> Result<Self, StudyError> {
         let system = study.proved()?;
         study.can_reembed(asked.reembed)?;
@@ -57,7 +55,7 @@ impl<'a> Orbits<'a> {
         let (place, (in_doubles, _)) = (cells.exactly(0), cells.in_doubles(0));
         Plane::of(system, &place.parameters, &place.eps, &asked.plane)?;
         if !asked.is_of_many() {
-            // A mistake in the only orbit is an error.
+            // With one orbit, a mistake in it is an error.
             study.in_floats(&place.at, &place.eps)?;
         }
         study.within_range(&in_doubles.at, in_doubles.eps)?;
@@ -65,8 +63,8 @@ impl<'a> Orbits<'a> {
         Ok(Orbits { asked, study, cells, composition, columns, limit, room: ROOM })
     }
 
-    /// The orbit of a cell at its first point, of which `room` crossings are kept at a time. It
-    /// ends there where the field, the plane or the point has no value.
+    /// Prepares the orbit of a cell, with a buffer for `room` crossings. The orbit ends at its
+    /// start if the field, the plane or the point is undefined.
     fn begun(&self, index: u64, room: usize) -> (Option<Begun>, Course) {
         let place = self.cells.exactly(index);
         let is_own = self.study.values().is_ok_and(|values| values == place.parameters);
@@ -84,7 +82,7 @@ impl<'a> Orbits<'a> {
         }
     }
 
-    /// Follows one orbit by itself, as far as its crossings have room.
+    /// Follows one orbit by itself until its end, or until its buffer is full.
     fn alone(&self, begun: &Begun, course: &mut Course, count: &Count<'_>) {
         let (tell, reembed) = (|steps| count.tell(steps), self.asked.reembed);
         let lifted = self.study.steps(&begun.at, reembed);
@@ -97,7 +95,7 @@ impl<'a> Orbits<'a> {
         }
     }
 
-    /// Follows orbits side by side, as far as their crossings have room.
+    /// Follows orbits side by side until their ends, or until their buffers are full.
     fn group(&self, cells: Range<u64>, room: usize, count: &Count<'_>) -> Vec<Course> {
         let begun = cells.map(|index| self.begun(index, room));
         let (begun, mut courses): (Vec<Option<Begun>>, Vec<Course>) = begun.unzip();
@@ -118,8 +116,8 @@ impl<'a> Orbits<'a> {
         courses
     }
 
-    /// Hands on the crossings of an orbit, all that it has, and adds to `found` how it ended. Returns
-    /// the orbit at its end.
+    /// Passes on all crossings of an orbit, resuming it as needed, and appends its end to `found`.
+    /// Returns the orbit at its end.
     fn finish(
         &self,
         index: u64,
@@ -152,7 +150,6 @@ impl<'a> Orbits<'a> {
         flow.map_continue(|()| course)
     }
 
-    /// Returns the reason why an orbit of a lifted field ends, in words.
     fn why(&self, index: u64, end: End, course: &Course) -> Option<String> {
         if !end.is_early() || self.study.lift().is_none() {
             return None;
@@ -162,16 +159,15 @@ impl<'a> Orbits<'a> {
         Some(ends.in_words(self.study, course.made))
     }
 
-    /// Finds the crossings of all orbits, and hands them on.
     pub(super) fn find(&self, rows: &mut dyn Rows, watch: &dyn Watch) -> Vec<Crossed> {
         let all = self.limit.saturating_mul(self.cells.count);
         let count = Count::new("steps", all, watch);
         if self.asked.carry { self.carried(rows, &count) } else { self.in_waves(rows, &count) }
     }
 
-    /// Follows orbits in groups, some groups on each thread, before their rows are handed on.
+    /// Follows a wave of groups on all threads, then passes on their rows.
     fn in_waves(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
-        /// Groups for each thread.
+        /// The number of groups for each thread in a wave.
         const GROUPS: u64 = 4;
 
         let (all, threads) = (self.cells.count, count.threads() as u64);
@@ -199,7 +195,7 @@ impl<'a> Orbits<'a> {
         found
     }
 
-    /// Follows one orbit after the other, each from where the one before it came to.
+    /// Follows one orbit after another, each from the end of the orbit before it.
     fn carried(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
         let (mut found, mut last) = (Vec::new(), None::<Vec<f64>>);
         for index in 0..self.cells.count {
@@ -228,7 +224,6 @@ mod tests {
     use crate::rows::{Table, Values};
     use crate::{Direction, Subject, Systems};
 
-    /// A table, and its longest block.
     #[derive(Default)]
     struct Counted(Table, usize);
 

@@ -1,4 +1,4 @@
-//! Formulas of the state, and the planes where they vanish.
+//! Formulas of the state, and the sections where they vanish.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -9,8 +9,8 @@ use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::study::Study;
 
-/// A formula of the variables, the integrals that are claimed without `when`, the parameters and
-/// `eps`, at these values. `what` it is called in reports.
+/// Reads a formula in the variables, the integrals claimed without a condition, the parameters and
+/// `eps`, at these values. Reports call it `what`.
 fn formula_at(
     system: &System,
     parameters: &[Rational],
@@ -28,25 +28,25 @@ fn formula_at(
 }
 
 impl Study {
-    /// A formula of the variables, the integrals that are claimed without `when`, the parameters
-    /// and `eps`. `what` it is called in reports.
+    /// Reads a formula in the variables, the integrals claimed without a condition, the parameters
+    /// and `eps`. Reports call it `what`.
     ///
     /// # Errors
-    /// [`StudyError::Formula`], and values that are missing.
+    /// [`StudyError::Formula`], or missing values.
     pub fn formula(&self, eps: &Rational, what: &'static str, text: &str) -> Result<Formula, StudyError> {
         formula_at(self.system(), &self.values()?, eps, what, text)
     }
 }
 
-/// A function of the state whose zeros are a section.
+/// A function of the state whose zeros form a section.
 #[derive(Clone, Debug)]
 pub struct Plane(pub(super) Formula);
 
 impl Plane {
-    /// The formula of a section, at these values of the parameters and this ε.
+    /// Reads the formula of a section, at these values of the parameters and this ε.
     ///
     /// # Errors
-    /// [`StudyError::Formula`], or [`StudyError::ConstantPlane`] where it is one number everywhere.
+    /// [`StudyError::Formula`], or [`StudyError::ConstantPlane`] if the formula is constant.
     pub fn of(
         system: &System,
         parameters: &[Rational],
@@ -60,15 +60,15 @@ impl Plane {
         }
     }
 
-    /// The last of the variables, and of the integrals behind them, that it names.
+    /// Returns the largest index of a variable, or of an integral after them, in the formula.
     #[must_use]
     pub fn last_variable(&self) -> Option<usize> {
         self.0.last_variable()
     }
 
-    /// Returns the value of the formula at a point.
+    /// Returns the formula as a function of the point.
     pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
-        // Integrals stand behind the variables, and are computed where the formula names one.
+        // Integrals follow the variables, and are computed only if the formula uses one.
         let variables = at.map().field().variables().len();
         let has_integrals = self.last_variable().is_some_and(|last| last >= variables);
         let integrals = at.map().field().integrals().len();
@@ -79,7 +79,7 @@ impl Plane {
             }
             let mut known: RuntimePoint<f64> = x.iter().copied().collect();
             known.resize(x.len() + integrals, 0.0);
-            // The state is as long as the field has variables.
+            // Both slices have the lengths of the field, so the call succeeds.
             let _ = at.integrals(x, &mut known[x.len()..]);
             formula(&known)
         }

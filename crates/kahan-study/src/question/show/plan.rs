@@ -1,4 +1,4 @@
-//! What each generated function costs, and the step in straight lines.
+//! The costs of generated functions, and the step as a straight-line program.
 
 use kahan_algebra::derive;
 use kahan_algebra::derived::{Derived, StepListing};
@@ -9,62 +9,61 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The plans of a system's code, and how long it took to make them.
+/// The plans of a system's code, with the time to make them.
 #[derive(Clone, Debug, Serialize)]
 pub struct Planned {
     /// The name of the system.
     pub system: String,
-    /// Each generated function with what it costs.
+    /// The cost of each generated function.
     pub objects: Vec<Costs>,
-    /// The step in straight lines; `None` where it eliminates in a loop.
+    /// The step as a straight-line program; `None` if it eliminates in a loop.
     pub step: Option<Listing>,
-    /// The step that serves every scalar, where the other is divided by the time step.
+    /// The step for every scalar, if the other one divides by the time step.
     pub general_step: Option<Listing>,
-    /// The milliseconds in which the map was derived; `None` without a clock.
+    /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
-    /// The milliseconds in which the step was planned; `None` without a clock.
+    /// The milliseconds of planning the step; `None` without a clock.
     pub plan_ms: Option<f64>,
     /// The plans.
     #[serde(skip)]
     pub derived: Derived,
 }
 
-/// A generated function and its operations; `None` where it eliminates in a loop.
+/// The operations of a generated function; `None` if it eliminates in a loop.
 #[derive(Clone, Debug, Serialize)]
 pub struct Costs {
-    /// What it computes.
+    /// The result of the function.
     pub object: String,
     /// Additions, subtractions and negations.
     pub additions: Option<usize>,
     /// Multiplications.
     pub multiplications: Option<usize>,
-    /// Multiply-adds: one operation where the target has them, else two.
+    /// Multiply-adds: one operation each on targets that have them, otherwise two.
     pub multiply_adds: Option<usize>,
     /// Divisions.
     pub divisions: Option<usize>,
-    /// All operations of a target without multiply-adds.
+    /// All operations on a target without multiply-adds.
     pub operations: Option<usize>,
-    /// Cycles from the inputs to the last result, if nothing else hinders.
+    /// The length of the critical path in cycles.
     pub chain_cycles: Option<u32>,
 }
 
-/// A step in straight lines.
+/// A step as a straight-line program.
 #[derive(Clone, Debug, Serialize)]
 pub struct Listing {
-    /// What ε and the parameters fix, computed once.
+    /// The instructions that depend only on ε and the parameters, run once.
     pub constants: Vec<String>,
-    /// From a state to the numerators and reciprocals.
+    /// The instructions from a state to the numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// For each component the name of its reciprocal; `None` where it does not divide.
+    /// The name of the reciprocal of each component; `None` if the component has no division.
     pub reciprocals: Vec<Option<String>>,
-    /// x̃ from x, a line a component.
+    /// The instructions of x̃, one for each component.
     pub next: Vec<String>,
-    /// The size |εf′| of a step up to which its error is near that of elimination.
+    /// The largest |εf′| for which the error of the step is near the error of elimination.
     pub holds_to: u32,
 }
 
 impl Planned {
-    /// Derives the map and plans the code of a system.
     pub(super) fn of(name: &str, system: &System, watch: &dyn Watch) -> Self {
         let milliseconds = |begun| seconds_since(begun, watch).map(|seconds| 1e3 * seconds);
         let begun = watch.now();
