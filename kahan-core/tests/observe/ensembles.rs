@@ -42,8 +42,9 @@ fn reports_are_those_of_single_orbits_on_the_level_of_plain_code() {
 #[test]
 fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone() {
     let map = HenonHeiles.at(EPS);
-    for level in
-        [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter(|level| level.is_available())
+    for level in [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon]
+        .into_iter()
+        .filter(|level| level.is_available())
     {
         let ensemble = || Ensemble::new(points(50)).at_level(level).unwrap();
         let (mut observed, mut advanced) = (ensemble(), ensemble());
