@@ -128,13 +128,14 @@ impl<C: Curve> Stride<'_, C> {
             self.search([&middle, high], halvings, turns);
             return;
         }
-        let parameter = self.arc.parameter(&self.at(high.at).unwrap_or_else(|| self.place.clone()));
+        let there = self.at(high.at);
+        let parameter = self.arc.parameter(there.as_ref().unwrap_or(self.place));
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, Turn { change, parameter }), times.unsigned_abs()));
         };
         // Where real multipliers meet outside the circle and become complex, none goes through it.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
-        tell(Change::Fold, isize::from(turns_back));
+        tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(Change::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
         tell(Change::ThroughMinusOne, minus_one - met(minus_one));
         tell(Change::ThroughCircle, (pairs + met(one) + met(minus_one)) / 2);
@@ -177,8 +178,13 @@ impl<C: Curve> Stride<'_, C> {
             tangent.is_none_or(|tangent| (tangent[tangent.len() - 1] > 0.0) == low.goes_ahead)
         };
         let (at, parameter) = self.halved([low.at, high.at], is_before);
-        let is_halved = self.at(at).is_some_and(|there| self.arc.runs_twice(&there));
-        (at, Turn { change: if is_halved { Change::Halved } else { Change::Fold }, parameter })
+        (at, Turn { change: self.turning_back(self.at(at).as_ref()), parameter })
+    }
+
+    /// Returns what happens at a place where the branch turns back.
+    fn turning_back(&self, there: Option<&Place>) -> Change {
+        let runs_twice = there.is_some_and(|there| self.arc.runs_twice(there));
+        if runs_twice { Change::Halved } else { Change::Fold }
     }
 
     /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.

@@ -2,10 +2,10 @@
 //! SciPy, tolerance 1e-13.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Subject, Which};
+use kahan_study::{StudyError, Subject, Unwatched, Which};
 use serde_json::{Value, json};
 
-use super::{answer, study};
+use super::{answer, question, study};
 
 const ROSSLER: &str = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + x*z - c*z;";
 
@@ -44,6 +44,20 @@ fn loops_of_the_roessler_system_are_run_once_at_every_step() {
 }
 
 #[test]
+fn the_shortest_cycles_of_the_lorenz_system_are_found_by_their_period() {
+    // Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004).
+    let field = Subject::named("lorenz").with("s", 10.into()).with("r", 28.into());
+    let field = field.with("b", Rational::new(8, 3));
+    for period in [1.558_652_210_716, 2.305_907_263_940, 3.023_583_703_434] {
+        for (dt, most) in [(0.005_f64, 1e-6), (0.01, 1e-4), (0.02, 1e-3)] {
+            let steps = (period / dt).round();
+            let found = cycle(&field, period / steps, json!({"at": [1, 2, 20], "period": steps as u64}));
+            assert_period(&found, period, most);
+        }
+    }
+}
+
+#[test]
 fn errors_of_lifted_cycles_hold() {
     let lifted = |text| Subject::text(text).lifted(Which::Automatic);
     let field = lifted("xdot = y; ydot = (1 - x^2)*y - x;");
@@ -51,4 +65,30 @@ fn errors_of_lifted_cycles_hold() {
         let found = cycle(&field, dt, json!({"at": [2, 0]}));
         assert_period(&found, 6.663_286_859_323, most);
     }
+}
+
+#[test]
+fn a_branch_ends_where_two_rounds_come_together() {
+    let more = json!({"at": [1, 2, 0], "transient": 4000, "over": {"c": "4:3.8:3"}});
+    let found = cycle(&Subject::text(ROSSLER), 0.05, more);
+    let branch = &found["branch"];
+    let turns = branch["turns"].as_array().expect("turns");
+    let last = &turns[turns.len() - 1];
+    assert!(last["change"].as_str().is_some_and(|change| change.contains("half the period")), "{turns:?}");
+    assert!(turns.iter().all(|turn| turn["change"] != "fold, two cycles meet"), "{turns:?}");
+    let off = (number(&last["parameter"]) - 3.837_358_168_4).abs();
+    assert!(off < 1e-4 && off <= number(&last["error"]), "{last}");
+    let rows = branch["points"].as_array().expect("rows");
+    let values: Vec<f64> = rows.iter().map(|row| number(&row["parameter"])).collect();
+    assert_eq!((&values[..2], &branch["cut"]), (&[4.0, 3.9][..], &json!(true)), "{values:?}");
+    assert!(values.len() == 3 && rows.iter().all(|row| row["flow"]["steps"] == rows[0]["flow"]["steps"]));
+}
+
+#[test]
+fn what_is_no_cycle_is_said_in_its_words() {
+    let field = Subject::text(ROSSLER).with("c", Rational::new(5, 2));
+    let asked = json!({"ask": "periodic", "eps": 0.01, "free": "eps", "at": [9, 9, 9], "period": 300});
+    let asked = question(asked).expect("a question");
+    let error = study(field).ask(&asked, &Unwatched).expect_err("no cycle");
+    assert!(matches!(error, StudyError::NoCycle { .. }) && !error.to_string().contains("family"), "{error}");
 }
