@@ -109,6 +109,10 @@ class Questions(Points):
         With ``over``, ``branch["points"]`` has a row at each value, and one at each ``change``;
         ``branch["turns"]`` lists the changes, and ``branch["cut"]`` says whether it ends before the range.
 
+        ``branch`` has ``points`` and ``turns``, the places where something changes: tables whose columns are entries,
+        as ``branch["points"]["parameter"]``, and which ``to_pandas()`` converts. ``branch["cut"]`` says whether the branch
+        ended within the range.
+
         >>> import kahan
         >>> lorenz = kahan.catalog.lorenz(s=10, r=28, b="8/3")
         >>> round(lorenz.periodic([1, 2, 20], 0.0026, period=300, free="eps").flow["period"], 6)
@@ -117,8 +121,11 @@ class Questions(Points):
         axes = axes_of(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", progress, at=[] if x is None else self._point(x), eps=exact_or_none(half_step(eps, dt, is_needed=False), "eps"),
-                                period=whole(period, "period"), free=free, transient=whole(transient, "transient"), over=axes, hold=hold))
+        found = self._ask("periodic", progress, at=[] if x is None else self._point(x), eps=exact_or_none(half_step(eps, dt, is_needed=False), "eps"),
+                                period=whole(period, "period"), free=free, transient=whole(transient, "transient"), over=axes, hold=hold)
+        if "branch" in found:
+            found["branch"] |= {name: Settings(found["branch"][name]) for name in ("points", "turns")}
+        return Answer(found)
 
     def heights(self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
                 digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:

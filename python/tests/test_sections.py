@@ -92,3 +92,11 @@ def test_crossings_are_written_while_they_are_found(tmp_path, name):
     assert none.crossings.sum() == 0 and read().num_rows == 0 and [path.name for path in tmp_path.iterdir()] == [name]
     with pytest.raises(ValueError, match="F.parquet or F.arrow"):
         HENON_HEILES.section(STARTS, 0.05, plane="x", crossings=2, to=tmp_path / "crossings.csv")
+
+
+def test_a_branch_is_a_table():
+    found = kahan.System("xdot = a - x^2;").periodic([0.9], 0.1, over={"a": (1, -1, 5)})
+    points, turns = found.branch["points"], found.branch["turns"]
+    assert np.abs(points["parameter"][:2] - [1, 0.5]).max() < 1e-14 and found.branch["over"] == "a"
+    assert len(turns) == 1 and abs(turns["parameter"][0]) < 1e-9 and "fold" in turns[0]["change"]
+    assert list(pytest.importorskip("pandas").DataFrame(list(points))) == points.keys() == list(points.to_pandas())
