@@ -213,7 +213,7 @@ def test_an_orbit_begins_at_the_start_of_the_text():
     np.testing.assert_array_equal(s.orbit(eps=0.1, steps=3).x, s.orbit([1, 0], 0.1, 3).x)
     with pytest.raises(TypeError, match="x is missing: the text gives no start"):
         kahan.System("x' = y, y' = -x").orbit(eps=0.1, steps=3)
-    with pytest.raises(TypeError, match="steps: a whole number is needed"):
+    with pytest.raises(TypeError, match="steps is missing: give a whole number"):
         s.orbit(eps=0.1)
 
 

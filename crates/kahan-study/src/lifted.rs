@@ -504,6 +504,7 @@ pub struct Watched {
 /// A new variable of a lift.
 #[derive(Clone, Debug, Serialize)]
 pub struct NewFound {
+    /// The name of the variable.
     pub name: String,
     /// The variable as a function of the original variables; `None` for the work done since the
     /// start.
