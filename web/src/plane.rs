@@ -1,6 +1,7 @@
 //! The field in a plane of two variables, for its directions and nullclines, and the equilibria of
 //! the field with their eigenvalues.
 
+use kahan_algebra::rational::Rational;
 use kahan_study::{Study, StudyError};
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
@@ -24,7 +25,7 @@ pub(crate) struct Plane {
 /// lift's function have none of the field.
 pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), StudyError> {
     let map = study.map()?.at(0.0);
-    let parameters: Vec<f64> = study.values()?.iter().map(|value| value.to_f64()).collect();
+    let parameters: Vec<f64> = study.values()?.iter().map(Rational::to_f64).collect();
     let count = study.variables().len();
     let [across, upwards] = asked.points;
     let coordinate = |k: usize, at: usize| {

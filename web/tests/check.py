@@ -126,6 +126,7 @@ def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
             fate = f"kept exactly: {relation['formula']}" if relation["formula"] else relation["along"]
             assert fate in said, (fate, said)
         # Points and axes are in the original variables; relations are drawn beside the energy.
+        tab.waits("state.at.length > 0")
         tab.waits(DRAWN)
         assert tab.page.evaluate("[state.at[0].split(',').length, state.axes.join()]") == [2, "x,v"]
         tab.waits("relationErrors.length === 3")
