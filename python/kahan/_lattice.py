@@ -107,7 +107,7 @@ class Lattice(Chain):
         if states.ndim > axes:
             raise ValueError("state: one state is observed at a time")
         field = System(family, sites=sites)
-        of_sites: dict[str, float] = {}
+        of_sites: dict[str, Any] = {}
         for name, given in values.items():
             each = [name] if name in field.parameters else next(
                 names for infix in ("", "_") if (names := [f"{name}{infix}{k}" for k in range(sites)])[0] in field.parameters)
