@@ -12,7 +12,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64 and 64-bit
+    /// Instructions that the program was compiled for: two `f64` or four `f32` at a time on x86-64 and 64-bit
     /// Arm, one at a time elsewhere. The arithmetic, fused or not, is that of
     /// [`KahanAt::step`](crate::KahanAt::step), bit for bit, unless that divides more than once, as
     /// in one or two variables, or divides by the time step: many trajectories wait for the divider

@@ -15,7 +15,7 @@ fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rati
     exact.len()
 }
 
-/// Says whether εx is none of 0, 1, −1, as the solutions require.
+/// Returns whether εx differs from 0, 1 and −1, as the solutions require.
 fn regular(case: &Case) -> bool {
     let scaled = &case.eps * &case.start[0];
     !scaled.is_zero() && &scaled * &scaled != rational("1")

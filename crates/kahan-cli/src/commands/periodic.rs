@@ -32,15 +32,15 @@ use crate::reading::{Start, one_of, over, whole};
 /// integrals of the field, as the total of a closed population, keep their values at the first
 /// point, and multipliers are those along their common level; --hold none holds nothing.
 ///
-/// --over follows the cycle along a range of eps or of a parameter, round folds. The table has a row
-/// at each value, again behind a fold, and one at each change, where multipliers go through the unit
-/// circle. --out writes all points of these cycles as CSV, or draws the branch. The exit status is 1
-/// where no cycle is found.
+/// --over follows the cycle along a range of eps or of a parameter, round folds. The table has a
+/// row at each value, again behind a fold, and one at each change, where multipliers go through the
+/// unit circle. --out writes all points of these cycles as CSV, or draws the branch. The exit status
+/// is 1 where no cycle is found.
 ///
 /// --free eps looks for a limit cycle of the flow: K steps close up, and eps is found with them.
 /// Periods, multipliers and changes are extrapolated from K, 2K and 4K steps, of a lifted field 8K,
-/// too. The cycle is looked for near --at, and near where its orbit comes back close to itself after
-/// --transient steps: after about the time 2*eps*K, or without --period after any.
+/// too. The cycle is looked for near --at, and near where its orbit comes back close to itself
+/// after --transient steps: after about the time 2*eps*K, or without --period after any.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -133,10 +133,10 @@ impl Asking for Periodic {
     }
 }
 
-/// Why a branch ends early.
+/// The message for a branch that ends early.
 const CUT: &str =
     "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
-/// Why a row has no error.
+/// The reason for a row without an error.
 const PLAIN: &str = "finer steps have no such cycle there; take a smaller eps (dt)";
 /// Behind a verdict that the digits of the multipliers do not show.
 const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";

@@ -48,7 +48,7 @@ impl FlowCycle {
         }
     }
 
-    /// Returns whether the cycle has so many steps of about this ε.
+    /// Returns whether the cycle has this number of steps and about this ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
         /// A change of ε that leads to another cycle.
@@ -73,8 +73,8 @@ impl FlowCycle {
     }
 }
 
-/// Whether points of a closed curve run so many times along it: whether each comes near the
-/// parabola through others, a part of the way on, compared with how the curve bends in a step.
+/// Returns whether the points run `rounds` times along a closed curve: whether each lies near the
+/// parabola through three points one round later, compared with the bend of the curve in a step.
 pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
     /// A distance, in second differences, that a third difference makes.
     const NEAR: f64 = 0.25;

@@ -89,7 +89,8 @@ impl Post {
 }
 
 impl<C: Curve> Stride<'_, C> {
-    /// What happens from its first cycle to its last one, in order, with how far along it happens.
+    /// Returns the changes between the first cycle and the last one in order, each with its distance
+    /// along the stride.
     pub(super) fn turns(
         &self,
         first: &PeriodicPoint,

@@ -1,7 +1,7 @@
 //! The language of the paper's formulas. A [`Statement`] is a list of items between semicolons:
 //! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations
-//! `left != right` (different functions), and measured equations `left ~ right` (equal in the written
-//! digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
+//! `left != right` (different functions), and measured equations `left ~ right` (equal in the
+//! written digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
 //!
 //! | call | meaning |
 //! |---|---|

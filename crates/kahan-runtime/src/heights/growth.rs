@@ -13,8 +13,9 @@ use std::fmt;
 ///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1) and the least squares residual of a line in n is at most
 ///    half that of a line in log n, or *logarithmic* in the opposite case, since otherwise noise
 ///    hides the class; *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n:
-///    0.81); *quadratic* if ρ > 1.15 and 0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and
-///    both orders of differences grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
+///    0.81); *quadratic* if ρ > 1.15 and 0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if
+///    ρ ≥ 1.5 and both orders of differences grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and
+///    s₂/s₁ ≥ 0.9 ρ.
 /// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and
 ///    within 5 % of each other.
 /// 4. *undecided* otherwise.

@@ -116,7 +116,8 @@ pub struct CycleFound {
     pub exact: Option<RationalCycle>,
     /// What changes along the branch, and the branch.
     pub branch: Option<(String, Branch)>,
-    /// For each point of a branch of the flow its numbers, where finer steps have such a point, too.
+    /// For each point of a branch of the flow the extrapolated numbers; `None` without such a point
+    /// at finer steps.
     pub rows: Vec<Option<FlowFound>>,
 }
 

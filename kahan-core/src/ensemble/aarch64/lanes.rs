@@ -1,8 +1,8 @@
 //! NEON registers as scalars: every operation is the machine's, lane by lane.
 //!
-//! In: two doubles or four floats of a column. Out: the same arithmetic as one float's, in all lanes
-//! at once.
-#![allow(unused_unsafe, reason = "where the target has the instructions, calling most of them is safe")]
+//! In: two doubles or four floats of a column. Out: the arithmetic of one float in all lanes at
+//! once.
+#![expect(unused_unsafe, reason = "the multiply-adds are functions of this module, which are safe to call")]
 
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -14,11 +14,10 @@ use crate::ensemble::registers::{Choosing, choosing, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-/// Runs intrinsics of NEON.
+/// Runs an intrinsic of NEON.
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: every 64-bit Arm that has the standard library has NEON. What the pointers of
-        // loads and stores are good for is said where they are taken.
+        // SAFETY: every 64-bit Arm that has the standard library has NEON.
         unsafe { $expression }
     };
 }
@@ -112,10 +111,12 @@ choosing! {
 fn doubles(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // Each pointer is good for the two numbers from there to the end of the row or its middle.
-        let (a, b) = machine!((vld1q_f64(rows[r][k..].as_ptr()), vld1q_f64(rows[r + 1][k..].as_ptr())));
-        machine!(vst1q_f64(square[k][r..].as_mut_ptr(), vtrn1q_f64(a, b)));
-        machine!(vst1q_f64(square[k + 1][r..].as_mut_ptr(), vtrn2q_f64(a, b)));
+        // SAFETY: r and k are at most 2, so each slice of a row has two numbers or more.
+        unsafe {
+            let (a, b) = (vld1q_f64(rows[r][k..].as_ptr()), vld1q_f64(rows[r + 1][k..].as_ptr()));
+            vst1q_f64(square[k][r..].as_mut_ptr(), vtrn1q_f64(a, b));
+            vst1q_f64(square[k + 1][r..].as_mut_ptr(), vtrn2q_f64(a, b));
+        }
     }
     square
 }
@@ -124,11 +125,11 @@ fn doubles(rows: Square<f64>) -> Square<f64> {
 #[inline(always)]
 fn singles(rows: Square<f32>) -> Square<f32> {
     let mut square = [[0.0; 4]; 4];
-    // The pointer is good for the sixteen numbers of the rows, which lie side by side.
-    let columns = machine!(vld4q_f32(rows.as_flattened().as_ptr()));
+    // SAFETY: the flattened rows have sixteen numbers.
+    let columns = unsafe { vld4q_f32(rows.as_flattened().as_ptr()) };
     for (column, register) in square.iter_mut().zip([columns.0, columns.1, columns.2, columns.3]) {
-        // Likewise for the four of a row.
-        machine!(vst1q_f32(column.as_mut_ptr(), register));
+        // SAFETY: a column has four numbers.
+        unsafe { vst1q_f32(column.as_mut_ptr(), register) };
     }
     square
 }

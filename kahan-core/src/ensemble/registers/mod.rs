@@ -1,7 +1,7 @@
 //! Vector registers as scalars, on any processor: the code that their types share.
 //!
-//! In: the names of a processor's operations. Out: a type that computes in all lanes at once what one
-//! float computes. `machine!`, which runs an operation, is the processor's own, with its reasons.
+//! In: the names of a processor's operations. Out: a type that computes in all lanes at once what
+//! one float computes. Each processor defines `machine!`, which runs an operation.
 
 #[cfg(test)]
 pub(super) mod tests;
@@ -80,16 +80,16 @@ macro_rules! lanes {
             #[inline(always)]
             fn load(entries: &[$float], place: usize) -> Self {
                 let entries = &entries[place..place + $lanes];
-                // The pointer is good for as many floats as the register holds, and need not be
-                // aligned.
-                Self(machine!($load(entries.as_ptr())))
+                // SAFETY: the slice holds as many floats as the register, and the address need not
+                // be aligned; the instruction exists, as `machine!` says.
+                Self(unsafe { $load(entries.as_ptr()) })
             }
 
             #[inline(always)]
             fn store(self, entries: &mut [$float], place: usize) {
                 let entries = &mut entries[place..place + $lanes];
-                // As in `load`.
-                machine!($store(entries.as_mut_ptr(), self.0));
+                // SAFETY: as in `load`.
+                unsafe { $store(entries.as_mut_ptr(), self.0) };
             }
 
             #[inline(always)]

@@ -36,7 +36,7 @@ fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
     ]
 }
 
-/// The same on one float, with one rounding or two in the multiply-adds.
+/// Computes the operations on one float, with one rounding or two in the multiply-adds.
 macro_rules! operations_on {
     ($name:ident, $float:ty) => {
         pub(in crate::ensemble) fn $name(

@@ -47,7 +47,7 @@ pub struct Elementary<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if ξ is none of 0, 1, −1, 2, 1/2, or
+    /// Returns the trajectory through `point` at t = 0. Fails unless ξ is 0, 1, −1, 2 or 1/2, and
     /// in the planes x = 0 (ξ = 0, 2), y = 0 (ξ = 1/2) and on the line x = y = 0 (ξ = ±1). These
     /// points are fixed, or have trajectories of another form.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {

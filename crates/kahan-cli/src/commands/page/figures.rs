@@ -35,7 +35,7 @@ impl Asked {
         Asked { line: Line::asking(&field.words, &question), answer }
     }
 
-    /// Returns the answer, or the reason why there is none, above the command line.
+    /// Returns the answer or the refusal, above the command line.
     pub(super) fn html(&self) -> Markup {
         html! {
             @match &self.answer {
@@ -236,7 +236,7 @@ impl Subject<'_> {
     }
 }
 
-/// A drawing with notes and an explanation, or the reason why there is none.
+/// A drawing with notes and an explanation, or a refusal.
 pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
 
 pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
