@@ -188,12 +188,12 @@ fn text(found: &CycleFound) -> String {
             Some(format!("at {name} = {parameter}: {}", found.said(point.change()?)))
         });
         let is_plain = found.flow.is_some() && found.rows().any(|(_, of_flow)| of_flow.is_none());
-        let is_halved = found.rows().any(|(point, _)| point.change() == Some(Change::Halved));
+        let has_end = found.rows().any(|(point, _)| point.change().is_some_and(Change::is_end));
         let mut lines: Vec<String> = changes.collect();
         lines.extend(
             is_plain.then(|| format!("periods without an error are those of {steps} steps: {PLAIN}")),
         );
-        lines.extend((branch.is_cut && !is_halved).then(|| CUT.to_owned()));
+        lines.extend((branch.is_cut && !has_end).then(|| CUT.to_owned()));
         [table(&branch_rows(found, name), 1), lines]
     });
     let groups = [cycle_lines, points].into_iter().chain(exact).chain(branch);

@@ -166,7 +166,7 @@ pub(super) fn follow(
             let is_within = (0.0..=1.0).contains(&last[last.len() - 1]);
             branch.turns.extend(turn.filter(|_| is_within));
             let mark = turn.map_or(Mark::Between, |turn| Mark::Change(turn.change));
-            if is_within && add(&mut branch, last, mark) || mark == Mark::Change(Change::Halved) {
+            if is_within && add(&mut branch, last, mark) || turn.is_some_and(|turn| turn.change.is_end()) {
                 return branch;
             }
         }
@@ -223,13 +223,13 @@ pub(super) trait Curve {
         self.corrected(place + tangent * stride, tangent)
     }
 
-    /// Whether the cycle at a place runs twice along one of half the period.
-    fn runs_twice(&self, _: &Place) -> bool {
-        false
+    /// Returns the change at a place where the curve turns back.
+    fn turning_back(&self, _: &Place) -> Change {
+        Change::Fold
     }
 
-    /// Whether all cycles in this direction run twice along one of half the period, so that the
-    /// curve is another one.
+    /// Returns whether a place is on another curve: of steady states, or of cycles that run twice
+    /// along one of half the period, as those in this direction.
     fn has_jumped(&self, _: &Place, _: &Place) -> bool {
         false
     }

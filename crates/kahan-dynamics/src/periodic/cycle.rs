@@ -164,15 +164,25 @@ impl PeriodicPoint {
         self.size
     }
 
-    /// The cycle of these points, judged; in units in which the point it was found from has a size
-    /// of about 1.
+    /// Returns the cycle of these points with the smallest period, in units in which the point that
+    /// it was found from has a size of about 1.
     pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &[f64], residual: f64) -> Self {
-        let n = map.dimension();
+        let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
+        let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
+        Self::of_period(map, cycle, period, residual)
+    }
+
+    /// Returns the cycle of the first `period` points, in the units of [`judged`](Self::judged).
+    pub(super) fn of_period<M: Differentiable>(
+        map: &InUnits<M>,
+        cycle: &[f64],
+        period: usize,
+        residual: f64,
+    ) -> Self {
         let largest = unit::size(cycle).max(map.unit.size);
-        let all: Vec<Vec<f64>> = cycle.chunks(n).map(<[f64]>::to_vec).collect();
-        let period = smallest_period(&all, largest);
-        let factors: Vec<DMatrix<f64>> = all[..period].iter().map(|x| map.derivative(x)).collect();
-        let points = all[..period].iter().map(|x| map.outside(x)).collect();
+        let all = || cycle.chunks(map.dimension()).take(period);
+        let factors: Vec<DMatrix<f64>> = all().map(|x| map.derivative(x)).collect();
+        let points = all().map(|x| map.outside(x)).collect();
         let Linearized { multipliers, family, margins } = Linearized::of(&factors);
         let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
         PeriodicPoint { points, residual, multipliers, family, size, margins }

@@ -11,6 +11,7 @@ use super::condensed::{Condensed, along};
 use super::cycle::PeriodicPoint;
 use super::flow::{FlowCycle, runs};
 use super::newton::defect;
+use super::turns::Change;
 use super::unit::{self, InUnits, Unit};
 
 /// Follows a cycle of the flow from the value `from` of a parameter towards `to`, like
@@ -83,6 +84,18 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         self.maps(place)[0].dimension()
     }
 
+    /// Returns whether the cycle runs twice along one of half the period.
+    fn runs_twice(&self, place: &Place) -> bool {
+        runs(Self::points(place), self.dimension(place), 2)
+    }
+
+    /// Returns the distances of all points from the first one together; the points of the first
+    /// cycle have a size of about 1.
+    fn extent(&self, place: &Place) -> f64 {
+        let (points, n) = (Self::points(place), self.dimension(place));
+        (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()
+    }
+
     fn eps(&self, place: &Place) -> f64 {
         self.eps * place[place.len() - 2]
     }
@@ -118,7 +131,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         let points: Vec<f64> = Self::points(place).iter().map(|x| x * ratio).collect();
         let map = InUnits { map: map.map, unit: self.unit };
         let residual = defect(&map, &points).map_or(f64::NAN, |gaps| unit::size(gaps.as_slice()));
-        let cycle = PeriodicPoint::judged(&map, &points, residual).of_flow();
+        let cycle =
+            PeriodicPoint::of_period(&map, &points, points.len() / map.dimension(), residual).of_flow();
         BranchPoint { parameter: self.parameter(place), eps: self.eps(place), cycle, mark: Mark::Between }
     }
 
@@ -127,11 +141,24 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         equations.solve(&[(&along, 0.0), (near, 1.0)])?.step.try_normalize(1e-8)
     }
 
-    fn runs_twice(&self, place: &Place) -> bool {
-        runs(Self::points(place), self.dimension(place), 2)
+    fn turning_back(&self, place: &Place) -> Change {
+        /// Nearer to a steady state the equations are almost singular.
+        const SMALL: f64 = 0.02;
+
+        match (self.extent(place) < SMALL, self.runs_twice(place)) {
+            (true, _) => Change::Hopf,
+            (false, true) => Change::Halved,
+            (false, false) => Change::Fold,
+        }
     }
 
     fn has_jumped(&self, place: &Place, tangent: &Place) -> bool {
+        /// Newton's method ends nearer to a steady state.
+        const SAME: f64 = 1e-6;
+
+        if self.extent(place) < SAME {
+            return true;
+        }
         // The two rounds move together.
         let (moves, n) = (Self::points(tangent), self.dimension(place));
         let half = moves.len() / n / 2 * n;

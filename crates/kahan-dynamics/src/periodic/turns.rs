@@ -16,12 +16,22 @@ pub enum Change {
     /// The points of a cycle of the flow come together in pairs: the branch ends on a cycle of half
     /// the period, where that one's period doubles.
     Halved,
+    /// A cycle of the flow shrinks to a steady state, where the branch ends.
+    Hopf,
     /// A real multiplier goes through 1, and the branch does not turn back.
     ThroughOne,
     /// A real multiplier goes through −1: cycles of twice the period may begin.
     ThroughMinusOne,
     /// A pair of complex multipliers goes through the unit circle.
     ThroughCircle,
+}
+
+impl Change {
+    /// Returns whether a branch ends there.
+    #[must_use]
+    pub fn is_end(self) -> bool {
+        matches!(self, Self::Halved | Self::Hopf)
+    }
 }
 
 /// What it means, in words.
@@ -32,6 +42,7 @@ impl fmt::Display for Change {
             Self::Halved => {
                 "the branch ends on a cycle of half the period, which doubles there; follow that one from here on"
             }
+            Self::Hopf => "the branch ends on a steady state, a Hopf point of the field",
             Self::ThroughOne => "a multiplier goes through 1",
             Self::ThroughMinusOne => "a multiplier goes through -1, the period may double",
             Self::ThroughCircle => "a pair of multipliers goes through the unit circle",
@@ -182,10 +193,9 @@ impl<C: Curve> Stride<'_, C> {
         (at, Turn { change: self.turning_back(self.at(at).as_ref()), parameter })
     }
 
-    /// Returns what happens at a place where the branch turns back.
+    /// Returns the change at a place where the branch turns back.
     fn turning_back(&self, there: Option<&Place>) -> Change {
-        let runs_twice = there.is_some_and(|there| self.arc.runs_twice(there));
-        if runs_twice { Change::Halved } else { Change::Fold }
+        there.map_or(Change::Fold, |there| self.arc.turning_back(there))
     }
 
     /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.

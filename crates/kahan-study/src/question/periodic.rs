@@ -210,7 +210,7 @@ impl CycleFound {
             Change::ThroughCircle => {
                 "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis"
             }
-            Change::ThroughMinusOne | Change::Halved => return change.to_string(),
+            Change::ThroughMinusOne | Change::Halved | Change::Hopf => return change.to_string(),
         };
         if self.cycle.points.len() == 1 { of_field.to_owned() } else { change.to_string() }
     }

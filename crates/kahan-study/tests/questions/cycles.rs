@@ -92,3 +92,22 @@ fn what_is_no_cycle_is_said_in_its_words() {
     let error = study(field).ask(&asked, &Unwatched).expect_err("no cycle");
     assert!(matches!(error, StudyError::NoCycle { .. }) && !error.to_string().contains("family"), "{error}");
 }
+
+#[test]
+fn a_branch_ends_where_the_cycle_shrinks_to_a_steady_state() {
+    // The Brusselator with a = 1 has its Hopf point at b = 1 + a².
+    let field = Subject::text("xdot = 1 + x^2*y - (b + 1)*x; ydot = b*x - x^2*y;").lifted(Which::Automatic);
+    let more = json!({"at": [1, 2], "transient": 2000, "over": {"b": "2.3:1.8:6"}});
+    let found = cycle(&field, 0.1, more);
+    let rows = found["branch"]["points"].as_array().expect("rows");
+    let values: Vec<f64> = rows.iter().map(|row| number(&row["parameter"])).collect();
+    assert_eq!(values[..3], [2.3, 2.2, 2.1], "{values:?}");
+    let [turn] = &found["branch"]["turns"].as_array().expect("turns")[..] else { panic!("{values:?}") };
+    assert!(turn["change"].as_str().is_some_and(|change| change.contains("Hopf")), "{turn}");
+    assert!(
+        (number(&turn["parameter"]) - 2.0).abs() <= number(&turn["error"]) && values.len() == 4,
+        "{turn}"
+    );
+    assert!(rows.iter().all(|row| row["flow"]["steps"] == rows[0]["flow"]["steps"]), "{rows:?}");
+    assert_eq!(found["branch"]["cut"], json!(true));
+}
