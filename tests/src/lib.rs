@@ -11,6 +11,7 @@ pub mod random_systems;
 #[cfg(doctest)]
 mod readmes;
 pub mod rounding;
+pub mod sources;
 pub mod subject;
 pub mod surface;
 pub mod taylor;

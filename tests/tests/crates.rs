@@ -3,10 +3,10 @@
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
-use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
+use kahan_tests::sources::root;
 use serde_json::Value;
 
 /// Dependencies reserved for the command and for drawing pages, with their permitted users.
@@ -34,10 +34,6 @@ const TIMED: [&str; 6] =
 
 /// The dependencies of each crate.
 type Uses = BTreeMap<String, BTreeSet<String>>;
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace")
-}
 
 /// Runs cargo in the workspace and returns its standard output.
 fn cargo(arguments: &[&str]) -> String {

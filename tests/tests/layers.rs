@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use kahan_tests::sources::{root, rust_files};
+
 /// A crate or module whose folders are layers.
 struct Layered {
     folder: &'static str,
@@ -140,8 +142,7 @@ const DRAW: Layered = Layered {
 
 impl Layered {
     fn source(&self) -> PathBuf {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
-        root.join(self.folder).join("src").join(self.module.map_or("", |(module, _)| module))
+        root().join(self.folder).join("src").join(self.module.map_or("", |(module, _)| module))
     }
 
     /// Returns the file that declares the layers.
@@ -158,11 +159,10 @@ impl Layered {
 
     /// Returns the files of a layer.
     fn files(&self, layer: &str) -> Vec<PathBuf> {
-        let mut found = Vec::new();
         let folder = self.source().join(layer);
-        if folder.exists() {
-            files(&folder, &mut found);
-        }
+        let mut found =
+            if folder.exists() { rust_files(&folder, |name| name != "tests") } else { Vec::new() };
+        found.retain(|file| !file.ends_with("tests.rs"));
         found.extend(Some(self.source().join(layer).with_extension("rs")).filter(|file| file.exists()));
         found
     }
@@ -223,17 +223,6 @@ fn code(path: &Path) -> String {
     let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
     let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     lines.collect::<Vec<_>>().join("\n")
-}
-
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("a folder of the crate") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() && !path.ends_with("tests") {
-            files(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") && !path.ends_with("tests.rs") {
-            found.push(path);
-        }
-    }
 }
 
 /// Returns the paths that begin a `use` tree or expression, expanded, up to two names long.

@@ -24,6 +24,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use kahan_tests::sources::root;
 use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
@@ -36,10 +37,6 @@ const OTHERS: usize = 4;
 
 fn every() -> impl Iterator<Item = &'static Weakening> {
     WEAKENINGS.iter().chain(MACHINE_CODE).chain(ORBITS)
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
 }
 
 /// Returns the folder of the workspace's builds, which holds this program.
@@ -63,12 +60,12 @@ fn copy_workspace() {
     let (made, found) = (folder(), folder().is_dir());
     let made = made.parent().expect("it was joined");
     if found {
-        return update(&root(), &folder());
+        return update(root(), &folder());
     }
     // Files keep their times, so builds stay valid. An unfinished copy has another name.
     let begun = made.with_extension("begun");
     let builds = builds();
-    copy(&root(), &begun.join("workspace"), &|path| !is_left_out(path));
+    copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
     let (from, to) = (builds.as_path(), begun.join("target").join("debug"));
     copy(&from.join("deps"), &to.join("deps"), &|path| {
         path.extension().is_some_and(|kind| ["d", "rlib", "rmeta", "so"].iter().any(|known| kind == *known))
