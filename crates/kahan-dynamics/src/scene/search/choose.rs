@@ -1,7 +1,8 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! In: a search. Out: its verdict. A ladder is climbed for each order, in plain `f64` first. A
-//! second method then confirms the flow ([`vouch`](super::vouch)), and [`Search::refine`] follows.
+//! For each order it tries increasing numbers of steps in plain `f64` (a [ladder](Search::ladder)).
+//! An independent orbit in `Dd` then confirms the flow ([`vouch`](super::vouch)), and
+//! [`Search::refine`] minimises the cost.
 
 use kahan_core::Composition;
 
@@ -17,10 +18,10 @@ pub(super) const COUNTED: Rules = Rules {
     // Part of the time is reserved for the trial that confirms the flow.
     share: 0.45,
 };
-/// The factor by which the error of a trial in `Dd` must be below the tolerance to confirm the
-/// flow.
+/// An orbit in `Dd` confirms the flow if their distance is below the tolerance divided by this
+/// factor.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The most rungs of a ladder that begins where another ladder met rounding errors.
+/// The most trials of a ladder that begins where another ladder met rounding errors.
 const MORE_RUNGS: usize = 5;
 
 /// The scheme of the first trials: plain `f64`.
@@ -41,7 +42,7 @@ pub(in crate::scene) enum Verdict {
     None {
         /// The least error of all trials.
         least_error: f64,
-        /// Whether rounding errors were seen in some ladder, or in the flow.
+        /// Whether a ladder, or the flow, met rounding errors.
         is_rough: bool,
     },
 }
@@ -85,8 +86,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Climbs the ladder of an order in plain `f64`, and, if rounding errors matter, in the other
-    /// schemes. If a setting serves, confirms the flow.
+    /// Runs the ladder of an order in plain `f64`, and in the other schemes if rounding errors
+    /// matter. If a setting serves, confirms the flow.
     fn climb(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.ladder(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
@@ -101,8 +102,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Returns whether an orbit in `Dd`, whose rounding errors are independent, agrees with the
-    /// flow well enough.
+    /// Returns whether an orbit in `Dd`, with independent rounding errors, agrees with the flow.
     fn is_vouched_for(&self) -> bool {
         let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))
