@@ -204,7 +204,6 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Along { flow: self, piece: 0, value: [T::zero(); N] }
     }
 
-    /// Returns the last piece that begins at or before t.
     fn piece_at(&self, t: Dd) -> &Piece<T> {
         let later = self.pieces.partition_point(|piece| piece.start <= t);
         &self.pieces[later.saturating_sub(1)]
@@ -229,7 +228,6 @@ pub(crate) struct Along<'a, T, const N: usize> {
 }
 
 impl<T: Digits, const N: usize> Along<'_, T, N> {
-    /// Works like [`Flow::distance`].
     pub(crate) fn distance(&mut self, t: Dd, x: &[Dd; N]) -> f64 {
         let pieces = &self.flow.pieces;
         while pieces.get(self.piece + 1).is_some_and(|next| next.start <= t) {

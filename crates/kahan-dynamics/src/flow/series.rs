@@ -35,7 +35,6 @@ pub(super) struct Expansion<'a, F, T, const N: usize> {
     constant: SVector<T, N>,
 }
 
-/// The Taylor series at one point.
 #[derive(Clone, Debug)]
 pub(super) struct Series<T, const N: usize> {
     /// The coefficients x₀, x₁, … of powers of rate·(t − t₀).
@@ -133,7 +132,6 @@ fn radius<T: Digits, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let estimate = |i: usize, last: usize| {
         let (left_out, allowed) = (size(last, i), T::PART_OF_RADIUS.powi(last as i32));
         if !left_out.is_finite() {
-            // The coefficient overflowed.
             return 0.0;
         }
         let step = |k: usize| (allowed * (size(k, i) / left_out)).powf(1.0 / (last - k) as f64);

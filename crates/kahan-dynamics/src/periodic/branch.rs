@@ -107,7 +107,6 @@ pub fn branch<M: Parametric>(
     follow(&arc, place, steps, see)
 }
 
-/// Follows a solution curve from a position on it.
 pub(super) fn follow(
     arc: &impl Curve,
     mut place: Place,
@@ -204,10 +203,8 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
 
 /// A one-parameter curve of cycles.
 pub(super) trait Curve {
-    /// Returns the value of the parameter.
     fn parameter(&self, place: &Place) -> f64;
 
-    /// Returns the cycle with its multipliers.
     fn judged(&self, place: &Place) -> BranchPoint;
 
     /// Returns the unit tangent nearest to the direction `near`.

@@ -13,7 +13,6 @@ use kahan_core::nalgebra::{DMatrix, DVector};
 use super::Differentiable;
 use super::unit::InUnits;
 
-/// The condensed equations of one cycle.
 pub(super) struct Condensed {
     /// For each i the matrix that maps (dx₀, de, 1) to dxᵢ.
     affine: Vec<DMatrix<f64>>,
@@ -53,7 +52,6 @@ impl Condensed {
             }
             affine.push(std::mem::replace(&mut rows, next));
         }
-        // Subtract dx₀: the cycle closes.
         for k in 0..n {
             rows[(k, k)] -= 1.0;
         }

@@ -333,9 +333,8 @@ pub fn periodic_point<M: Differentiable>(
     Ok(PeriodicPoint::judged(&map, cycle.as_slice(), residual))
 }
 
-/// The smallest divisor of the number of points after which they come again.
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// Points that are nearer than this, relative to their size, are one.
+    /// Points closer than this, relative to their size, are equal.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

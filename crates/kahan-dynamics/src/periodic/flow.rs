@@ -143,7 +143,6 @@ struct Search<'a, F> {
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
-    /// Begins a search with an orbit of `start`.
     fn of_orbit<'a>(
         map: &'a F,
         start: &[f64],
@@ -216,7 +215,6 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         equations.solve(&[(&along(points, map.dimension(), 1), 0.0)])
     }
 
-    /// Judges the cycle at which the search ended.
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
         /// A family of cycles: the singular values have a smaller ratio, and a second multiplier is
         /// near 1. If only the flow, and not the map, has a family, the ratio is a power of ε.

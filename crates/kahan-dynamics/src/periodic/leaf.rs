@@ -17,11 +17,9 @@ pub struct Leaf {
     determined: Vec<Determined>,
 }
 
-/// A variable as an affine function of the free variables.
 #[derive(Clone, Debug, PartialEq)]
 struct Determined {
     index: usize,
-    /// The value at zero free variables.
     constant: f64,
     slopes: Vec<f64>,
 }

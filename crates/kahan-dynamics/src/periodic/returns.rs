@@ -29,8 +29,7 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     const RETURNS: usize = 24;
     /// In units of the extent: a return leaves this neighbourhood and enters it again.
     const NEAR: f64 = 0.1;
-    /// Below this distance returns rank equal: it is the error of the parabola through three
-    /// points.
+    /// Below this distance returns rank equal: interpolation is no more accurate.
     const ALIKE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };

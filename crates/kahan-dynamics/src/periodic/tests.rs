@@ -10,7 +10,6 @@ use kahan_core::{Dual, Step, Stopped, Workspace};
 
 use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
-/// A hand-written map without ε.
 trait ByHand {
     const DIMENSION: usize;
 

@@ -69,7 +69,6 @@ pub(super) struct Stride<'a, C> {
 
 /// A sample within a step: direction of the parameter, and cycle.
 struct Post {
-    /// The distance along the step.
     at: f64,
     /// Whether the parameter moves towards the end of its range.
     goes_ahead: bool,
@@ -192,7 +191,6 @@ impl<C: Curve> Stride<'_, C> {
         (at, Turn { change: self.turning_back(self.at(at).as_ref()), parameter })
     }
 
-    /// Returns the kind of bifurcation where the parameter reverses.
     fn turning_back(&self, there: Option<&Place>) -> Change {
         there.map_or(Change::Fold, |there| self.arc.turning_back(there))
     }

@@ -8,7 +8,6 @@ use kahan_core::nalgebra::DMatrix;
 
 use super::{Differentiable, Parametric};
 
-/// A unit of length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
     /// A power of two.
@@ -51,19 +50,16 @@ impl<M: Differentiable> InUnits<M> {
         self.map.dimension()
     }
 
-    /// Returns the image of x.
     pub(super) fn image(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.image(&self.outside(x)))
     }
 
-    /// Returns the derivative of the image with respect to x.
     pub(super) fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         self.map.derivative(&self.outside(x))
     }
 }
 
 impl<M: Parametric> InUnits<M> {
-    /// Returns the derivative of the image with respect to the parameter.
     pub(super) fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.by_parameter(&self.outside(x)))
     }

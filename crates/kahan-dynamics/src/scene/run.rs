@@ -13,10 +13,8 @@ trait Task<const N: usize> {
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
-/// The task of returning the point after this number of steps.
 struct Last(usize);
 
-/// The task of showing points, up to this number of steps, while the visitor returns `true`.
 struct While<F>(u64, F);
 
 impl<const N: usize> Task<N> for Last {

@@ -55,7 +55,6 @@ struct Budget {
 }
 
 impl Budget {
-    /// Computes the solution from `start` over the horizon, in the scalar T of the field.
     fn flow<T, F, const N: usize>(
         &mut self,
         scene: &Scene,

@@ -202,7 +202,7 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Noise that hides the growth gives `Undecided`; a large height that hardly moves decides nothing.
+/// Noise that hides the growth gives `Undecided`; nearly constant heights, however large, too.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

@@ -1,5 +1,5 @@
-//! Growth classes of systems of the catalog. The tests of `kahan-paper` compare the orbits of the
-//! paper's figures height by height.
+//! Growth classes of systems of the catalog. `kahan-paper` tests the heights in the paper's
+//! figures.
 
 use kahan_runtime::heights::{Growth, Survey};
 

@@ -24,16 +24,13 @@ pub(in crate::scene) const VOUCHING: f64 = 10.0;
 /// The most trials of a ladder that begins where another ladder met rounding errors.
 const MORE_RUNGS: usize = 5;
 
-/// The scheme of the first trials: plain `f64`.
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
 /// The scheme in `Dd`, whose rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
 /// The alternatives to plain `f64` for a single orbit; steps in `f32` take as long as in `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
-/// The alternatives in `f64`.
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
-/// The result of a search.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
     /// The cheapest setting that serves; its error includes the uncertainty of the flow.
@@ -48,7 +45,6 @@ pub(in crate::scene) enum Verdict {
 }
 
 impl<L: Trials> Search<L> {
-    /// Prepares a search with costs by counted operations.
     pub(in crate::scene) const fn counted(trials: L, tolerance: f64) -> Self {
         Self::new(trials, tolerance, COUNTED)
     }

@@ -124,7 +124,6 @@ impl<L: Trials> Search<L> {
         serve.min_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.error.total_cmp(&b.error))).copied()
     }
 
-    /// Returns the largest error that serves.
     fn enough(&self) -> f64 {
         self.rules.enough * self.tolerance
     }
