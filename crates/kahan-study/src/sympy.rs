@@ -1,4 +1,4 @@
-//! Formulas in the notation of `sympy.sympify`, and a script that reads the formulas of a sheet.
+//! Formulas in the notation of `sympy.sympify`, and a script that defines the formulas of a sheet.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -24,7 +24,6 @@ const KEYWORDS: [&str; 37] = [
     "yield",
 ];
 
-/// Converts a formula of [`Text`] to Python.
 fn python(text: &str) -> String {
     let mut formula = String::new();
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {

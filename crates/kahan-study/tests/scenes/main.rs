@@ -141,7 +141,7 @@ fn sweep(seed: u64, count: u64) -> Vec<Judged> {
     judged.into_iter().map(|(_, judged)| judged).collect()
 }
 
-/// Prints missed tolerances and refusals, and checks the bounds promised by `Scene::choose`.
+/// Prints missed tolerances and refusals, and checks the bounds claimed by `Scene::choose`.
 fn check(seed: u64, count: u64) {
     let judged = sweep(seed, count);
     let (mut accepted, mut refused, mut unjudged, mut blind) = (0, 0, 0, 0);
