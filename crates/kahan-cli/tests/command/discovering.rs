@@ -1,5 +1,4 @@
-//! `kahan discover` and `kahan scan`: findings that prove again, keys of JSON, refusals. Further
-//! systems of the catalog claim what is found.
+//! `kahan discover` and `kahan scan`: results that can be proved again, keys of JSON, refusals.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
@@ -148,11 +147,11 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
-        // A degree ends the search early.
+        // A fixed degree ends the search early.
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // A basis stands for integrals without a short formula.
+        // A basis replaces integrals without a short formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
