@@ -1,4 +1,4 @@
-//! The command `kahan-sweep`: arguments in, words and an exit status out.
+//! The command `kahan-sweep`: arguments in, text and an exit status out.
 
 use std::ffi::OsString;
 use std::fs;
@@ -168,7 +168,7 @@ impl Cli {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
-            // A broken pipe means that the reader has read enough.
+            // A broken pipe means that the reader needs no more.
             Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
                 Err((format!("the rows cannot be written: {error}"), 1))
             }
@@ -199,7 +199,7 @@ impl Cli {
         (text, u8::from(!is_whole))
     }
 
-    /// Returns the shard, and the number of the sweep's processes on this machine.
+    /// Returns the shard, and the number of processes of the sweep on this machine.
     fn shard(&self) -> Result<(Shard, usize), String> {
         let said = self.shard.as_deref();
         if let Some(text) = said.filter(|text| *text != "auto") {

@@ -37,7 +37,7 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A newline would end the comment in which the path stands.
+        // A newline would end the comment that contains the path.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

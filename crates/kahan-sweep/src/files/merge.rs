@@ -1,4 +1,4 @@
-//! Merging all parts into one file, by copying their row groups unchanged.
+//! Merges all parts into one file by copying their row groups unchanged.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -54,7 +54,8 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Temporary files of killed processes; a process that still merges will find the result.
+    // Removes temporary files of killed processes; a process that is still merging will find the
+    // result.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

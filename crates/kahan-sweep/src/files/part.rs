@@ -42,7 +42,7 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
     (false, _) => "on another processor",
 };
 
-/// A reason why an existing part cannot be used.
+/// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum Unusable {
     /// The file is incomplete, altered or another part; its shard can write it again.
@@ -120,7 +120,7 @@ impl<'a> Part<'a> {
         self.path.exists()
     }
 
-    /// Opens the file after checking its checksum, and that plan, version and place are right.
+    /// Opens the file after checking its checksum, plan, version and index.
     pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
         let name = self.path.file_name().unwrap_or_default().display();
         let damaged = |why: &dyn Display| Unusable::Damaged(format!("{name} is damaged ({why})"));
@@ -220,7 +220,7 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// The digits that stand for the checksum while it is computed.
+/// Placeholder digits while the checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
 /// The CRC-32 of a whole file, including the footer. The checksum's own digits count as zeros.

@@ -51,7 +51,7 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // The plan's own keys stand outside of tables.
+        // The plan's own keys are outside of tables.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
