@@ -1,6 +1,8 @@
-//! Drawings with axes: points in the plane, orbits in space, and grids of numbers. A description
-//! ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a file as SVG,
-//! PNG or PDF. Lengths are units of the view box; a small box keeps text legible on telephones.
+//! Drawings with axes: points in the plane, orbits in space, and grids of numbers.
+//!
+//! A description ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a
+//! file as SVG, PNG or PDF. Lengths are units of the view box; a small box keeps text legible on
+//! telephones.
 
 mod drawing;
 mod grid;
@@ -309,7 +311,7 @@ impl Frame {
     }
 }
 
-/// Draws the name of an axis, centred at a place as far as its extent permits.
+/// Draws the name of an axis, centred at a position as far as its extent permits.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
@@ -319,7 +321,7 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
     Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
 }
 
-/// Returns the places and labels of an axis's ticks, as many as fit without overlap.
+/// Returns positions and labels of an axis's ticks, as many as fit without overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
     /// The height of a line, and the gap between labels.
     const LINE: f64 = 14.0;

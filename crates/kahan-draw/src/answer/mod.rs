@@ -1,5 +1,5 @@
-//! Answers as parts of a page: HTML for pages, and tables that text output prints, too. Commands
-//! and their arguments are unknown here.
+//! Answers as HTML for pages, and as tables that text output also prints. Commands and their
+//! arguments are deliberately absent.
 
 mod discovered;
 mod lifted;

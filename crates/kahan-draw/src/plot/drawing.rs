@@ -53,7 +53,7 @@ impl Drawing {
         let Sheet { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Fonts of printers; the letters of both have equal widths.
+        // Fonts of printers; both have letters of equal widths.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -81,7 +81,7 @@ impl Drawing {
     }
 }
 
-/// A reason why a drawing has no file.
+/// The reason why a drawing has no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoFile {
     /// The file name's extension belongs to no format.

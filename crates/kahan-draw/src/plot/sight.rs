@@ -1,6 +1,6 @@
-//! Simulated colour vision, for tests of the palette. Missing cones follow the matrices of severity
-//! 1 by Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
-//! vision deficiency" (2009).
+//! Simulated colour vision deficiency, for tests of the palette, by the matrices of severity 1 of
+//! Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision
+//! deficiency" (2009).
 
 pub(super) type Linear = [f64; 3];
 

@@ -43,8 +43,8 @@ const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
 /// The number of depth layers. The width of lines changes invisibly from one layer to the next.
 const LAYERS: usize = 24;
-/// A box with a larger ratio of lengths than `SLENDER` is stretched to unit height and up to
-/// `BROAD` times that width.
+/// A box whose ratio of lengths exceeds `SLENDER` is stretched to unit height and at most `BROAD`
+/// times that width.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
@@ -56,7 +56,7 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 struct View {
-    /// The place of the box's middle in the drawing.
+    /// The position of the box's middle in the drawing.
     centre: Place,
     middle: [f64; 3],
     /// The factors of the box's lengths before rotation.

@@ -1,4 +1,4 @@
-//! Tests of places, labels and descriptions.
+//! Tests of positions, labels and descriptions.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -33,7 +33,7 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The right end of the frame, on the way to (99, 1).
+    // The right end of the frame, on the line to (99, 1).
     assert!(path.contains("L466 "), "{path}");
 }
 
