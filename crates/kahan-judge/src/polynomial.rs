@@ -1,8 +1,7 @@
 //! Polynomials with integer coefficients at exact points.
 //!
 //! In: polynomials with rational coefficients. Out: their values, all multiplied by one integer, so
-//! that ratios are unchanged. They are evaluated term by term, independently of the code of the
-//! judged steps.
+//! that ratios are unchanged. Evaluation is term by term, independent of the tested code.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;

@@ -1,6 +1,6 @@
-//! Real roots of polynomials in one variable with exact coefficients, to any number of bits.
+//! Real roots of univariate polynomials with exact coefficients, to any number of bits.
 //!
-//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not looked for.
+//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not found.
 
 use std::cmp::Ordering;
 
@@ -46,7 +46,7 @@ fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     })
 }
 
-/// Returns the sign if terms cancel to no less than 2⁻⁴⁰ of their sizes. The error of each term is
+/// Returns the sign unless terms cancel to less than 2⁻⁴⁰ of their sizes. The error of each term is
 /// a few units of 2⁻⁵² for every power.
 fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
     let (significand, binade) = v.leading();

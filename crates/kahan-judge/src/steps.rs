@@ -1,9 +1,9 @@
-//! The judged steps: a system's plans, run one operation after the other.
+//! The tested steps: a system's plans, run one operation after the other.
 //!
 //! In: a system at parameters at which it is defined. Out: every step of its map over a scalar,
-//! with the bits of macro-generated code; tests compare them on the whole catalog. Dimensions are
-//! padded to four or eight with states that stand still: the first arithmetic of `try_step` differs
-//! between these, and compiling two dimensions takes a quarter of the time of eight.
+//! with the bits of generated code; tests compare them on the whole catalog. Dimensions are padded
+//! to four or eight with constant states: the first arithmetic of `try_step` differs between these,
+//! and compiling two dimensions takes a quarter of the time of eight.
 
 use std::fmt::Debug;
 
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     /// `try_step` in `f32` begins in `f32` up to four variables, and in `f64` beyond; padding must
-    /// not change which.
+    /// not change this.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

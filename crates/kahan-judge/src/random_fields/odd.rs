@@ -2,7 +2,7 @@
 //!
 //! In: seeds. Out: the text of fields of 1 to 8 variables, and of more for tests. Literals lie
 //! between 2^-1070 and 2^1020, with few bits or with all; coefficients nearly cancel; parameters
-//! and their differences occur as divisors. Nothing here knows how a step is judged.
+//! and their differences occur as divisors. Tests of steps are deliberately absent.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -24,7 +24,7 @@ impl OddField {
     }
 }
 
-/// Draws the field with this number, of 1 to 8 variables in turn.
+/// Draws the field with this number, cycling through 1 to 8 variables.
 pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
