@@ -107,8 +107,8 @@ pub(crate) fn named<'py>(
 /// The columns of the states in a table, and the columns of parameters and `eps` with their names.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns of a table, which needs one for each of the first `least` states. With
-/// `varies`, parameters and `eps` may have columns, too. `name` is the argument of the caller.
+/// Finds the columns of a table, with one for each of the first `least` states. With `varies`,
+/// parameters and `eps` may also have columns. `name` is the argument of the caller.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),

@@ -1,4 +1,4 @@
-//! Long work beside the interpreter, with its lock released, Ctrl-C and reports of progress.
+//! Long work outside of the interpreter's lock, with Ctrl-C and reports of progress.
 //!
 //! Python handles signals only on its main thread, and only while that thread runs Python code. The
 //! work therefore has its own thread, while the caller's thread checks for signals a hundred times
@@ -25,7 +25,7 @@ const SHORT: u64 = 1 << 16;
 /// The stack of a worker; recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The caller as seen by the work: its [`Watch`].
+/// The caller from the work's side, as a [`Watch`].
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -185,8 +185,8 @@ pub(crate) fn beside_if_long<R: Send>(
     Ok(result)
 }
 
-/// Works like [`beside`], but does not wait for work that was asked to end: with numbers of a
-/// million digits, it may take seconds to notice. The work must not borrow.
+/// Works like [`beside`], but returns without waiting for the end of cancelled work: with numbers
+/// of a million digits, it may take seconds to notice. The work must not borrow.
 ///
 /// # Errors
 /// See [`beside`].

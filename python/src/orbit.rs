@@ -121,7 +121,7 @@ impl Field {
     }
 }
 
-/// The reason for which a point has no image.
+/// The reason why a point has no image.
 enum NoStep {
     Dimension(DimensionError),
     /// A singular step, with the index of the point.
@@ -184,7 +184,7 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         checked: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        // The result may overwrite the input, so that is copied first.
+        // Copy the input first, since the result may overwrite it.
         let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
         match floats(copied.as_ref().unwrap_or(x), "x")? {
             Floats::Double(x) => self.next(&x, eps, out, checked),
@@ -358,7 +358,7 @@ pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
     NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
 }
 
-/// Returns the number of rows of an orbit, if it is within the range of indices.
+/// Returns the number of rows of an orbit, if it fits an index.
 pub(crate) fn room(paces: &Paces) -> PyResult<usize> {
     let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
     rows.ok_or_else(|| too_long(paces))
