@@ -12,7 +12,6 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 
-/// ε, rounded to a double.
 pub(crate) struct Eps(pub(crate) f64);
 
 impl FromPyObject<'_, '_> for Eps {
@@ -23,7 +22,6 @@ impl FromPyObject<'_, '_> for Eps {
     }
 }
 
-/// Returns the float nearest to a number, or to a number written as text.
 fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(number) = given.extract() {
         return Ok(number);
@@ -48,7 +46,6 @@ pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, Py
     }
 }
 
-/// An array for reading.
 pub(crate) enum Floats<'py> {
     /// Double precision.
     Double(PyReadonlyArrayDyn<'py, f64>),

@@ -16,9 +16,7 @@ use kahan_study::{Finding, Progress, Watch};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// The time between checks for signals.
 const LOOK: Duration = Duration::from_millis(10);
-/// The time between reports of progress.
 const TOLD: Duration = Duration::from_millis(100);
 /// The most numbers computed without a check for signals: some milliseconds of work.
 const SHORT: u64 = 1 << 16;

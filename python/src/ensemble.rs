@@ -174,7 +174,6 @@ impl Field {
 /// Many trajectories of one field.
 pub(crate) struct Many<T: Float> {
     pub(crate) at: MapAt<T>,
-    /// One ε, or one for each trajectory.
     pub(crate) eps: Vec<T>,
     /// For each parameter one value, or one for each trajectory; empty if all values are the map's.
     pub(crate) constants: Vec<Vec<T>>,
@@ -254,7 +253,6 @@ impl<T: Float> Many<T> {
     }
 }
 
-/// Trajectories of one thread, stored by columns.
 pub(crate) struct Piece<'a, T: Float> {
     many: &'a Many<T>,
     columns: Vec<Vec<T>>,
@@ -284,7 +282,6 @@ impl<'a, T: Float> Piece<'a, T> {
         Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
     }
 
-    /// Makes `steps` steps, or fewer if the caller ends the work.
     pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
         let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
@@ -340,7 +337,6 @@ impl<'a, T: Float> Piece<'a, T> {
 }
 
 impl Many<f64> {
-    /// Observes the orbits of points, stored row by row.
     fn observed(
         &self,
         rows: &[f64],

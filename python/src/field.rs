@@ -25,7 +25,6 @@ pub(crate) struct Field {
     last: Mutex<Last>,
 }
 
-/// A cache of the last calls' maps.
 #[derive(Default)]
 pub(crate) struct Last {
     double: Option<MapAt<f64>>,
@@ -66,7 +65,6 @@ impl Float for f32 {
 }
 
 impl Field {
-    /// Returns the map at the field's parameters.
     pub(crate) fn map(&self, py: Python<'_>) -> PyResult<Map> {
         self.study.map().cloned().map_err(|error| of_study(py, &error))
     }
@@ -119,12 +117,10 @@ impl Field {
 }
 
 impl Field {
-    /// Returns the study of the field.
     pub(crate) fn study(&self) -> &Study {
         &self.study
     }
 
-    /// Returns the number of variables.
     pub(crate) fn dimension(&self) -> usize {
         self.study.variables().len()
     }
@@ -144,7 +140,6 @@ impl Field {
         wrong_shape(name, &wanted, &given.collect::<Vec<_>>())
     }
 
-    /// Returns the name of a parameter.
     pub(crate) fn parameter(&self, k: usize) -> &str {
         &self.study.parameters()[k]
     }
@@ -191,7 +186,6 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     Ok(Lifting { which, start, names, time, shows_all, ..Lifting::default() })
 }
 
-/// A field as given by Python.
 #[derive(FromPyObject)]
 enum Given<'py> {
     /// A text.
@@ -227,7 +221,6 @@ impl Given<'_> {
     }
 }
 
-/// Reads a question from JSON.
 pub(crate) fn question(json: &str) -> PyResult<Question> {
     serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
 }

@@ -128,7 +128,6 @@ enum NoStep {
     Singular(usize, SingularStep),
 }
 
-/// The options of an orbit.
 struct Asked<'py> {
     eps: f64,
     steps: u64,
@@ -290,7 +289,6 @@ fn of_map<'py, T>((rows, _, end, steps): Orbit<'py, T>) -> Rows<'py> {
     (rows, end.steps(steps), end.name(), None)
 }
 
-/// Returns the rows of one orbit of a lifted field.
 fn follow_lifted<'py, S>(
     py: Python<'py>,
     step: &LiftedStep<'_, S>,
@@ -372,19 +370,16 @@ pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<
     Ok(all)
 }
 
-/// Builds the error of an orbit that exceeds memory.
 fn too_long(paces: &Paces) -> PyErr {
     let points = paces.steps / paces.every;
     PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }
 
-/// Returns the composition of an order.
 pub(crate) fn composition(order: u32) -> PyResult<Composition> {
     Composition::of_order(order)
         .ok_or_else(|| PyValueError::new_err(format!("order {order} is not there; choose 2, 4, 6 or 8")))
 }
 
-/// Builds the error of an array with a wrong shape.
 pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
     let found = shown(found);
     PyValueError::new_err(format!(

@@ -79,7 +79,6 @@ struct Parts<'a> {
     raised: Option<PyErr>,
 }
 
-/// The number of values in a block.
 const AT_ONCE: usize = 1 << 20;
 
 impl Rows for Parts<'_> {

@@ -19,7 +19,6 @@ use crate::errors::of_dimension;
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The most steps between two checks for signals.
 const MOMENT: u64 = 4096;
 
 #[pymethods]
@@ -74,7 +73,6 @@ impl Field {
     }
 }
 
-/// The options of `_derivatives`, without rows and names.
 struct Asked<'py> {
     eps: f64,
     every: NonZeroU64,
@@ -132,7 +130,6 @@ impl Field {
         vectors
     }
 
-    /// Returns the derivatives along the rows of an orbit.
     fn along<'py, T: Float>(
         &self,
         rows: &PyReadonlyArrayDyn<'py, T>,

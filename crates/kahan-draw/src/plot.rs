@@ -175,7 +175,6 @@ impl Plot {
         self.x.shows(x) && self.y.shows(y)
     }
 
-    /// Returns the polylines through the points, clipped to the axes.
     fn lines(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
         for pair in points.windows(2) {
@@ -190,7 +189,6 @@ impl Plot {
         lines
     }
 
-    /// Clips the segment between two points to the axes.
     fn part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
         let mut ends = [0.0_f64, 1.0];
         for (axis, from, to) in [(&self.x, from.0, to.0), (&self.y, from.1, to.1)] {
@@ -247,7 +245,6 @@ struct Frame {
     bottom: f64,
 }
 
-/// The margins above and below the frame.
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 

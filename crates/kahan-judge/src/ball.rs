@@ -47,7 +47,6 @@ impl Ball {
         self.middle.is_zero() && self.radius.is_zero()
     }
 
-    /// Returns whether the ball excludes 0.
     pub(crate) fn is_not_zero(&self) -> bool {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
@@ -57,7 +56,6 @@ impl Ball {
         &self.middle.clone().abs() - &self.radius
     }
 
-    /// Returns an upper bound of |v| over the ball.
     pub(crate) fn most(&self) -> Dyadic {
         &self.middle.clone().abs() + &self.radius
     }

@@ -21,7 +21,6 @@ impl Dyadic {
         Self { integer: integer.into(), exponent }
     }
 
-    /// Returns the exact value of a float; `None` for infinities and NaN.
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
         // Without trailing zeros, products of small integers stay small.
@@ -46,7 +45,6 @@ impl Dyadic {
         Self { integer: self.integer.magnitude().clone().into(), ..self }
     }
 
-    /// Returns self·2^power.
     pub(crate) fn scaled(mut self, power: i64) -> Self {
         self.exponent += power;
         self

@@ -17,7 +17,6 @@ pub(crate) fn precisions() -> impl Iterator<Item = u64> {
     successors(Some(LEAST_BITS), |bits| Some(2 * bits)).take_while(|bits| *bits <= MOST_BITS)
 }
 
-/// The result of an elimination.
 #[derive(Debug)]
 pub(crate) enum Eliminated<R> {
     Solved(R),
@@ -47,7 +46,6 @@ impl Matrix {
         Self { rows: (0..n).map(row).collect(), bits }
     }
 
-    /// Returns the solutions, row by row, and det A.
     pub(crate) fn solve(mut self) -> Eliminated<(Vec<Vec<Ball>>, Ball)> {
         let (n, bits) = (self.rows.len(), self.bits);
         let size = |row: &Vec<Ball>| row[..n].iter().filter_map(|entry| entry.middle().binade()).max();

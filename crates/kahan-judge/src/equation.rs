@@ -87,7 +87,6 @@ impl Equation {
         self.states
     }
 
-    /// Returns the index of ε among the variables: states, parameters, ε.
     pub(crate) fn epsilon(&self) -> usize {
         self.states + self.parameters
     }
@@ -119,7 +118,6 @@ impl Equation {
 }
 
 impl AtPoint {
-    /// Returns whether all denominators q are nonzero.
     pub(crate) fn is_defined(&self) -> bool {
         self.rows.iter().all(|row| !row.denominator.is_zero())
     }

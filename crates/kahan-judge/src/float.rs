@@ -15,13 +15,11 @@ pub(crate) struct Format {
 }
 
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
-    /// The name in tables.
     const NAME: &'static str;
     /// The tier of `step`: `fast` or `accurate`.
     const STEP_TIER: &'static str;
     /// The tier of the step that is computed in a wider format and rounded once, if one exists.
     const WIDER_TIER: Option<&'static str> = None;
-    /// The format in which results are judged.
     const FORMAT: Format;
     /// The number of bits of drawn numbers, the largest possible.
     const BITS: i64;
@@ -35,7 +33,6 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
 
     fn of(value: f64) -> Self;
 
-    /// Returns the exact value; `None` for infinities and NaN.
     fn exact(self) -> Option<Dyadic> {
         let wide: Dd = self.into();
         Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)

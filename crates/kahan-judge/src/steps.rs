@@ -16,7 +16,6 @@ use super::float::Float;
 
 /// The steps of one map over one scalar; results have the length of x.
 pub(crate) trait Steps<T>: Debug + Send + Sync {
-    /// Makes the step by `step`.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;

@@ -28,7 +28,6 @@ pub(crate) struct Tried {
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) name: String,
-    /// The given values of parameters; the others are drawn.
     pub(crate) parameters: Vec<Option<Rational>>,
     /// Whether parameters are drawn from the whole range.
     pub(crate) is_odd: bool,

@@ -104,7 +104,6 @@ fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -
     serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
 
-/// The number of failures kept of each kind.
 const SHOWN: usize = 3;
 
 impl Tally {

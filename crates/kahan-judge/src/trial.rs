@@ -21,7 +21,6 @@ pub(crate) struct Trials<'a, T> {
     seed: u64,
 }
 
-/// The trials of one scalar with their steps.
 pub(crate) struct Ready<'a, T> {
     trials: Trials<'a, T>,
     steps: Vec<Box<dyn Steps<T>>>,

@@ -35,7 +35,6 @@ impl Monomial {
         self.0.get(coordinate).copied().unwrap_or(0)
     }
 
-    /// Returns the coordinates with nonzero exponents.
     pub(crate) fn powers(&self) -> impl Iterator<Item = (usize, i16)> + '_ {
         self.0.iter().copied().enumerate().filter(|&(_, exponent)| exponent != 0)
     }

@@ -223,7 +223,6 @@ impl Ring {
         self.normal.known().clear();
     }
 
-    /// Returns whether no relation rewrites the monomial.
     pub(crate) fn is_normal(&self, monomial: &Monomial) -> bool {
         self.rewritten(monomial).is_none()
     }
@@ -278,7 +277,6 @@ impl Ring {
         sum
     }
 
-    /// Returns the product in normal form.
     pub(crate) fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
         let mut product = Laurent::zero();
         for (monomial, coefficient) in left.terms() {

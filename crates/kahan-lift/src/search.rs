@@ -190,7 +190,6 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Returns whether each variable has a defining quadratic relation.
     fn are_founded(&mut self, set: &[Id]) -> bool {
         set.iter().all(|&id| {
             let monomial = self.table.monomial(id).clone();

@@ -192,7 +192,6 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(self.engine().divides_by_zero(self.stages(), &mut x.to_vec()))
     }
 
-    /// Returns the map of this field with other parameters and another ε.
     fn at_constants(&self, map: Map, parameters: impl Iterator<Item = T>, eps: T) -> Self {
         let constants = parameters.chain([eps]).collect();
         MapAt { map, constants, ..self.clone() }.composed(self.composition)

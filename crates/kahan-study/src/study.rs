@@ -38,7 +38,6 @@ pub struct Study {
     here: Arc<Here>,
 }
 
-/// The field as read, with the plans for all values of the parameters.
 #[derive(Clone, Debug)]
 struct Read {
     named: Option<Named>,
@@ -51,7 +50,6 @@ struct Read {
     interpreter: OnceLock<Interpreter>,
 }
 
-/// The parameter values, with the map at them.
 #[derive(Debug)]
 struct Here {
     /// The values, in the order of the parameters; `None` for a value not given.

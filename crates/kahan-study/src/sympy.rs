@@ -144,7 +144,6 @@ fn read(formula: &str, names: &str) -> String {
     format!("sympify(\"{formula}\", locals={names})")
 }
 
-/// Writes the lines of a claim, which may refer to earlier claims.
 fn claim(claim: &ClaimShown) -> String {
     let when = if claim.condition.is_empty() { String::new() } else { format!(" when {}", claim.condition) };
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];

@@ -270,14 +270,12 @@ fn merged(plan: &Plan, out: &Path) -> Ended {
     Ok((format!("{} written: {} points, {size:.1} MB\n", results.display(), plan.points()), 0))
 }
 
-/// Parses `3/10`, the third of ten shards.
 fn shard(text: &str) -> Option<Shard> {
     let (index, of) = text.split_once('/')?;
     let (index, of): (u64, u64) = (index.trim().parse().ok()?, of.trim().parse().ok()?);
     (1 <= index && index <= of).then(|| Shard { index: index - 1, of })
 }
 
-/// Returns a progress bar, hidden unless the standard error is a terminal.
 fn bar(length: u64, what: &str) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -19,7 +19,6 @@ pub(crate) struct Estimate<'a> {
     measured: u64,
 }
 
-/// The time spent on the sample.
 const MEASURED: Duration = Duration::from_millis(500);
 /// The largest number of neighbouring points that are computed together.
 const TOGETHER: u64 = 256;

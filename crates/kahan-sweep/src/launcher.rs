@@ -4,11 +4,9 @@ use std::env::VarError;
 
 use crate::run::Shard;
 
-/// A recognised launcher.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Launched {
     pub(crate) shard: Shard,
-    /// The message for the user.
     pub(crate) sentence: String,
     /// The number of the sweep's processes on this machine, if known, else 1.
     pub(crate) beside: usize,
@@ -77,7 +75,6 @@ pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<O
     Ok(Some(Launched { shard, sentence, beside: beside.max(1) as usize }))
 }
 
-/// Returns this process's index in a task array.
 fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
@@ -92,7 +89,6 @@ fn task(
     Some(Place::new(launcher, task, index, number(SHARDS).or(count)))
 }
 
-/// Returns this process's index among ranks.
 fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<Place, String>> {
     for (launcher, rank, size) in RANKS {
         if let Some(index) = number(rank) {

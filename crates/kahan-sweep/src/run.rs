@@ -43,7 +43,6 @@ const NOTED: Duration = Duration::from_secs(8);
 /// The reason why locks are never poisoned.
 const PANIC: &str = "a thread that panics ends the process";
 
-/// A shard being computed.
 pub(crate) struct Run<'a> {
     pub(crate) plan: &'a Plan,
     pub(crate) folder: &'a Path,
@@ -159,7 +158,6 @@ impl Watch for Turn<'_> {
     }
 }
 
-/// The shared state of a part's threads.
 struct Work {
     /// Tables with their first rows, unordered.
     done: Vec<(u64, Table)>,
@@ -185,7 +183,6 @@ impl Work {
         error.filter(|_| !was_told)
     }
 
-    /// Appends finished rows to the journal.
     fn note(&mut self) -> io::Result<()> {
         self.noted = Instant::now();
         let from = self.done.len() - self.unnoted;

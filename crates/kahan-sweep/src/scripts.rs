@@ -30,7 +30,6 @@ fn filled(template: &str, places: &[(&str, String)]) -> String {
     parts.collect()
 }
 
-/// Quotes a path for a shell.
 fn quoted(path: &Path) -> String {
     let text = path.to_string_lossy();
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-+./:=,".contains(c);

@@ -20,7 +20,6 @@ pub use poles::poles;
 pub use section::jumps;
 pub use traded::{choice, front};
 
-/// The largest number of variables whose formulas a page shows.
 const MOST_VARIABLES: usize = 8;
 
 /// Returns the HTML of an answer, or `None` for answers that pages omit or draw by

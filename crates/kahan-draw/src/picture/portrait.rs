@@ -69,7 +69,6 @@ impl Coordinate {
         }
     }
 
-    /// Makes an axis that shows these values.
     fn axis(&self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
         let name = self.name(variables);
         look.windowed(

@@ -146,7 +146,6 @@ impl Format {
 }
 
 impl Sheet {
-    /// Pixels per inch in print.
     const INCH: f64 = 300.0;
     /// The size of a picture in pixels that fills a column in print, 86 mm wide.
     pub const COLUMN: (u32, u32) = (1016, 762);

@@ -28,7 +28,6 @@ fn small(size: f64) -> f64 {
     (0.7 * size).max(LEAST)
 }
 
-/// The share of [`width`] that labels occupy in most fonts.
 const USUAL: f64 = 0.92;
 
 /// Returns the largest distance of a label's ends from its middle, in any common font.

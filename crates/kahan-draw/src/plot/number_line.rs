@@ -137,7 +137,6 @@ impl NumberLine {
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
     }
 
-    /// Returns the multiples of a step on the axis.
     fn every(&self, step: f64) -> Vec<Tick> {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);

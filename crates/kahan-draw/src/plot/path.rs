@@ -19,7 +19,6 @@ pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>
     }
 }
 
-/// Returns the path of a circle around each position.
 pub(super) fn rings(places: &[Place], radius: f64) -> String {
     let half = |by: f64| format!("a{radius} {radius} 0 1 0 {} 0", tenths(by));
     let ring = |&(x, y): &Place| {

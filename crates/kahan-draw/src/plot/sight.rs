@@ -28,7 +28,6 @@ pub(super) fn linear(byte: u8) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Returns the colour that a reader with this vision perceives.
 pub(super) fn seen(colour: Linear, kind: Kind) -> Linear {
     let rows = match kind {
         Kind::All => return colour,

@@ -33,7 +33,6 @@ pub struct Space {
     pub clouds: Vec<Cloud>,
 }
 
-/// The margins around the box.
 const RIGHT: f64 = 16.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
@@ -269,7 +268,6 @@ impl Space {
 
 /// The edges that carry the axes, as pairs of corners: two below, one on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
-/// The offsets of tick labels from their edges, to the right and downwards.
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
 /// The offsets of the names of the two lower axes, to the right and downwards.

@@ -160,7 +160,6 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     assert!(inked.starts_with("#000000"), "{inked}");
 }
 
-/// The bounds of a label: left, top, right, bottom.
 type Box = [f64; 4];
 
 /// Returns the labels of a drawing with their bounds in a wide font.

@@ -201,7 +201,6 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
     if moved.is_finite() { moved } else { 0.0 }
 }
 
-/// A one-parameter curve of cycles.
 pub(super) trait Curve {
     fn parameter(&self, place: &Place) -> f64;
 

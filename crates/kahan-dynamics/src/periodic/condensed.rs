@@ -58,7 +58,6 @@ impl Condensed {
         Condensed { affine, closing: rows }
     }
 
-    /// Solves the equations together with conditions r·(dx, de) = s.
     pub(super) fn solve(&self, conditions: &[(&DVector<f64>, f64)]) -> Option<Solution> {
         /// Singular values below this fraction of the largest count as 0.
         const ZERO: f64 = 1e-13;

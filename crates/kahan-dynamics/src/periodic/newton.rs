@@ -22,7 +22,6 @@ pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Opti
     gaps.iter().all(|gap| gap.is_finite()).then_some(gaps)
 }
 
-/// Returns the derivative of `defect` with respect to all points.
 pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> DMatrix<f64> {
     let n = map.dimension();
     let period = cycle.len() / n;

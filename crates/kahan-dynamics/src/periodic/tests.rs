@@ -108,7 +108,6 @@ impl Differentiable for Henon {
     }
 }
 
-/// The parameter is a.
 impl Parametric for Henon {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![-x[0] * x[0], 0.0]
@@ -416,7 +415,6 @@ impl Differentiable for Several {
 }
 
 impl Parametric for Several {
-    /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 4]
     }
@@ -466,7 +464,6 @@ impl Differentiable for Meeting {
 }
 
 impl Parametric for Meeting {
-    /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 2]
     }

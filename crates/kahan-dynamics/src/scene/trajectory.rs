@@ -20,7 +20,6 @@ const FINE: f64 = 1e-12;
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two starts for measuring growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
-/// The part of the remaining budget that the solution may take.
 const SHARE: f64 = 0.4;
 /// A trial ends at this relative error, or at four tolerances if these are larger.
 const LOST: f64 = 0.1;

@@ -89,7 +89,6 @@ impl Exact for Balls {
     }
 }
 
-/// Elimination in balls.
 impl Judge for Equation {
     fn equation(&self) -> &Equation {
         self

@@ -37,7 +37,6 @@ pub(crate) trait Judge: Debug + Send + Sync {
         false
     }
 
-    /// Returns whether the map may have poles.
     fn has_poles(&self) -> bool {
         true
     }
@@ -66,7 +65,6 @@ pub(crate) struct Verdict {
     pub(crate) is_rough: bool,
 }
 
-/// A polynomial in one variable of a point; its zeros are poles.
 pub(crate) struct Zeros {
     pub(crate) variable: usize,
     /// Coefficients from the constant term upwards; rounded if they come from elimination.

@@ -25,7 +25,6 @@ use crate::random_fields::odd::OddField;
 use crate::tally::{Broken, Cell, Tally};
 
 const SEED: u64 = 1;
-/// The number of fields in one crate.
 const IN_ONE_CRATE: usize = 50;
 
 struct Tried {
@@ -216,7 +215,6 @@ impl Tried {
         tally
     }
 
-    /// Runs the program for this field, and judges its results.
     fn tally(&self, program: &Path) -> Tally {
         let name = &self.field.field.name;
         let [from, to] = ["inputs", "results"].map(|end| program.with_file_name(format!("{name}.{end}")));

@@ -5,7 +5,6 @@ use crate::random_fields::odd::{Draw, OddField, plain};
 pub(super) struct Drawn {
     /// The field; parameters of the whole chain come first, then those of sites.
     pub(super) field: OddField,
-    /// The number of parameters that each site has.
     pub(super) of_sites: usize,
     /// The number of variables, or of arrays of a chain.
     pub(super) variables: usize,

@@ -98,7 +98,6 @@ impl Exact for Residual {
 /// Expands det A in a state that few rows depend on, and each linearly.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
     const MOST_ROWS: usize = 3;
-    /// Bounds the time of elimination.
     const MOST_VARIABLES: usize = 64;
     const BITS: u64 = 256;
     let variable = random.below(equation.dimension() as u64) as usize;

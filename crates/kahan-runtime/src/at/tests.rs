@@ -25,7 +25,6 @@ fn same(a: &[Dd], b: &[Dd]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a.is_nan() && b.is_nan()) || bits(a) == bits(b))
 }
 
-/// An orbit with its current point.
 trait Steps {
     fn advance(&mut self, steps: u64);
     fn point(&self, point: &mut [Dd]);

@@ -22,9 +22,7 @@ use super::{Engine, distinct, in_turn};
 pub(crate) struct Columns<'a, 'b, T> {
     /// Column c: variable c of all trajectories.
     pub(crate) columns: &'a mut [&'b mut [T]],
-    /// One value, or one for each trajectory.
     pub(crate) eps: &'a [T],
-    /// For each parameter one value, or one for each trajectory.
     pub(crate) parameters: &'a [&'a [T]],
 }
 

@@ -358,7 +358,6 @@ pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: C
     parameters.iter().copied().chain([eps]).collect()
 }
 
-/// Returns for each distinct stage the parameters and the stage's ε.
 pub(crate) fn stage_constants<T: RuntimeFloat>(
     kind: StepKind,
     constants: &[T],

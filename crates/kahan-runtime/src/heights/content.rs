@@ -28,7 +28,6 @@ const LAGS: usize = 4;
 #[derive(Clone, Debug)]
 pub(crate) struct Primitive {
     pub(crate) point: Vec<IBig>,
-    /// Factors of W; empty if unknown.
     pub(crate) weight_parts: Vec<IBig>,
 }
 

@@ -44,7 +44,6 @@ enum Formula {
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
-    /// Factors of W̃; empty if unknown.
     pub(crate) weight_parts: Vec<IBig>,
     /// The last coordinate of the inverse map at the new point, for a reduced map.
     pub(crate) weight_behind: Option<IBig>,

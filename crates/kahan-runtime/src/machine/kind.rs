@@ -13,7 +13,6 @@ pub(crate) struct StepKind {
     /// Whether the step uses the formula for every scalar and every ε, instead of the one for
     /// single orbits at ordinary ε.
     pub(crate) is_general: bool,
-    /// Whether increments are rounded before their addition.
     pub(crate) rounds_increments: bool,
     pub(crate) fuses: bool,
 }

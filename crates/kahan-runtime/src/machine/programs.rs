@@ -186,7 +186,6 @@ pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option
     })
 }
 
-/// Returns the program of the constants of a step of columns.
 pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Option<Program> {
     let lines = engine.steps().form(is_general).lines();
     traced::program(|| {

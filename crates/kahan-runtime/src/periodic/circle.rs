@@ -33,7 +33,6 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     Polynomial::from_terms(terms)
 }
 
-/// Classifies a cycle by its multipliers, the roots of `polynomial`.
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
     // A root 0 lowers the degree of the reversed polynomial.

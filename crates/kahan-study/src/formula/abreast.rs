@@ -40,7 +40,6 @@ impl Abreast {
     }
 }
 
-/// Arithmetic in the lanes of a group, each rounded independently.
 struct Lanes;
 
 #[inline(always)]

@@ -476,7 +476,6 @@ impl Looks {
         Looks { stride: rates.stride(rows), rates, next: 0 }
     }
 
-    /// Checks a block of rows with n, t and the variables.
     fn rows(&mut self, values: &[Values<'_>]) {
         let count = values[0].count() as u64;
         while self.next < count {

@@ -252,7 +252,6 @@ impl SectionFound {
         self.rows.count()
     }
 
-    /// Returns the numbers of a column; empty for a missing column.
     fn numbers(&self, column: usize) -> &[f64] {
         match self.rows.values.get(column) {
             Some(Kept::F64(values)) => values,

@@ -11,7 +11,6 @@ use serde::{Serialize, Serializer};
 use super::path::Limits;
 use super::refusal::{LEAST_DIFFERENCE, NoReference};
 
-/// The fewest steps of the composition, of 17 stages each.
 const FEWEST_STEPS: f64 = 16.0;
 /// The least and the largest factor by which the number of steps grows after a failed trial; in
 /// between, the order of the method determines the factor.

@@ -239,7 +239,6 @@ impl Trade {
     }
 }
 
-/// Rounds a positive number to a finite float.
 fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
     let float = value.to_f64();
     if float > 0.0 && float.is_finite() {

@@ -57,7 +57,6 @@ impl Prices {
         Prices(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
     }
 
-    /// Returns the nanoseconds of a step of the whole composition.
     pub(super) fn nanoseconds(&self, scheme: Scheme) -> f64 {
         let known = self.0.iter().find(|(known, _)| *known == scheme);
         known.map(|(_, time)| *time).expect("every scheme has been timed")

@@ -10,7 +10,6 @@ use super::measure::Measuring;
 /// reference is certified.
 pub(super) const MEASURED: Rules =
     Rules { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
-/// The part of the remaining time that one setting may take.
 const SHARE: f64 = 0.3;
 /// An error of `f64` too large to be caused by rounding.
 const UNEVEN: f64 = 1e-11;

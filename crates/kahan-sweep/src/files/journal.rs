@@ -73,7 +73,6 @@ fn kind(part: &Part<'_>) -> [u8; 8] {
     std::array::from_fn(|place| digest[place])
 }
 
-/// Returns the CRC-32 of a record's head and body.
 fn checksum(head: &[u8], body: &[u8]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(head);

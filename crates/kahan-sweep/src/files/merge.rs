@@ -12,7 +12,6 @@ use parquet::file::writer::SerializedFileWriter;
 use super::part::{Part, files, fresh, of_disk, writer};
 use crate::plan::Plan;
 
-/// The prefix of the temporary file's name.
 const WRITING: &str = ".results-";
 
 pub(crate) const RESULTS: &str = "results.parquet";

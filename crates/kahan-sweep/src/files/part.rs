@@ -73,7 +73,6 @@ impl<'a> Part<'a> {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
 
-    /// Writes the part's rows; the file appears once it is complete.
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows).map_err(of_disk) {
             // Another process has written the part and cleaned up.
@@ -110,7 +109,6 @@ impl<'a> Part<'a> {
         self.path.with_extension("under-way")
     }
 
-    /// Removes the unfinished files of all processes.
     pub(crate) fn tidy(&self) {
         // Leftovers are ignored, as the part exists.
         let _ = std::fs::remove_dir_all(self.under_way());

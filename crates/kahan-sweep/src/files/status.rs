@@ -10,7 +10,6 @@ use super::Part;
 pub(crate) struct Status {
     /// The number of valid parts.
     pub(crate) done: u64,
-    /// The indices of missing parts.
     pub(crate) missing: Vec<u64>,
     /// The reasons why parts are unusable.
     pub(crate) refused: Vec<String>,

@@ -30,7 +30,6 @@ pub struct Plan {
     canonical: OnceLock<String>,
 }
 
-/// Selects the columns at these indices, or all.
 fn choose(table: Table, places: Option<&[usize]>) -> Table {
     let Some(places) = places else { return table };
     let columns = places.iter().map(|&place| table.columns[place].clone()).collect();

@@ -16,7 +16,6 @@ use serde_json::{Map, Value};
 use super::{Plan, choose};
 use crate::files::numbers;
 
-/// The default number of rows in a part.
 const ROWS: u64 = 100_000;
 /// The largest number of values in a part, which must fit in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
@@ -243,7 +242,6 @@ impl Default for Output {
 }
 
 impl Output {
-    /// Returns the indices of the columns to write, or `None` for all.
     fn places(&self, all: &Table, mistakes: &mut Vec<Misread>) -> Option<Vec<usize>> {
         let columns = self.columns.as_ref()?;
         if columns.is_empty() {

@@ -29,7 +29,6 @@ fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCyc
     (cycles, Extrapolated::of(&periods, Extrapolated::EVEN))
 }
 
-/// Returns points of an orbit after a transient.
 fn orbit(map: &impl Step<Scalar = f64>, start: &[f64], transient: u64, steps: usize) -> Vec<Vec<f64>> {
     let (mut x, mut workspace) = (start.to_vec(), Workspace::new());
     map.advance(&mut x, transient, &mut workspace).expect("no pole");

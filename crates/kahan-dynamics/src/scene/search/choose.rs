@@ -8,7 +8,6 @@ use kahan_core::Composition;
 
 use super::{Precision, Rules, Scheme, Search, Setting, Trials};
 
-/// The rules for costs by counted operations.
 pub(super) const COUNTED: Rules = Rules {
     enough: 0.85,
     aim: 0.97,

@@ -24,7 +24,6 @@ const SMALL: f64 = 0.1;
 const STALL: f64 = 0.7;
 /// The ratio of two numbers of steps below which they count as equal.
 const CLOSE: f64 = 1.06;
-/// The ratio of successive numbers of steps in a scan.
 const GRID: f64 = 1.1;
 const TRIALS: usize = 5;
 

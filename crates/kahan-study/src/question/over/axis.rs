@@ -190,7 +190,6 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Returns the value at an index, rounded to a double.
     pub(super) fn double(&self, index: u64) -> f64 {
         match self {
             Values::List(values) => values[index as usize].to_f64(),

@@ -176,7 +176,6 @@ impl<'a> Cells<'a> {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
-    /// Returns point, parameters and ε of a cell exactly.
     pub(in crate::question) fn exactly(&self, index: u64) -> Place<Rational> {
         self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }

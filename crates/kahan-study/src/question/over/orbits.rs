@@ -16,7 +16,6 @@ use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
-/// The number of orbits that fill the registers.
 const LANES: u64 = 16;
 /// The number of steps, of all orbits together, in one block.
 const AT_ONCE: u64 = 1 << 24;

@@ -304,7 +304,6 @@ impl Family {
 /// too.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
-/// Extrapolates the branch at N steps from those at N, 2N, 4N, … steps.
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: Mark| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {

@@ -12,7 +12,6 @@ use crate::study::Study;
 /// An orbit that is followed while its buffer of crossings has room, and can be resumed.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
-    /// The last point, in all variables.
     pub(super) x: Vec<f64>,
     pub(super) made: u64,
     pub(super) kept: Kept,
