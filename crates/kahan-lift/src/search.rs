@@ -48,7 +48,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct Cover {
     covered: FxHashSet<Id>,
-    /// The supports of products with more than one monomial that is not covered.
+    /// For each product with several uncovered monomials, the list of its monomials.
     composite: Vec<Rc<[Id]>>,
 }
 

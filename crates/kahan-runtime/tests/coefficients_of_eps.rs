@@ -69,7 +69,7 @@ fn at(text: &str, parameters: &[f64], eps: f64) -> MapAt<f64> {
     field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter").at(eps)
 }
 
-/// By hand, x̃ = x/(1 − 2ε(1 + aε²)x).
+/// The expected map, derived by hand, is x̃ = x/(1 − 2ε(1 + aε²)x).
 #[test]
 fn a_step_is_that_of_the_coefficients_at_eps() {
     let map = Advance { a: q("3/2") };

@@ -195,7 +195,7 @@ pub enum StudyError {
     },
     /// A number is beyond the range of the scalar.
     BeyondRange {
-        /// The part of the question that holds the number: `at`, `param` or `eps`.
+        /// The field of the question that holds the number: `at`, `param` or `eps`.
         what: &'static str,
         /// The name of the number.
         name: String,

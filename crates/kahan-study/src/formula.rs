@@ -290,7 +290,7 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
 struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
-    /// Named formulas with their values in the program.
+    /// Named formulas, with the nodes of their values in the program.
     defined: &'a [(&'a str, Node)],
 }
 

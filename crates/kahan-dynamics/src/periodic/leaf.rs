@@ -111,7 +111,7 @@ impl Leaf {
 pub struct OnLeaf<'a, M> {
     /// The map in all variables.
     pub map: M,
-    /// The leaf.
+    /// The level set.
     pub leaf: &'a Leaf,
 }
 

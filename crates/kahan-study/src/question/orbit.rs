@@ -340,7 +340,7 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, whatever the scalar. A program that calls only this method
+    /// Prepares the orbit in doubles, for any scalar setting. A program that calls only this method
     /// contains no code for other scalars.
     ///
     /// # Errors

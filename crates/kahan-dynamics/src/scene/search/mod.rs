@@ -65,7 +65,7 @@ pub struct Rules {
     /// The predicted cost of a ladder's end, relative to the least known cost, above which the
     /// ladder ends.
     pub surely: f64,
-    /// The part of the remaining time that one trial may take.
+    /// The fraction of the remaining time that one trial may take.
     pub share: f64,
 }
 
@@ -104,7 +104,7 @@ impl<L: Trials> Search<L> {
         self.trials
     }
 
-    /// Sets the part of the remaining time that one trial may take.
+    /// Sets the fraction of the remaining time that one trial may take.
     pub const fn set_share(&mut self, share: f64) {
         self.rules.share = share;
     }
