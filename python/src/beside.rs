@@ -183,8 +183,8 @@ pub(crate) fn beside_if_long<R: Send>(
     Ok(result)
 }
 
-/// Works like [`beside`], but returns without waiting for the end of cancelled work: with numbers
-/// of a million digits, it may take seconds to notice. The work must not borrow.
+/// Works like [`beside`], but returns without waiting for the end of cancelled work, which may
+/// take seconds with numbers of a million digits. The work must not borrow.
 ///
 /// # Errors
 /// See [`beside`].

@@ -52,9 +52,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// Parameters without a given value are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar. Trials with subnormal inputs, with inputs that are not
-    /// finite, and with large steps come on top: a thirty-second part of this number each, at least
-    /// eight.
+    /// The number of trials of each scalar. Three kinds are added, 1/32 of this number each, at
+    /// least eight: subnormal inputs, infinite or NaN inputs, and large steps.
     pub trials: u64,
     /// The number of additional random fields of two to six variables, which share the trials.
     pub random_fields: usize,

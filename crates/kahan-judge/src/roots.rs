@@ -20,7 +20,7 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
-    // A bracket across 0 has no relative width. A root in it is found beside 0.
+    // The bracket across 0 is excluded, since a relative width is undefined there.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {

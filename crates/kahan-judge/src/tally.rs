@@ -13,7 +13,7 @@ pub struct Cell {
     /// The number of trials.
     pub trials: u64,
     /// The largest ‖error‖∞/‖exact‖∞ of finite results, in units of the scalar, where the exact
-    /// step has a value; infinite beside an exact 0, `None` without results.
+    /// step has a value; infinite if the exact step is 0, `None` without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
     /// The number of trials without a result: refused by `try_step`, or not finite.

@@ -24,15 +24,15 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    /// For each component the values, each with the place of its monomial.
+    /// For each component its coefficients, each with the monomial as key.
     components: Vec<Vec<(Place, f64)>>,
 }
 
 /// A monomial packed into an integer: two states in increasing order, then a parameter, [`BITS`]
-/// bits each. A single state is the second. The order of places is that of a polynomial's terms.
+/// bits each. A single state is the second. Monomials are ordered as a polynomial's terms.
 type Place = u64;
 
-/// The bits of an index in a place; states and parameters have indices of at most 16 bits.
+/// The bits of an index in a packed monomial; states and parameters have indices of at most 16.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
 const NONE: Place = (1 << BITS) - 1;

@@ -98,8 +98,7 @@ fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values
     worst
 }
 
-/// Chains of up to about thirty sites are eliminated as a whole, longer ones in parts, in several
-/// groups.
+/// Chains of up to about thirty sites are eliminated as a whole, longer ones in segments.
 #[test]
 fn chains_have_the_bits_of_the_macro() {
     for sites in [1, 2, 3, 4, 5, 8, 13, 40, 300, 4500] {
@@ -134,8 +133,8 @@ fn a_singular_part_sends_the_step_to_the_whole() {
     assert_eq!(state, expected);
 }
 
-/// Compiled long chains are cut into parts, run-time ones with a rare stencil are not, so rounding
-/// differs: some units in the last place per step, for numbers of size one.
+/// Long chains are cut into segments if compiled, but not at run time for a rare stencil, so
+/// results of size one differ by some units in the last place per step.
 #[test]
 fn long_chains_of_rare_shapes_are_those_of_the_macro() {
     for sites in [300, 3000] {

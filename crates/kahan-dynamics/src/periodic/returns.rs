@@ -15,8 +15,8 @@ pub struct CloseReturn {
 /// Finds close returns after `least` to `most` steps, the closest and shortest first. Coordinates
 /// are scaled by their ranges on the orbit.
 ///
-/// A longer return counts beside a shorter one only if it is ten times closer; otherwise two rounds
-/// of a cycle would be reported as a return of their own.
+/// After a shorter return, a longer one counts only if it is ten times closer; otherwise two rounds
+/// of a cycle would be reported too.
 ///
 /// Cost: up to about 2000 points of the orbit, each compared with `most` successors.
 ///

@@ -59,7 +59,7 @@ pub struct Turn {
     pub parameter: f64,
 }
 
-/// One continuation step: positions on the curve up to `length` ahead of `place`.
+/// One continuation step: positions on the solution curve up to `length` ahead of `place`.
 pub(super) struct Stride<'a, C> {
     pub(super) arc: &'a C,
     pub(super) place: &'a Place,

@@ -207,7 +207,7 @@ impl<T: MachineFloat> MapAt<T> {
 /// orbit ended. With [`MapAt::observe_columns`], equivalent to
 /// [`Follow::observe`](crate::Follow::observe) for one orbit.
 ///
-/// The start is always seen. After the end, the columns advance unobserved.
+/// The start is always observed. After the end, the columns advance unobserved.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,

@@ -1,11 +1,10 @@
-//! The content of a step, gcd(X̃₁, …, X̃_n, W̃), and its removal.
+//! The common factor of a step's result, its content gcd(X̃₁, …, X̃_n, W̃), and its removal.
 //!
-//! Steps of integrable maps have a large content, two thirds of the digits for dE4. The gcd of
-//! numbers that long costs more than the rest of the step, so [`Content`] predicts it from earlier
-//! steps. Exact divisions check each prediction, and
-//! [`common_factors`](super::reduction::common_factors) finds the remaining content of the shorter
-//! quotients. For other maps, the search stops after [`PATIENCE`] negligible contents in a row; it
-//! resumes when the gcds computed for heights reach one per cent of the digits.
+//! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of numbers
+//! that long costs more than the step itself, so [`Content`] predicts it from earlier steps. Exact
+//! divisions check each prediction; [`common_factors`](super::reduction::common_factors) finds the
+//! common factors that remain. For other maps, the search stops after [`PATIENCE`] negligible
+//! contents in a row. It resumes when gcds computed for heights reach one per cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -55,8 +54,8 @@ pub(crate) struct Content {
 }
 
 impl Content {
-    /// Divides out predicted or computed content; the caller reports what remains to
-    /// [`left`](Self::left).
+    /// Divides out the predicted or computed content. The caller reports the common factor that
+    /// remains to [`left`](Self::left).
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -95,7 +94,7 @@ impl Content {
         }
     }
 
-    /// Learns the lag at which γ shares more than half of a content.
+    /// Learns the lag at which γ has more than half of the content's digits in common with it.
     fn learn(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));

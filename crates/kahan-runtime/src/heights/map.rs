@@ -117,8 +117,8 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out part of the content; `factors` are the gcd(Xᵢ, W). Cost: a
-    /// few products of numbers as long as the coordinates.
+    /// Makes one step, and divides out a common factor; `factors` are the gcd(Xᵢ, W). Cost: a few
+    /// products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {

@@ -1,10 +1,10 @@
 //! A faster step from points at which some coordinates share most of W.
 //!
-//! If a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand),
-//! its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of gʲ Nⱼ, Nⱼ
-//! of degree j in the short coordinates. Few long products remain, and the least j of all forms is
-//! divided out at no cost. The gcd of g with the terms N₀ belongs to the content too: for dE7 it is
-//! g up to a few digits, and fast to find, since the quotients are short.
+//! If a component is a fraction of few digits and others are long (x of dE7 has four digits, z ten
+//! thousand), its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of
+//! gʲ Nⱼ, with Nⱼ of degree j in these coordinates. Few long products remain, and g to the least j
+//! of all forms is divided out at no cost. The gcd of g with the terms N₀ divides the result too:
+//! for dE7 it is g up to a few digits, and fast to find, since the quotients are short.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -38,8 +38,7 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, with part of the content removed; `None` without a short
-    /// coordinate.
+    /// Returns the image of a point, divided by a common factor; `None` without a short coordinate.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();

@@ -3,8 +3,7 @@
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
 //! and parameters. Out: steps in `f64`. The program of a site is interpreted for many sites at
 //! once; the solver is that of compiled families. Bits are those of compiled families, except for
-//! long chains whose stencil is missing in the solver's [`Menu`]: these are not eliminated in
-//! parts.
+//! long chains whose stencil is missing in the solver's [`Menu`]: they are eliminated as a whole.
 
 mod at;
 mod error;

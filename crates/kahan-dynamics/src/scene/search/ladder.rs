@@ -1,8 +1,8 @@
-//! Ladders: trials of a scheme with increasing numbers of steps, the rungs.
+//! Ladders: trials of a scheme with increasing numbers of steps.
 //!
 //! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. A
-//! ladder ends if a trial serves or costs more than a known setting, if the law error ∝ ε^order
-//! predicts either, or if two rungs in a row gain nothing.
+//! ladder ends if a trial meets the tolerance or costs more than a known setting, if the law error
+//! ∝ ε^order predicts either, or if two trials in a row gain nothing.
 
 use kahan_core::Composition;
 
@@ -12,10 +12,10 @@ use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 const LAWFUL: f64 = 0.3;
 /// The error below which the law is trusted.
 const USEFUL: f64 = 0.01;
-/// The number of successive rungs without gain after which a ladder checks for rounding errors.
+/// The number of successive trials without gain after which a ladder checks for rounding errors.
 const STALLS: u32 = 2;
-/// Once the law has held, a rung with less than this fraction of the predicted gain (in logarithms)
-/// gains nothing.
+/// Once the law has held, a trial gains nothing if its gain is less than this fraction of the
+/// predicted one, in logarithms.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
@@ -48,9 +48,9 @@ impl Gain {
 /// The result of a ladder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Climb {
-    /// Whether some rung followed the law.
+    /// Whether some trial followed the law.
     was_lawful: bool,
-    /// Whether some rung gained less than the law.
+    /// Whether some trial gained less than the law predicts.
     gained_little: bool,
     stalls: u32,
     has_stalled: bool,
@@ -71,7 +71,7 @@ impl Climb {
         self.has_stalled
     }
 
-    /// Records a trial; returns its gain over the previous rung, if that had a finite error.
+    /// Records a trial; returns its gain over the previous trial, if that had a finite error.
     fn add(&mut self, trial: Setting) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = Gain::of(&before, &trial);
@@ -98,7 +98,7 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If a leap takes too long, the next rung may still be affordable.
+            // If a large increase takes too long, twice the steps may still be affordable.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -107,7 +107,7 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // Near the tolerance another rung may serve by chance, so only the price ends the
+                // Near the tolerance another trial may meet it by chance, so only the cost ends the
                 // ladder.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
@@ -117,7 +117,7 @@ impl<L: Trials> Search<L> {
                 // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
                 climb.stalls = 0;
             }
-            // Rounding ε to a short one changes the number of steps.
+            // Rounding ε to fewer bits changes the number of steps.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);

@@ -44,7 +44,7 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to leave a ladder before the rung of `next` steps: its last rung, of about
+    /// Returns whether to leave a ladder before its trial of `next` steps: its last trial, of about
     /// `end` steps, would take more than `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
@@ -54,9 +54,9 @@ pub trait Trials {
 /// The parameters of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// The fraction of the tolerance up to which an error serves.
+    /// The fraction of the tolerance up to which an error is accepted.
     pub enough: f64,
-    /// The fraction of the largest serving error that [`Search::refine`] aims at.
+    /// The fraction of the largest accepted error that [`Search::refine`] aims at.
     pub aim: f64,
     /// The factor on the number of steps that the law predicts for this aim.
     pub surplus: f64,

@@ -52,8 +52,8 @@ pub(super) trait Points<A: Moving> {
     /// Advances by `steps` steps, or to the last point.
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
 
-    /// Appends the cells of `count` rows, each after `every` steps. The steps in a [`Halt`] are
-    /// counted from the call.
+    /// Appends the cells of `count` rows, each after `every` steps. A [`Halt`] counts steps from
+    /// the call.
     fn rows(
         &mut self,
         every: u64,
@@ -134,8 +134,8 @@ pub(super) struct Course<'a, A: Moving> {
 }
 
 impl<A: Moving> Course<'_, A> {
-    /// Passes a range of rows to a consumer, in reused blocks. The steps in a [`Halt`] are counted
-    /// from the first point.
+    /// Passes a range of rows to a consumer, in reused blocks. A [`Halt`] counts steps from the
+    /// first point.
     pub(super) fn hand_on(
         &self,
         points: &mut dyn Points<A>,

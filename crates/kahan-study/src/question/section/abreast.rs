@@ -32,7 +32,7 @@ pub(super) struct Asked<'a> {
     pub(super) tell: &'a dyn Fn(u64) -> ControlFlow<()>,
 }
 
-/// An orbit with its section and its last seen point.
+/// An orbit with its section and its last observed point.
 struct Lane<'a, F> {
     section: Section<&'a dyn Step<Scalar = f64>, F, Taking<'a>>,
     level: F,
