@@ -23,7 +23,7 @@ const SHORT: u64 = 1 << 16;
 /// The stack of a worker; recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The caller from the work's side, as a [`Watch`].
+/// The [`Watch`] of running work: receives its progress and results, and may stop it.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,

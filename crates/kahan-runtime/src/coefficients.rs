@@ -71,7 +71,7 @@ pub enum CoefficientError {
         array: &'static str,
         /// The array's length.
         found: usize,
-        /// The lengths that fit.
+        /// The accepted lengths.
         wanted: Vec<usize>,
     },
 }

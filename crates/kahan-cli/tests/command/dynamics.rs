@@ -20,7 +20,7 @@ fn a_circle_is_known_in_closed_form() {
     let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
                   rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
-    // The map turns clockwise, from x to its rate, by 2 atan(ε).
+    // Each step rotates clockwise, from x to its rate, by 2 atan(ε).
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
@@ -173,7 +173,7 @@ fn sections_are_where_the_formula_vanishes() {
     }
     let times = found["times"].as_array().expect("a list");
     let period = number(&times[2]) - number(&times[0]);
-    // A turn takes π/atan(ε) steps; a part θ of a step turns by 2 atan(θε).
+    // A full rotation takes π/atan(ε) steps; a fraction θ of a step rotates by 2 atan(θε).
     assert!((period - 0.1 * PI / 0.05_f64.atan()).abs() < 1e-4, "{period}");
     let few =
         answer(&["section", "e6", "--eps", "0.05", "--at", "1,2,3", "--plane", "H - 3", "--steps", "9"]);

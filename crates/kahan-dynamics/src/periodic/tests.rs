@@ -330,8 +330,7 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
     for steps in [1, 3, 40] {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
         let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
-        // The parameter error at a fold is the square of the tangent's, which is rounding's square
-        // root.
+        // At a fold, the tangent has an error of about √u, and the parameter the square of it.
         assert!(has_turns(&branch, &[(Change::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
         // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The reason why no setting serves a scene.
+/// The reason why no setting was chosen for a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSetting {

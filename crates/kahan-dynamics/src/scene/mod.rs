@@ -1,9 +1,9 @@
 //! The choice of an integrator for a scene: scalar, order, compensation and ε.
 //!
-//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the
-//! [`Setting`] that serves at the least modelled cost, by counted operations ([`cycles`]). Settings
-//! are run over the whole horizon and compared with the flow ([`trajectory`], [`search`]). No clock
-//! is used, so the choice is reproducible; `kahan trade` runs the search with measured prices.
+//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the cheapest
+//! accurate [`Setting`], by a cost model of counted operations ([`cycles`]). Settings are run over
+//! the whole horizon and compared with the flow ([`trajectory`], [`search`]). No clock is used, so
+//! the choice is reproducible; `kahan trade` runs the search with measured prices.
 
 mod cycles;
 mod error;

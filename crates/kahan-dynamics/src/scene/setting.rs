@@ -10,7 +10,7 @@ use super::{Need, Precision, Scene, Scheme};
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the horizon of a [`Scene`](crate::Scene).
-/// [`Scene::choose`](crate::Scene::choose) returns the cheapest setting that serves.
+/// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate one.
 ///
 /// Its display is a line of Rust, with `map` for the map and `x` for the first point, both in its
 /// precision.

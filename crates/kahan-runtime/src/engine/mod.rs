@@ -350,8 +350,8 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
-/// Returns the constants of integrals: the parameters and ε. For compositions ε is 0: they nearly
-/// preserve the integrals of the flow, and none of a stage.
+/// Returns the constants of integrals: the parameters and ε. For compositions ε is 0, since they
+/// nearly preserve the integrals of the flow, but not those of a single stage.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };

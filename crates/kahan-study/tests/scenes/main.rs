@@ -63,8 +63,8 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the truth over all steps; the last point stands for the
-/// horizon.
+/// Returns the largest distance from the reference over all steps. The last point is compared with
+/// its end, too.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,

@@ -32,9 +32,9 @@ pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest setting that serves; its error includes the uncertainty of the flow.
+    /// The cheapest accepted setting; its error includes the uncertainty of the flow.
     Choice(Setting),
-    /// No setting serves, or no trial confirms the flow.
+    /// No setting meets the tolerance, or no trial confirms the flow.
     None {
         /// The least error of all trials.
         least_error: f64,
@@ -51,7 +51,7 @@ impl<L: Trials> Search<L> {
     /// Tries settings until the answer is clear. `coarsest` is the least number of steps to the
     /// horizon, and `others` are the alternatives to plain `f64`.
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
-        // High orders come first, because a setting that serves ends other ladders early.
+        // High orders come first, because an accepted setting ends other ladders early.
         for composition in Composition::BEST.into_iter().rev() {
             self.climb(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
@@ -82,7 +82,7 @@ impl<L: Trials> Search<L> {
     }
 
     /// Runs the ladder of an order in plain `f64`, and in the other schemes if rounding errors
-    /// matter. If a setting serves, confirms the flow.
+    /// matter. If a setting meets the tolerance, confirms the flow.
     fn climb(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.ladder(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {

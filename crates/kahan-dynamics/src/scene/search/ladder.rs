@@ -85,8 +85,8 @@ impl Climb {
 }
 
 impl<L: Trials> Search<L> {
-    /// Tries increasing numbers of steps of a scheme, from `coarsest` on, until a trial serves or
-    /// further ones cannot be the cheapest.
+    /// Tries increasing numbers of steps of a scheme, from `coarsest` on, until a trial meets the
+    /// tolerance or further trials cannot be the cheapest.
     pub fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> Climb {
         self.rungs(scheme, coarsest, RUNGS)
     }

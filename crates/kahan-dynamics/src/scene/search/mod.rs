@@ -2,9 +2,9 @@
 //!
 //! In: [`Trials`], which return the error of a setting and the price of a step: counted operations
 //! ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`). Out: the
-//! cheapest setting whose measured error serves. A [ladder](Search::ladder) tries increasing
-//! numbers of steps; [`refine`](Search::refine) searches between the last failure and the first
-//! success. The law error ∝ ε^order only proposes trials.
+//! cheapest setting whose measured error meets the tolerance. A [ladder](Search::ladder) tries
+//! increasing numbers of steps; [`refine`](Search::refine) searches between the last failure and
+//! the first success. The law error ∝ ε^order only proposes trials.
 
 mod choose;
 mod ladder;
@@ -115,7 +115,7 @@ impl<L: Trials> Search<L> {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest setting that serves; among equal costs, the most accurate.
+    /// Returns the cheapest accepted setting; among equal costs, the most accurate.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -154,7 +154,7 @@ impl<L: Trials> Search<L> {
     }
 
     /// Returns whether finer steps in `f64` had larger errors that exceed `roundings`. In stiff
-    /// motions steps of some sizes meet poles of the map, so that several intervals of sizes serve.
+    /// motions steps of some sizes meet poles, so the accepted sizes form several intervals.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
@@ -178,7 +178,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Searches for fewer steps that still serve.
+    /// Searches for fewer steps that still meet the tolerance.
     pub fn refine(&mut self, scheme: Scheme) {
         for _ in 0..TRIALS {
             let dearest = self.least_cost() / self.trials.price(scheme);

@@ -24,7 +24,7 @@ impl<L: Trials> Search<L> {
                 .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // No order comes closer, so the flow itself has rounding errors.
+                // No order agrees better, so the difference is the flow's rounding error.
                 self.is_rough = true;
                 return;
             };
@@ -35,7 +35,7 @@ impl<L: Trials> Search<L> {
     }
 
     /// Predicts the number of steps for an error, by the law from the finest trial in `Dd`, or from
-    /// the best in `f64`. `None` if finer trials in `Dd` come no closer.
+    /// the best in `f64`. `None` if finer trials in `Dd` agree no better.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
