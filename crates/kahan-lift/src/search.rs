@@ -102,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<Found> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // `most` comes from another ring. After a failed greedy closure success is unlikely.
+    // If `most` is the result of another ring, success is unlikely after a failed greedy closure.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }

@@ -82,8 +82,7 @@ impl Shade {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit beyond the range of doubles exceeds any size; without a step no orbit
-            // exists.
+            // An orbit beyond the range of doubles has exceeded the size, unless it has no step.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

@@ -293,8 +293,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                // Double multipliers show the square root of the remaining defect, so try one more
-                // step.
+                // A double multiplier has an error of about the square root of the remaining
+                // defect, so try one more step.
                 let is_nearer =
                     gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

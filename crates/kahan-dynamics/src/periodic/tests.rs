@@ -492,7 +492,7 @@ fn a_fold_hides_no_other_change() {
         // From far away, 1 − 2x passes through −1 first.
         let first = [(Change::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
-        // The position of a fold loses half of the tangent's digits.
+        // The position of a fold is accurate to about half of the digits.
         assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);
         assert_eq!(seen.len(), branch.points.len());
         // The last case has two bifurcations in one step.

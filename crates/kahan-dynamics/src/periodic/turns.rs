@@ -213,7 +213,6 @@ impl<C: Curve> Stride<'_, C> {
         } else {
             // The multiplier stays on the circle within rounding, then leaves it like a square root
             // of the distance.
-            // distance.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);

@@ -142,7 +142,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The loops of dense fields borrow the thread's scratch too.
+        // Take the scratch, since the loops of dense fields borrow it too.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));

@@ -133,7 +133,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
 ) {
     let (n, width) = (columns.len(), points::<T>());
     let trajectories = columns.first().map_or(0, |column| column.len());
-    // `alone` borrows the thread's scratch too.
+    // Take the scratch, since `alone` borrows it too.
     let mut scratch = with_scratch(T::single(), std::mem::take);
     let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
     for first in (0..trajectories).step_by(width) {

@@ -313,7 +313,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     // The observers' end, if any, replaces the run's.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // A stopped first pass gets no second one.
+        // If the first pass was stopped, there is no second one.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;

@@ -149,7 +149,7 @@ impl Measuring<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // A composition does not preserve the map's integrals, so the flow's count.
+        // A composition does not preserve the map's integrals, only nearly those of the flow.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,

@@ -49,7 +49,8 @@ impl Prices {
     /// Converts times to a system with another cost of a step.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // Double-double steps have hundreds of independent operations, so their number counts.
+            // Double-double steps have hundreds of independent operations, whose number
+            // determines the time.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };

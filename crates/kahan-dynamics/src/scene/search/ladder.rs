@@ -125,7 +125,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // If the law holds, rungs in between are unnecessary.
+                // If the law holds, trials in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
