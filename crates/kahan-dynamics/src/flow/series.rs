@@ -125,8 +125,8 @@ impl<T: Digits, const N: usize> Series<T, N> {
 /// 99, but per component, because a small component may become important.
 ///
 /// A step h = pρ, p = [`PART_OF_RADIUS`](Digits::PART_OF_RADIUS), omits about |x_K|h^K, which may
-/// be p^K of the component. The component is at least as large as each of its terms |xₖ|hᵏ, and x₀
-/// may be 0; so the term that allows the longest step counts.
+/// be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound of that size, also if x₀ = 0,
+/// so the largest step that any term allows is accepted.
 fn radius<T: Digits, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {

@@ -294,17 +294,16 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
     multiplier.re.hypot(multiplier.im)
 }
 
-/// The periodic point of a map near `start`, whose period divides `period`.
+/// Finds a periodic point of a map near `start`, whose period divides `period`.
 ///
-/// How near is near enough is relative to the size of `start`, or of the cycle where that is
-/// larger, or of the next point of the orbit where `start` is 0: the answer does not depend on the
-/// unit of length.
+/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger, or of the
+/// next point of the orbit if `start` is 0. The result is independent of the unit of length.
 ///
-/// Cost: some rounds of Newton's method, each a decomposition of a matrix of `period` times the
+/// Cost: some iterations of Newton's method, each a decomposition of a matrix of `period` times the
 /// number of variables.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`] where the start does not fit, the orbit is not finite, or none is found.
+/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or none found.
 pub fn periodic_point<M: Differentiable>(
     map: &M,
     start: &[f64],

@@ -36,7 +36,7 @@ impl<T: MachineFloat, O: Observer<T>> Observer<T> for WithRates<'_, T, O> {
 
 impl<T: MachineFloat + PartialOrd> MapAt<T> {
     /// Observes the extremes of each variable and of each rate of change, the input of
-    /// [`rotations`](Self::rotations); `None` where all values were NaN.
+    /// [`rotations`](Self::rotations); `None` if all values were NaN.
     pub fn extremes(&self) -> impl Observer<T, Report = [Vec<Option<Extremes<T>>>; 2]> + use<'_, T> {
         let n = self.dimension();
         let of = |first: usize| (first..first + n).map(|k| Extrema::of(move |both: &[T]| both[k])).collect();

@@ -32,7 +32,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates an object by code; returns `false` where the object has no code.
+    /// Evaluates an object by code; returns `false` if the object has no code.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,

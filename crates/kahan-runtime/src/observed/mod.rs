@@ -37,7 +37,7 @@ pub struct Observing<'a> {
 }
 
 impl Observing<'_> {
-    /// The bound of [`Observable::Escape`] where [`escape`](Self::escape) is `None`.
+    /// The bound of [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
     fn bound(&self) -> f64 {

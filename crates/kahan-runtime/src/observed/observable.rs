@@ -76,7 +76,7 @@ pub enum Seen {
     Point(Vec<f64>),
     /// The drift of each integral, relative to its first value.
     Drift(Vec<Drifted>),
-    /// The extremes of each variable; `None` where all values were NaN.
+    /// The extremes of each variable; `None` if all values were NaN.
     Extrema(Vec<Option<Extremes<f64>>>),
     /// The largest Lyapunov exponent, with an estimate of its convergence.
     Exponent(Exponent),
