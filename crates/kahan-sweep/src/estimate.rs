@@ -12,7 +12,6 @@ pub(crate) struct Estimate<'a> {
     plan: &'a Plan,
     /// The size of the merged file; the parts need the same space again.
     bytes: f64,
-    /// The time on one core.
     core_seconds: f64,
     cores: usize,
     /// The number of sampled points.

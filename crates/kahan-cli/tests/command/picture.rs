@@ -41,7 +41,6 @@ fn elements(svg: &str) -> Vec<BytesStart<'static>> {
     }
 }
 
-/// Returns the texts in an SVG.
 fn words(svg: &str) -> Vec<String> {
     let shown = |part: &str| {
         let (_, inner) = part.split_once('>').expect("the end of a tag");

@@ -31,7 +31,6 @@ pub enum Format {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
     pixels: (u32, u32),
-    /// The width and height of the view box.
     pub(super) view_box: (f64, f64),
     /// The colours. PNG and PDF files of [`Theme::Viewer`] are light.
     pub theme: Theme,

@@ -85,7 +85,6 @@ impl Shown {
         }
     }
 
-    /// Asks for an orbit diagram.
     pub(crate) fn of_diagram(asked: &Diagram) -> Self {
         let (eps, axes) = (asked.eps.clone(), asked.variable.iter().cloned().collect());
         let at = vec![At::Point(asked.at.clone())];
@@ -279,7 +278,6 @@ impl Shown {
         Ok(Drawn { picture, notes: notes(starts.len() * values, ended, is_cut) })
     }
 
-    /// Draws the growth of heights.
     fn heights(&self, study: &Study, look: &Look) -> Result<Drawn, Refusal> {
         let (eps, starts) = (self.eps()?, self.spread.starts(&self.at));
         let [at] = &starts[..] else {

@@ -36,7 +36,6 @@ pub(in crate::scene) enum Verdict {
     Choice(Setting),
     /// No setting meets the tolerance, or no trial confirms the flow.
     None {
-        /// The least error of all trials.
         least_error: f64,
         /// Whether a ladder, or the flow, met rounding errors.
         is_rough: bool,
