@@ -39,7 +39,9 @@ pub(super) enum Why {
     Range,
     /// A step of another method leaves the range of the scalar.
     TooLarge,
+    /// The flow escapes.
     Escapes,
+    /// The lift of the field ends.
     Lift(LiftEnds),
 }
 
