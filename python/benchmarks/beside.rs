@@ -1,8 +1,8 @@
-//! The work of `run.py` in Rust, timed when it is asked for.
+//! The work of `run.py` in Rust, timed on request.
 //!
-//! In: a line, `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`. Out: a line,
-//! the seconds that it took without freeing the memory, and z of the last point, by which Python
-//! sees that both computed the same.
+//! In: a line, `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`. Out: a line
+//! with the seconds, without freeing memory, and z of the last point, so that Python can check the
+//! result.
 
 use std::error::Error;
 use std::io::stdin;
@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use kahan_runtime::{Field, Follow, MapAt, threads};
 
-/// Trajectories that a thread takes at once, so that their columns stay in its cache.
+/// The number of trajectories that a thread takes at once; their columns stay in its cache.
 const TOGETHER: usize = 1024;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All points of an orbit in fresh memory.
+/// Computes all points of an orbit, into fresh memory.
 fn each(at: &MapAt<f64>, steps: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut x = [0.3, 0.8, 0.5];
     let mut rows = vec![0.0; 3 * steps];
@@ -44,14 +44,14 @@ fn each(at: &MapAt<f64>, steps: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     Ok(rows)
 }
 
-/// The last point of an orbit alone.
+/// Computes only the last point of an orbit.
 fn last(at: &MapAt<f64>, steps: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut x = [0.3, 0.8, 0.5];
     at.follow(&mut x, steps as u64, |_| ControlFlow::Continue(()))?;
     Ok(x.to_vec())
 }
 
-/// z of the last points of many trajectories, whose columns are fresh memory.
+/// Returns z of the last points of many trajectories, whose columns are fresh memory.
 fn ensemble(
     at: &MapAt<f64>,
     trajectories: usize,

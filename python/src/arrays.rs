@@ -12,7 +12,6 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 
-/// ε, rounded to a double.
 pub(crate) struct Eps(pub(crate) f64);
 
 impl FromPyObject<'_, '_> for Eps {
@@ -23,7 +22,6 @@ impl FromPyObject<'_, '_> for Eps {
     }
 }
 
-/// Returns the float nearest to a number, or to a number written as text.
 fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(number) = given.extract() {
         return Ok(number);
@@ -48,7 +46,6 @@ pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, Py
     }
 }
 
-/// An array for reading.
 pub(crate) enum Floats<'py> {
     /// Double precision.
     Double(PyReadonlyArrayDyn<'py, f64>),
@@ -107,8 +104,8 @@ pub(crate) fn named<'py>(
 /// The columns of the states in a table, and the columns of parameters and `eps` with their names.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns of a table, which needs one for each of the first `least` states. With
-/// `varies`, parameters and `eps` may have columns, too. `name` is the argument of the caller.
+/// Finds the columns of a table, with one for each of the first `least` states. With `varies`,
+/// parameters and `eps` may also have columns. `name` is the argument of the caller.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),

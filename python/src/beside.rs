@@ -1,4 +1,4 @@
-//! Long work beside the interpreter, with its lock released, Ctrl-C and reports of progress.
+//! Long work outside of the interpreter's lock, with Ctrl-C and reports of progress.
 //!
 //! Python handles signals only on its main thread, and only while that thread runs Python code. The
 //! work therefore has its own thread, while the caller's thread checks for signals a hundred times
@@ -16,16 +16,14 @@ use kahan_study::{Finding, Progress, Watch};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// The time between checks for signals.
 const LOOK: Duration = Duration::from_millis(10);
-/// The time between reports of progress.
 const TOLD: Duration = Duration::from_millis(100);
 /// The most numbers computed without a check for signals: some milliseconds of work.
 const SHORT: u64 = 1 << 16;
 /// The stack of a worker; recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The caller as seen by the work: its [`Watch`].
+/// The [`Watch`] of running work: receives its progress and results, and may stop it.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -185,8 +183,8 @@ pub(crate) fn beside_if_long<R: Send>(
     Ok(result)
 }
 
-/// Works like [`beside`], but does not wait for work that was asked to end: with numbers of a
-/// million digits, it may take seconds to notice. The work must not borrow.
+/// Works like [`beside`], but returns without waiting for the end of cancelled work, which may
+/// take seconds with numbers of a million digits. The work must not borrow.
 ///
 /// # Errors
 /// See [`beside`].

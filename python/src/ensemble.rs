@@ -174,7 +174,6 @@ impl Field {
 /// Many trajectories of one field.
 pub(crate) struct Many<T: Float> {
     pub(crate) at: MapAt<T>,
-    /// One ε, or one for each trajectory.
     pub(crate) eps: Vec<T>,
     /// For each parameter one value, or one for each trajectory; empty if all values are the map's.
     pub(crate) constants: Vec<Vec<T>>,
@@ -219,8 +218,8 @@ impl<T: Float> Many<T> {
         found.into_iter().collect()
     }
 
-    /// Follows trajectories of a lifted field again if their last points are beyond an end, up to
-    /// that end. `from` and `to` hold first and last points.
+    /// Follows trajectories of a lifted field again, up to their ends, if their last points are
+    /// beyond. `from` and `to` hold first and last points.
     fn end_lifted(
         &self,
         from: &[T],
@@ -254,7 +253,6 @@ impl<T: Float> Many<T> {
     }
 }
 
-/// Trajectories of one thread, stored by columns.
 pub(crate) struct Piece<'a, T: Float> {
     many: &'a Many<T>,
     columns: Vec<Vec<T>>,
@@ -284,7 +282,6 @@ impl<'a, T: Float> Piece<'a, T> {
         Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
     }
 
-    /// Makes `steps` steps, or fewer if the caller ends the work.
     pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
         let count = self.columns.first().map_or(0, Vec::len);
         let at_once = (AT_ONCE / count as u64).max(1);
@@ -340,7 +337,6 @@ impl<'a, T: Float> Piece<'a, T> {
 }
 
 impl Many<f64> {
-    /// Observes the orbits of points, stored row by row.
     fn observed(
         &self,
         rows: &[f64],
@@ -349,7 +345,7 @@ impl Many<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
-        // Pieces are small enough for all threads to have some.
+        // Small pieces, so that all threads get some.
         let together = (AT_ONCE / asked.steps_in_all().max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
@@ -371,7 +367,7 @@ impl Many<f64> {
     }
 }
 
-/// The ends of trajectories: the words that occur, the index of the word of each trajectory, and
+/// The ends of trajectories: the names that occur, the index of the name for each trajectory, and
 /// the number of its steps.
 pub(crate) type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
@@ -390,8 +386,8 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// Combines ends with ends after `steps` earlier steps; a trajectory that ended earlier keeps its
-/// end.
+/// Combines ends with ends that are counted after `steps` earlier steps; trajectories that ended
+/// earlier keep their ends.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;

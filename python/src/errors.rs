@@ -7,7 +7,6 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 
-/// Returns a class of `kahan._errors`.
 fn class<'py>(
     py: Python<'py>,
     cell: &'static PyOnceLock<Py<PyType>>,
@@ -33,7 +32,6 @@ pub(crate) fn singular_step(py: Python<'_>, message: &str) -> PyErr {
     error.map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// Converts the error of a field or a question.
 pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
     match error {
         StudyError::Field(mistakes) => field_error(py, mistakes).unwrap_or_else(|failed| failed),
@@ -49,7 +47,6 @@ pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
     }
 }
 
-/// Converts the error of arrays whose sizes do not fit.
 pub(crate) fn of_dimension(error: &DimensionError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }

@@ -1,4 +1,4 @@
-//! A field held by Python: its names, and questions about it.
+//! A field owned by a Python object: its names, and questions about it.
 
 use std::sync::Mutex;
 
@@ -22,11 +22,9 @@ use crate::orbit::wrong_shape;
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Field {
     study: Study,
-    /// The maps of the last calls.
     last: Mutex<Last>,
 }
 
-/// The maps of the last calls, kept for the next.
 #[derive(Default)]
 pub(crate) struct Last {
     double: Option<MapAt<f64>>,
@@ -42,7 +40,7 @@ pub(crate) trait Float:
 {
     /// Rounds a double, Python's float.
     fn near(number: f64) -> Self;
-    /// Returns the place of the last map in this precision.
+    /// Returns the cache entry for this precision.
     fn last(last: &mut Last) -> &mut Option<MapAt<Self>>;
 }
 
@@ -67,12 +65,11 @@ impl Float for f32 {
 }
 
 impl Field {
-    /// Returns the map at the field's parameters.
     pub(crate) fn map(&self, py: Python<'_>) -> PyResult<Map> {
         self.study.map().cloned().map_err(|error| of_study(py, &error))
     }
 
-    /// Returns the map at ε, and keeps it for the next call.
+    /// Returns the map at ε, and caches it.
     pub(crate) fn at<T: Float>(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<T>> {
         let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let last = T::last(&mut last);
@@ -91,7 +88,7 @@ impl Field {
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // A float stands for its decimal; a NaN or infinity gets the claims at 0.
+        // A float stands for its decimal; NaN and infinity get the claims at ε = 0.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -99,8 +96,7 @@ impl Field {
         Ok(at)
     }
 
-    /// Returns the map at eps = 0 with these values in place of the field's own; keeps it for the
-    /// next call.
+    /// Returns the map at eps = 0 with these values in place of the field's own, and caches it.
     pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
         if values.iter().all(Option::is_none) {
             return self.at(py, 0.0);
@@ -121,17 +117,15 @@ impl Field {
 }
 
 impl Field {
-    /// Returns the study of the field.
     pub(crate) fn study(&self) -> &Study {
         &self.study
     }
 
-    /// Returns the number of variables.
     pub(crate) fn dimension(&self) -> usize {
         self.study.variables().len()
     }
 
-    /// Builds the error for points of all variables with a wrong shape. For a lifted field, the
+    /// Builds the error for points of a wrong shape in all variables. For a lifted field, the
     /// message is in terms of the variables of arrays.
     pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
         let shown = self.study.shown().len();
@@ -146,7 +140,6 @@ impl Field {
         wrong_shape(name, &wanted, &given.collect::<Vec<_>>())
     }
 
-    /// Returns the name of a parameter.
     pub(crate) fn parameter(&self, k: usize) -> &str {
         &self.study.parameters()[k]
     }
@@ -193,7 +186,6 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     Ok(Lifting { which, start, names, time, shows_all, ..Lifting::default() })
 }
 
-/// A field as given by Python.
 #[derive(FromPyObject)]
 enum Given<'py> {
     /// A text.
@@ -229,7 +221,6 @@ impl Given<'_> {
     }
 }
 
-/// Reads a question from JSON.
 pub(crate) fn question(json: &str) -> PyResult<Question> {
     serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
 }
@@ -401,7 +392,7 @@ impl Field {
         Ok(rates.note())
     }
 
-    /// Notes for the writer of the text on unusual readings.
+    /// Notes for the author of the text on unusual interpretations.
     #[getter]
     fn notes(&self) -> Vec<String> {
         let warning = self.study.lift().and_then(kahan_study::Lift::warning);

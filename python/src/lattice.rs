@@ -23,7 +23,7 @@ pub(crate) fn is_family(text: &str) -> bool {
 pub(crate) struct Chain {
     lattice: Lattice,
     sites: usize,
-    /// The chain has scratch memory, so that only one call at a time can use it.
+    /// A chain has scratch memory, so that only one call at a time can use it.
     at: Mutex<ChainAt>,
 }
 
@@ -92,7 +92,7 @@ impl Chain {
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
         if followed.end.steps(steps) < steps {
-            // A state that left the range stays outside.
+            // A state that left the range of floats stays NaN.
             x.fill(f64::NAN);
         }
         x.into_pyarray(py).reshape(state.shape())

@@ -1,8 +1,8 @@
-//! The interface between Python and the libraries: objects of Python in, arrays and answers out.
+//! The interface between Python and the libraries: Python objects in, arrays and answers out.
 //!
-//! Mathematics belongs to the libraries. Questions and answers are JSON
-//! ([`kahan_study::Question`]); calls in loops (steps, orbits, ensembles) take and return NumPy
-//! arrays directly. Python files in `kahan/` add named results, SymPy formulas and plots.
+//! Questions and answers are JSON ([`kahan_study::Question`]); calls in loops (steps, orbits,
+//! ensembles) take and return NumPy arrays directly. Python files in `kahan/` add named results,
+//! SymPy formulas and plots. Mathematics is deliberately absent.
 
 mod arrays;
 mod arrow;
@@ -65,8 +65,7 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     ]
 }
 
-/// Returns the known name that `name` is probably a misspelling of, by the rule for texts of
-/// fields.
+/// Returns the known name that `name` probably misspells, by the rule for texts of fields.
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()

@@ -121,14 +121,13 @@ impl Field {
     }
 }
 
-/// The reason for which a point has no image.
+/// The reason why a point has no image.
 enum NoStep {
     Dimension(DimensionError),
     /// A singular step, with the index of the point.
     Singular(usize, SingularStep),
 }
 
-/// The options of an orbit.
 struct Asked<'py> {
     eps: f64,
     steps: u64,
@@ -184,7 +183,7 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         checked: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        // The result may overwrite the input, so that is copied first.
+        // Copy the input first, since the result may overwrite it.
         let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
         match floats(copied.as_ref().unwrap_or(x), "x")? {
             Floats::Double(x) => self.next(&x, eps, out, checked),
@@ -290,7 +289,6 @@ fn of_map<'py, T>((rows, _, end, steps): Orbit<'py, T>) -> Rows<'py> {
     (rows, end.steps(steps), end.name(), None)
 }
 
-/// Returns the rows of one orbit of a lifted field.
 fn follow_lifted<'py, S>(
     py: Python<'py>,
     step: &LiftedStep<'_, S>,
@@ -358,7 +356,7 @@ pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
     NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
 }
 
-/// Returns the number of rows of an orbit, if it is within the range of indices.
+/// Returns the number of rows of an orbit, if it fits an index.
 pub(crate) fn room(paces: &Paces) -> PyResult<usize> {
     let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
     rows.ok_or_else(|| too_long(paces))
@@ -372,19 +370,16 @@ pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<
     Ok(all)
 }
 
-/// Builds the error of an orbit that exceeds memory.
 fn too_long(paces: &Paces) -> PyErr {
     let points = paces.steps / paces.every;
     PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }
 
-/// Returns the composition of an order.
 pub(crate) fn composition(order: u32) -> PyResult<Composition> {
     Composition::of_order(order)
         .ok_or_else(|| PyValueError::new_err(format!("order {order} is not there; choose 2, 4, 6 or 8")))
 }
 
-/// Builds the error of an array with a wrong shape.
 pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
     let found = shown(found);
     PyValueError::new_err(format!(

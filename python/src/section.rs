@@ -1,4 +1,4 @@
-//! Crossings of orbits as arrays, complete or in parts.
+//! Crossings of orbits as arrays, complete or block by block.
 
 use std::ops::ControlFlow;
 
@@ -70,9 +70,8 @@ impl Field {
     }
 }
 
-/// Passes crossings on to Python in large parts.
+/// A consumer that passes crossings to Python in large blocks.
 struct Parts<'a> {
-    /// The caller, whose signals end the work.
     caller: &'a Caller,
     rows: Table,
     part: Py<PyAny>,
@@ -80,7 +79,6 @@ struct Parts<'a> {
     raised: Option<PyErr>,
 }
 
-/// The number of values in a part.
 const AT_ONCE: usize = 1 << 20;
 
 impl Rows for Parts<'_> {

@@ -1,7 +1,7 @@
-//! Derivatives of orbits and ensembles by parameters, first points and ε.
+//! Derivatives of orbits and ensembles with respect to parameters, first points and ε.
 //!
-//! In: the rows of an orbit computed without derivatives, so that they have the usual bits. Out:
-//! the derivative of each row by each name.
+//! In: the rows of an orbit computed without derivatives, with the usual bits. Out: the derivative
+//! of each row with respect to each name.
 
 use std::num::NonZeroU64;
 
@@ -19,13 +19,13 @@ use crate::errors::of_dimension;
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The most steps between two checks for signals.
 const MOMENT: u64 = 4096;
 
 #[pymethods]
 impl Field {
-    /// Differentiates the rows of an orbit, from `_points`, by the names in `by`. Returns the names
-    /// in the order of the array, and the array of shape (names, rows, variables).
+    /// Differentiates the rows of an orbit, from `_points`, with respect to the names in `by`.
+    /// Returns the names in the order of the array, and the array of shape (names, rows,
+    /// variables).
     #[pyo3(name = "_derivatives", signature = (rows, eps, by, *, every, order = 2, compensated = false, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn derivatives<'py>(
@@ -47,9 +47,9 @@ impl Field {
         Ok((vectors.names, derivatives?))
     }
 
-    /// Differentiates the last points of an ensemble by the names in `by`; other arguments are
-    /// those of `_advance`. Returns the names in the order of the array, and the array of shape
-    /// (names, trajectories, variables).
+    /// Differentiates the last points of an ensemble with respect to the names in `by`; other
+    /// arguments are those of `_advance`. Returns the names in the order of the array, and the
+    /// array of shape (names, trajectories, variables).
     #[pyo3(name = "_last_derivatives", signature = (points, eps, steps, by, *, parameters = Vec::new(), order = 2, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn last_derivatives<'py>(
@@ -73,7 +73,6 @@ impl Field {
     }
 }
 
-/// The options of `_derivatives`, without rows and names.
 struct Asked<'py> {
     eps: f64,
     every: NonZeroU64,
@@ -82,7 +81,7 @@ struct Asked<'py> {
     listener: Listener<'py>,
 }
 
-/// The derivative vectors carried with a point.
+/// The derivative vectors propagated with a point.
 struct Vectors {
     names: Vec<String>,
     by: Vec<By>,
@@ -131,7 +130,6 @@ impl Field {
         vectors
     }
 
-    /// Returns the derivatives along the rows of an orbit.
     fn along<'py, T: Float>(
         &self,
         rows: &PyReadonlyArrayDyn<'py, T>,
@@ -172,8 +170,8 @@ impl Field {
     }
 }
 
-/// Carries the vectors from row to row by `with`, a map of points with vectors. Each row replaces
-/// the point of the state, which may differ from it by rounding.
+/// Propagates the vectors from row to row by `with`, a map of points with vectors. Each row
+/// replaces the point of the state, which may differ from it by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,
@@ -196,7 +194,7 @@ where
     let mut derivatives: Vec<S::Scalar> = Vec::new();
     let size = size.filter(|size| derivatives.try_reserve_exact(*size).is_ok()).ok_or_else(too_large)?;
     derivatives.resize(size, S::Scalar::zero());
-    // A state holds a point, its vectors, and, if compensated, the carry of each number.
+    // A state holds a point, its vectors, and, if compensated, the rounding error of each number.
     let mut state = vec![S::Scalar::zero(); with.dimension()];
     state.iter_mut().skip(n).zip(vectors.first()).for_each(|(own, first)| *own = first);
     let (every, behind) = (asked.every.get(), n * (1 + count));

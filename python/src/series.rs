@@ -1,8 +1,8 @@
 //! Points along many trajectories.
 //!
-//! In: an ensemble, and the steps to show. Out: rows of each trajectory in turn, with the bits of
-//! single orbits. Trajectories are followed side by side in columns. Trajectories of a lifted field
-//! that passed their ends are followed again, one by one.
+//! In: an ensemble, and the steps to show. Out: the rows of each trajectory, with the bits of
+//! single orbits. Trajectories are followed in columns; those of a lifted field that passed their
+//! ends are followed again, one by one.
 
 use std::sync::{Mutex, PoisonError};
 

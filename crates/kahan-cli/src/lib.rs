@@ -1,13 +1,11 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
-//! In: arguments. Out: text, JSON or files. The crate must not know mathematics: `reading` makes
-//! checked systems and numbers of arguments. A command of `commands` asks a library, and makes an
-//! `Answer` or a `Refusal`. Only [`run`] prints. The exit status is 0, 1 for a failed check or a
-//! pole, or 2 for wrong usage or input. Only rows of long tables are printed before the answer is
-//! complete; a `Sink` takes them.
+//! In: arguments. Out: text, JSON or files. `reading` turns arguments into checked systems and
+//! numbers; each module of `commands` asks a library, and returns an `Answer` or a `Refusal`. Only
+//! [`run`] prints, except for rows of long tables, which go to a `Sink`. The exit status is 0, 1
+//! for a failed check or a pole, or 2 for wrong usage or input. Mathematics is deliberately absent.
 
-// Layers from bottom to top. Each uses only those above it in this list; `tests/tests/layers.rs`
-// checks that.
+// Modules from bottom to top: each uses only those above (`tests/tests/layers.rs`).
 
 mod printing;
 
@@ -80,7 +78,8 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // A refusal of a term may be caused by a name that was meant as a variable.
+    // A term may have been refused because a variable was misspelled; the notes show undeclared
+    // names.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));

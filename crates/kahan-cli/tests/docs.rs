@@ -79,7 +79,7 @@ fn every_command_has_its_help_in_the_reference() {
     }
 }
 
-/// Each row has a call and the members of the object that it prints, in their order.
+/// Each row has a call and the members of the object that it prints, in order.
 #[test]
 fn the_objects_have_the_members_that_the_reference_lists() {
     let reference = read(Path::new("docs/reference/commands.md"));

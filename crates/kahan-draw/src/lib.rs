@@ -1,8 +1,9 @@
-//! Pictures and pages of answers. Takes answers of `kahan-study`, or points, numbers and formulas,
-//! and a description of their looks. Returns drawings, as SVG within a page or as files, and pages
-//! of HTML. The crate knows neither the command nor any file. `plot` turns a [`Plot`], [`Space`] or
-//! [`Grid`] into a [`Drawing`]; [`picture`] builds these from answers. [`document`] sets formulas,
-//! tables and pages; [`answer`] sets answers within them.
+//! Pictures and pages of answers.
+//!
+//! In: answers of `kahan-study`, or points, numbers and formulas, and a description of their looks.
+//! Out: drawings, as SVG or files, and HTML pages. `plot` turns a [`Plot`], [`Space`] or [`Grid`]
+//! into a [`Drawing`]; [`picture`] builds these from answers; [`document`] and [`answer`] write
+//! pages. Commands and file access are deliberately absent.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,6 +1,8 @@
-//! Drawings with axes: points in the plane, orbits in space, and grids of numbers. A description
-//! ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a file as SVG,
-//! PNG or PDF. Lengths are units of the view box; a small box keeps text legible on telephones.
+//! Drawings with axes: points in the plane, orbits in space, and grids of numbers.
+//!
+//! A description ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a
+//! file as SVG, PNG or PDF. Lengths are units of the view box; a small box keeps text legible on
+//! telephones.
 
 mod drawing;
 mod grid;
@@ -173,7 +175,6 @@ impl Plot {
         self.x.shows(x) && self.y.shows(y)
     }
 
-    /// Returns the polylines through the points, clipped to the axes.
     fn lines(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
         for pair in points.windows(2) {
@@ -188,7 +189,6 @@ impl Plot {
         lines
     }
 
-    /// Clips the segment between two points to the axes.
     fn part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
         let mut ends = [0.0_f64, 1.0];
         for (axis, from, to) in [(&self.x, from.0, to.0), (&self.y, from.1, to.1)] {
@@ -245,7 +245,6 @@ struct Frame {
     bottom: f64,
 }
 
-/// The margins above and below the frame.
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 
@@ -309,7 +308,7 @@ impl Frame {
     }
 }
 
-/// Draws the name of an axis, centred at a place as far as its extent permits.
+/// Draws the name of an axis, centred at a position as far as its extent permits.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
@@ -319,7 +318,7 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
     Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
 }
 
-/// Returns the places and labels of an axis's ticks, as many as fit without overlap.
+/// Returns positions and labels of an axis's ticks, as many as fit without overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
     /// The height of a line, and the gap between labels.
     const LINE: f64 = 14.0;

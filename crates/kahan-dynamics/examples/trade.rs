@@ -1,7 +1,7 @@
-//! Work against accuracy: which scalar, order and ε reach a tolerance at the least cost?
+//! The cheapest scalar, order and ε for several tolerances.
 //!
-//! A `Scene` compares settings with the flow itself over the whole horizon, without a clock, so the
-//! answer is reproducible. The setting prints as a line of Rust.
+//! A `Scene` compares settings with the flow over the whole horizon, without a clock, so the choice
+//! is reproducible. A setting prints as a line of Rust.
 
 use kahan_core::prelude::*;
 use kahan_dynamics::Scene;

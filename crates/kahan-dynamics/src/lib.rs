@@ -1,9 +1,8 @@
-//! Questions about a map that take many of its orbits: accurate settings, cycles, the flow.
+//! Computations with many orbits of a map: choice of the integrator, cycles, reference solutions.
 //!
 //! In: maps of `kahan-core`, or any [`Step`](kahan_core::Step) with its derivative. Out: a
-//! [`Setting`] for a [`Scene`], found by a [`search`] that also accepts other prices; cycles and
-//! their branches ([`periodic`]); a [`Flow`]. Texts, plans and machine code of maps belong to
-//! `kahan-runtime`.
+//! [`Setting`] for a [`Scene`]; cycles and their branches ([`periodic`]); a [`Flow`]. Maps from
+//! text, plans and machine code belong to `kahan-runtime`.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -24,8 +23,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Layers from bottom to top: each module imports only from those above it, as
-// `tests/tests/layers.rs` checks.
+// Modules from bottom to top: each imports only from those above (`tests/tests/layers.rs`).
 mod flow;
 
 pub mod periodic;

@@ -1,4 +1,4 @@
-//! Names for files that search settings, follow the flow or find cycles.
+//! Names for the choice of settings, flows and cycles.
 //!
 //! Use `use kahan_dynamics::prelude::*;` together with `use kahan_core::prelude::*;`.
 

@@ -1,8 +1,8 @@
 //! Ball arithmetic: numbers known up to a radius around a middle of limited length.
 //!
 //! In: exact numbers. Out: for every sum, product and quotient a ball that contains the exact
-//! result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius is large
-//! relative to its middle only after cancellation.
+//! result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius becomes
+//! large relative to its middle only by cancellation.
 
 use super::dyadic::Dyadic;
 
@@ -47,17 +47,15 @@ impl Ball {
         self.middle.is_zero() && self.radius.is_zero()
     }
 
-    /// Tells whether the ball excludes 0.
     pub(crate) fn is_not_zero(&self) -> bool {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
-    /// Returns a lower bound of |v| over all v of the ball; negative values mean no bound.
+    /// Returns a lower bound of |v| over the ball; a negative value is no restriction.
     pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius
     }
 
-    /// Returns an upper bound of |v| over all v of the ball.
     pub(crate) fn most(&self) -> Dyadic {
         &self.middle.clone().abs() + &self.radius
     }

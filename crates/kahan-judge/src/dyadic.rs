@@ -1,6 +1,5 @@
-//! Exact numbers n·2^k: floats, and sums and products of floats.
-//!
-//! Greatest common divisors are never taken; quotients are compared by cross-multiplication.
+//! Exact numbers n·2^k: floats, and their sums and products. No greatest common divisor is taken;
+//! quotients are compared by cross-multiplication.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -10,7 +9,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
-/// The number integer·2^exponent. Not normalised: [`compare`](Dyadic::compare) tells equality.
+/// The number integer·2^exponent. Not normalised; use [`compare`](Dyadic::compare) for equality.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
     integer: BigInt,
@@ -22,7 +21,6 @@ impl Dyadic {
         Self { integer: integer.into(), exponent }
     }
 
-    /// Returns the exact value of a float; `None` for infinities and NaN.
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
         // Without trailing zeros, products of small integers stay small.
@@ -47,7 +45,6 @@ impl Dyadic {
         Self { integer: self.integer.magnitude().clone().into(), ..self }
     }
 
-    /// Returns self·2^power.
     pub(crate) fn scaled(mut self, power: i64) -> Self {
         self.exponent += power;
         self
@@ -72,8 +69,8 @@ impl Dyadic {
         Self::new(value.numerator(), 1 - value.denominator().bits() as i64)
     }
 
-    /// Splits off the leading `bits` bits, rounded towards 0. Also returns the exponent of a unit
-    /// larger than the rest; `None` if the rest is empty.
+    /// Truncates to the leading `bits` bits. Also returns the exponent of a unit larger than the
+    /// truncated remainder; `None` if nothing was truncated.
     pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
@@ -93,8 +90,8 @@ impl Dyadic {
         (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
     }
 
-    /// Returns (significand, binade) with 1 ≤ |significand| < 2, cut off after 53 bits; (0, 0) for
-    /// 0.
+    /// Returns (significand, binade) with 1 ≤ |significand| < 2, truncated after 53 bits; (0, 0)
+    /// for 0.
     pub(crate) fn leading(&self) -> (f64, i64) {
         let mut digits = self.integer.iter_u64_digits().rev();
         let (Some(binade), Some(first)) = (self.binade(), digits.next()) else { return (0.0, 0) };
@@ -104,7 +101,7 @@ impl Dyadic {
         (if self.is_negative() { -significand } else { significand }, binade)
     }
 
-    /// Returns self cut off after 53 bits; fewer below the normal range, infinite above it.
+    /// Truncates after 53 bits; fewer below the normal range, infinite above it.
     pub(crate) fn near_f64(&self) -> f64 {
         let (significand, binade) = self.leading();
         libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
@@ -121,7 +118,7 @@ impl Dyadic {
     }
 }
 
-/// Combines both integers over the smaller exponent.
+/// Combines the integers of both numbers over the smaller exponent.
 fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
     // A zero must not determine the exponent.
     if b.is_zero() {

@@ -1,8 +1,8 @@
 //! Elimination on the equation of a step, in balls.
 //!
 //! In: the equation at a point, and a precision. Out: x̃ as balls, or the condition number of the
-//! step. Pivots are entries that exclude 0. A column of zeros makes the matrix singular. Any other
-//! column without a pivot leaves the outcome open, and callers try the next of the [`precisions`].
+//! step. Pivots are entries that exclude 0. A zero column makes the matrix singular; for any other
+//! column without a pivot the result is unknown, and callers try the next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -17,7 +17,6 @@ pub(crate) fn precisions() -> impl Iterator<Item = u64> {
     successors(Some(LEAST_BITS), |bits| Some(2 * bits)).take_while(|bits| *bits <= MOST_BITS)
 }
 
-/// The outcome of an elimination.
 #[derive(Debug)]
 pub(crate) enum Eliminated<R> {
     Solved(R),
@@ -47,7 +46,6 @@ impl Matrix {
         Self { rows: (0..n).map(row).collect(), bits }
     }
 
-    /// Returns the solutions, row by row, and det A.
     pub(crate) fn solve(mut self) -> Eliminated<(Vec<Vec<Ball>>, Ball)> {
         let (n, bits) = (self.rows.len(), self.bits);
         let size = |row: &Vec<Ball>| row[..n].iter().filter_map(|entry| entry.middle().binade()).max();
@@ -111,10 +109,10 @@ pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     }
 }
 
-/// Returns the condition number of the step in (x, ε), or `None` if `bits` bits don't determine it:
-/// max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞
-/// The result is accurate to a relative 2⁻²⁰ and infinite for x̃ = 0. One elimination solves for
-/// all derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
+/// Returns the condition number of the step in (x, ε), max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by
+/// ‖x̃‖∞, or `None` if `bits` bits do not determine it. The result is accurate to a relative 2⁻²⁰,
+/// and infinite for x̃ = 0. One elimination solves for all derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε)
+/// and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
 pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
     let Eliminated::Solved(next) = next(equation, bits) else { return None };
     let n = next.len();

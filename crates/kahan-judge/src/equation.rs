@@ -1,8 +1,8 @@
 //! The defining equation at a point, exactly: A(x,ε)(x̃ − x) = 2εf(x).
 //!
 //! In: a field of any number of variables, and floats. Out: the entries of A and f, each row
-//! multiplied by the denominator of its component. They are evaluated term by term from the checked
-//! field, independently of the code of the judged steps.
+//! multiplied by the denominator of its component. Evaluation is term by term from the checked
+//! field, independent of the tested code.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational_function::RationalFunction;
@@ -87,7 +87,6 @@ impl Equation {
         self.states
     }
 
-    /// Returns the index of ε among the variables: states, parameters, ε.
     pub(crate) fn epsilon(&self) -> usize {
         self.states + self.parameters
     }
@@ -119,7 +118,6 @@ impl Equation {
 }
 
 impl AtPoint {
-    /// Tells whether all denominators q are nonzero.
     pub(crate) fn is_defined(&self) -> bool {
         self.rows.iter().all(|row| !row.denominator.is_zero())
     }

@@ -1,4 +1,4 @@
-//! Scalars whose steps are judged: their exact values, and the limits of their formats.
+//! Scalars whose steps are tested: their exact values, and the limits of their formats.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, ExtendScalars, KahanMap, Pivot, ThroughF64};
@@ -7,7 +7,7 @@ use super::dyadic::Dyadic;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Format {
-    /// The unit u of the promise is 2^−precision.
+    /// The unit u of the error bound is 2^−precision.
     pub(crate) precision: i64,
     /// The binade of the least number with full precision.
     pub(crate) least_binade: i64,
@@ -15,27 +15,24 @@ pub(crate) struct Format {
 }
 
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
-    /// The name in tables.
     const NAME: &'static str;
     /// The tier of `step`: `fast` or `accurate`.
     const STEP_TIER: &'static str;
     /// The tier of the step that is computed in a wider format and rounded once, if one exists.
     const WIDER_TIER: Option<&'static str> = None;
-    /// The format in which results are judged.
     const FORMAT: Format;
-    /// The number of bits drawn, which is the most that a number can have.
+    /// The number of bits of drawn numbers, the largest possible.
     const BITS: i64;
     /// ε is drawn from ±2^±EPS_BINADES; this is 1e±300 for `f64`.
     const EPS_BINADES: i64;
     /// ‖x‖ is drawn from 2^±STATE_BINADES; this is 1e±150 for `f64`.
     const STATE_BINADES: i64;
-    /// The condition number below which a stable step must not be flagged; `None` without a
-    /// promise.
+    /// The condition number below which a stable step must return a result; `None` without such a
+    /// guarantee.
     const FLAG_CONDITION: Option<f64>;
 
     fn of(value: f64) -> Self;
 
-    /// Returns the exact value; `None` for infinities and NaN.
     fn exact(self) -> Option<Dyadic> {
         let wide: Dd = self.into();
         Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
@@ -99,8 +96,8 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    /// The precision of the promise, which every operation meets. Below the least binade the low
-    /// part loses bits.
+    /// The precision of the error bound, which every operation meets. Below the least binade the
+    /// low part loses bits.
     const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
     const EPS_BINADES: i64 = 996;

@@ -1,10 +1,10 @@
-//! Single steps at the extremes of floats, judged by exact arithmetic.
+//! Single steps at the extremes of floats, tested by exact arithmetic.
 //!
 //! In: systems, a number of trials, a seed ([`Extremes`]). Out: for every regime, tier and scalar
 //! the largest error, the number of flagged trials, and the number of silently wrong ones
-//! ([`Judged`]). Verdicts need no tolerance: the judge compares with the exact map at the given
-//! floats. A trial depends on the seed and its index only, so the number of threads does not
-//! matter. The crate must not know terminals, files, flags or HTML.
+//! ([`Judged`]). Verdicts need no tolerance, since results are compared with the exact map at the
+//! given floats. A trial depends only on the seed and its index, not on threads. Terminals, files,
+//! flags and HTML are deliberately absent.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -52,9 +52,8 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 /// Parameters without a given value are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar. Trials with subnormal inputs, with inputs that are not
-    /// finite, and with large steps come on top: a thirty-second part of this number each, at least
-    /// eight.
+    /// The number of trials of each scalar. Three kinds are added, 1/32 of this number each, at
+    /// least eight: subnormal inputs, infinite or NaN inputs, and large steps.
     pub trials: u64,
     /// The number of additional random fields of two to six variables, which share the trials.
     pub random_fields: usize,
@@ -91,7 +90,7 @@ pub struct Judged {
     pub seed: u64,
     /// The duration in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// A cell for each regime, tier and scalar, and the broken promises.
+    /// A cell for each regime, tier and scalar, and the violations of the error bound.
     #[serde(flatten)]
     pub tally: Tally,
     /// The systems that have removable poles.
@@ -153,9 +152,8 @@ impl Extremes {
 }
 
 impl Judged {
-    /// Counts the silently wrong results and the unjustified flags of the stable tier.
-    ///
-    /// Both are 0 if the promise is kept.
+    /// Counts the silently wrong results and the unjustified flags of the stable tier; both should
+    /// be 0.
     #[must_use]
     pub fn against_the_promise(&self) -> [u64; 2] {
         let count = |of: fn(&Cell) -> u64| {
@@ -166,7 +164,7 @@ impl Judged {
     }
 }
 
-/// The reason why the steps of a field cannot be judged.
+/// The reason why the steps of a field cannot be tested.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CannotJudge {
     /// The name of the field.

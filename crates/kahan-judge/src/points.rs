@@ -1,8 +1,7 @@
 //! Seeded random points; each trial draws its own point from its index, on any thread.
 //!
 //! In: a regime, the exact map, a generator. Out: floats, the arguments of the step. Numbers are
-//! drawn by binades, uniformly in their logarithm. A quarter of the significands have few bits, so
-//! that exact poles occur.
+//! log-uniform. A quarter of the significands have few bits, so that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -17,7 +16,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point; `MixedMagnitudes` if a pole was asked for and none was found.
+    /// The regime of the point; `MixedMagnitudes` if no pole was found.
     pub(crate) regime: Regime,
 }
 
@@ -117,7 +116,7 @@ impl<T: Float> Points<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// Moves one variable of a point to a zero of `zeros`, off by a relative 2^−k.
+    /// Moves one variable of a point to a zero of `zeros`, perturbed by a relative 2^−k.
     fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
@@ -131,7 +130,7 @@ impl<T: Float> Points<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // For k beyond the precision, rounding leaves the zero or a neighbour of it.
+            // For k beyond the precision, rounding gives the zero or a neighbour of it.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
@@ -183,7 +182,7 @@ impl<T: Float> Points<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Draws parameters of any size, of ordinary size, or near the one before.
+    /// Draws parameters of any size, of ordinary size, or near the previous one.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {

@@ -1,8 +1,7 @@
 //! Polynomials with integer coefficients at exact points.
 //!
 //! In: polynomials with rational coefficients. Out: their values, all multiplied by one integer, so
-//! that ratios are unchanged. They are evaluated term by term, independently of the code of the
-//! judged steps.
+//! that ratios are unchanged. Evaluation is term by term, independent of the tested code.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;
@@ -13,7 +12,6 @@ use super::dyadic::Dyadic;
 #[derive(Clone, Debug)]
 pub(crate) struct Terms(Vec<(BigInt, Vec<(usize, usize)>)>);
 
-/// The powers of every coordinate of a point, from the zeroth upwards.
 pub(crate) struct Powers(Vec<Vec<Dyadic>>);
 
 impl Powers {
@@ -53,7 +51,6 @@ impl Terms {
     }
 }
 
-/// Returns the least common denominator of all coefficients.
 pub(crate) fn common_denominator<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> BigInt {
     let coefficients = polynomials.into_iter().flat_map(|p| p.terms().map(|(_, c)| c.denominator()));
     coefficients.fold(BigInt::from(1), |common, denominator| common.lcm(&denominator))

@@ -8,7 +8,7 @@ pub enum Regime {
     /// A relative distance between 1 and rounding from a zero of det A at which the reduced map has
     /// a value.
     NearRemovablePole,
-    /// Components and ε of sizes up to the whole range apart.
+    /// Components and ε of sizes from the whole range of the format.
     MixedMagnitudes,
     /// Components below 4, ε below 1.
     Ordinary,

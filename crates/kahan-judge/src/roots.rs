@@ -1,6 +1,6 @@
-//! Real roots of polynomials in one variable with exact coefficients, to any number of bits.
+//! Real roots of univariate polynomials with exact coefficients, to any number of bits.
 //!
-//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not looked for.
+//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not found.
 
 use std::cmp::Ordering;
 
@@ -20,7 +20,7 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
-    // A bracket across 0 has no relative width. A root in it is found beside 0.
+    // The bracket across 0 is excluded, since a relative width is undefined there.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {
@@ -46,7 +46,7 @@ fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     })
 }
 
-/// Returns the sign if terms cancel to no less than 2⁻⁴⁰ of their sizes. The error of each term is
+/// Returns the sign unless terms cancel to less than 2⁻⁴⁰ of their sizes. The error of each term is
 /// a few units of 2⁻⁵² for every power.
 fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
     let (significand, binade) = v.leading();

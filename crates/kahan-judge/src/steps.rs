@@ -1,9 +1,9 @@
-//! The judged steps: a system's plans, run one operation after the other.
+//! The tested steps: a system's plans, run one operation after the other.
 //!
 //! In: a system at parameters at which it is defined. Out: every step of its map over a scalar,
-//! with the bits of macro-generated code; tests compare them on the whole catalog. Dimensions are
-//! padded to four or eight with states that stand still: the first arithmetic of `try_step` differs
-//! between these, and compiling two dimensions takes a quarter of the time of eight.
+//! with the bits of generated code; tests compare them on the whole catalog. Dimensions are padded
+//! to four or eight with constant states: the first arithmetic of `try_step` differs between these,
+//! and compiling two dimensions takes a quarter of the time of eight.
 
 use std::fmt::Debug;
 
@@ -16,7 +16,6 @@ use super::float::Float;
 
 /// The steps of one map over one scalar; results have the length of x.
 pub(crate) trait Steps<T>: Debug + Send + Sync {
-    /// Makes the step by `step`.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
@@ -77,7 +76,7 @@ mod tests {
     use super::*;
 
     /// `try_step` in `f32` begins in `f32` up to four variables, and in `f64` beyond; padding must
-    /// not change which.
+    /// not change this.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

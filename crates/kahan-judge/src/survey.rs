@@ -24,11 +24,10 @@ pub(crate) struct Tried {
     pub(crate) map: Map,
 }
 
-/// The data that draw and judge the points of a system.
+/// The data that draw and test the points of a system.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) name: String,
-    /// The given values of parameters; the others are drawn.
     pub(crate) parameters: Vec<Option<Rational>>,
     /// Whether parameters are drawn from the whole range.
     pub(crate) is_odd: bool,
@@ -77,11 +76,11 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// Runs `trials` trials of `f32`, `f64` and `Dd` each over at least one system, in turn. One
-/// quarter each are near poles, near removable poles, of mixed magnitudes, and ordinary. One
-/// thirty-second part (at least eight) each is added with subnormal inputs, with inputs that are
-/// not finite, and with large steps, for which elimination is judged, too. Without removable poles,
-/// their quarter goes to the poles.
+/// Runs `trials` trials of `f32`, `f64` and `Dd` each, cycling through the systems. One quarter
+/// each are near poles, near removable poles, of mixed magnitudes, and ordinary. One thirty-second
+/// (at least eight) each is added with subnormal inputs, with nonfinite inputs, and with large
+/// steps, for which elimination is also tested. Without removable poles, their quarter goes to the
+/// poles.
 pub(crate) fn survey(tried: &[Tried], trials: u64, seed: u64, count: &Count<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
@@ -135,7 +134,7 @@ fn of_scalar<T: Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) 
         let end = (start + BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
-        // Threads panic outside of the lock only, so its content is valid.
+        // Threads panic only outside of the lock, so its content is valid.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)

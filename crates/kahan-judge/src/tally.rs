@@ -1,4 +1,4 @@
-//! Counts of trials for each regime, tier and scalar; merged counts do not depend on their order.
+//! Counts of trials for each regime, tier and scalar; the order of merging does not matter.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -13,13 +13,13 @@ pub struct Cell {
     /// The number of trials.
     pub trials: u64,
     /// The largest ‖error‖∞/‖exact‖∞ of finite results, in units of the scalar, where the exact
-    /// step has a value; infinite beside an exact 0, `None` without results.
+    /// step has a value; infinite if the exact step is 0, `None` without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
     /// The number of trials without a result: refused by `try_step`, or not finite.
     pub flagged: u64,
-    /// The number of flags that break the promise of the stable tier: the condition number is below
-    /// the bound, and the format holds the exact result.
+    /// The number of unjustified flags of the stable tier: the condition number is below the bound,
+    /// and the format holds the exact result.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// The number of wrong results without a flag.
@@ -29,7 +29,7 @@ pub struct Cell {
 /// The regime, the tier and the scalar of a cell.
 pub type Place = (Regime, &'static str, &'static str);
 
-/// A trial that broke a promise of the stable tier.
+/// A trial in which the stable tier violated its error bound, or flagged without justification.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
 pub struct Failure {
@@ -39,7 +39,7 @@ pub struct Failure {
     /// The index of the trial.
     #[serde(skip)]
     pub index: u64,
-    /// The promise and the result, with the arguments of the step.
+    /// The guarantee and the result, with the arguments of the step.
     pub text: String,
 }
 
@@ -49,7 +49,7 @@ pub struct Tally {
     /// The cells.
     #[serde(serialize_with = "by_place")]
     pub cells: BTreeMap<Place, Cell>,
-    /// The systems whose stable tier broke its promise, by name.
+    /// The systems whose stable tier failed, by name.
     #[serde(serialize_with = "by_system")]
     pub broken: BTreeMap<String, Broken>,
     /// The first failures of the stable tier: silently wrong results, then unjustified flags, each
@@ -57,7 +57,7 @@ pub struct Tally {
     pub failures: Vec<Failure>,
 }
 
-/// The broken promises of one system.
+/// The failures of the stable tier in one system.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Broken {
     /// The equations of a random field; empty for systems of the catalog.
@@ -104,7 +104,6 @@ fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -
     serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
 
-/// The number of failures kept of each kind.
 const SHOWN: usize = 3;
 
 impl Tally {
@@ -172,7 +171,7 @@ impl Cell {
 mod tests {
     use super::*;
 
-    /// No known system breaks the promise, so only this test writes a broken one.
+    /// No known system fails, so only this test writes a failure.
     #[test]
     fn a_broken_promise_is_written_with_its_first_failure() {
         let mut tally = Tally::default();

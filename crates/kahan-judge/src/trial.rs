@@ -1,4 +1,4 @@
-//! A trial: a point is drawn, stepped by each tier, and judged.
+//! A trial: a random point, the step of each tier from it, and the comparison with the exact step.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -21,7 +21,6 @@ pub(crate) struct Trials<'a, T> {
     seed: u64,
 }
 
-/// The trials of one scalar with their steps.
 pub(crate) struct Ready<'a, T> {
     trials: Trials<'a, T>,
     steps: Vec<Box<dyn Steps<T>>>,
@@ -119,7 +118,7 @@ impl<'a, T: Float> Trials<'a, T> {
         (place, Points { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
     }
 
-    /// Returns regime and target of a trial: regimes take turns, then targets within each regime.
+    /// Returns regime and target of a trial, cycling through regimes, then through targets.
     fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
@@ -144,8 +143,8 @@ impl<'a, T: Float> Trials<'a, T> {
 }
 
 impl<T: Float> Trial<'_, T> {
-    /// Counts a step without a promise. A finite result is wrong if its error exceeds 1e-3, or if
-    /// the exact step has no value.
+    /// Counts a step without an error bound. A finite result is wrong if its error exceeds 1e-3, or
+    /// if the exact step has no value.
     fn count_plain(&self, cell: &mut Cell, next: &[T]) {
         cell.trials += 1;
         match (exact_values(next), &self.known) {
@@ -159,7 +158,7 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Counts a result of `try_step`; an `Ok` is wrong outside the promise and without an exact
+    /// Counts a result of `try_step`; an `Ok` is wrong beyond the error bound, and without an exact
     /// value.
     pub(crate) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
         let Self { inputs, known, target, .. } = self;
@@ -204,8 +203,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number at which a flag breaks the promise, otherwise `None`. A flag
-    /// breaks it if the field is defined, the format holds x̃, and the condition number is below
+    /// Returns the condition number if a flag is unjustified, otherwise `None`. A flag is
+    /// unjustified if the field is defined, the format holds x̃, and the condition number is below
     /// the bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);

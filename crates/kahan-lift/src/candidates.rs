@@ -1,7 +1,7 @@
 //! Candidates for a lift.
 //!
 //! In: checked equations and a limit for the search. Out: sets of new variables that make the
-//! equations quadratic, each with the forms of its equations and the relations of its variables.
+//! equations quadratic, each with several quadratic fields and the relations of its variables.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -25,7 +25,7 @@ const MOST_SETS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
     pub(crate) nodes: usize,
-    /// Whether to search, too, for sets of one variable more, and for sets in which each variable
+    /// Whether to search also for sets with one more variable, and for sets in which each variable
     /// has a defining relation.
     pub(crate) surplus: bool,
 }
@@ -33,14 +33,14 @@ pub(crate) struct Effort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. 0 stands for the work done since the start.
+    /// The new variables as functions of the states; 0 stands for the work done since the start.
     pub(crate) new: Vec<Laurent>,
-    /// Forms of the quadratic field, the preferred one first.
+    /// Alternative quadratic fields, the preferred one first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
-    /// Polynomials that vanish where the new variables have their values.
+    /// Polynomials in the lifted variables that vanish on the image of the states.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
-    /// The energy of the flow, which the map keeps in a modified form.
+    /// The energy of the flow, of which the map preserves a modification.
     pub(crate) energy: Option<Quadratic>,
 }
 
@@ -82,7 +82,7 @@ fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Cand
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
 
-/// Returns the lifts of a mechanical system whose map keeps an energy; none for other systems.
+/// Returns the lifts of a mechanical system whose map preserves an energy; empty for other systems.
 pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
@@ -99,8 +99,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Ca
     candidates
 }
 
-/// Returns the energy lifts in which the nonlinear parts of the forces are variables: each as one
-/// sum if `as_sums`, otherwise its monomials. `least` is the size of a known lift.
+/// Returns the energy lifts in which the nonlinear terms of the forces are variables: one sum for
+/// each force if `as_sums`, otherwise its monomials. `least` is the size of a known lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -159,7 +159,7 @@ fn energy_lifts(
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
-/// Adds a variable for the potential if needed, and fixes the equations that keep the energy.
+/// Adds a variable for the potential if needed, and fixes the equations that preserve the energy.
 fn with_potential(
     ring: &Rc<Ring>,
     mechanical: &Mechanical,
@@ -172,7 +172,7 @@ fn with_potential(
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
-        // This variable stands for the nonlinear part of the force.
+        // This variable stands for the nonlinear terms of the force.
         let sum = new.iter().position(|one| {
             one.len() > 1 && {
                 let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());

@@ -1,4 +1,4 @@
-//! Chooses one of the candidates, and one of its forms.
+//! The choice of a candidate, and of one of its quadratic fields.
 
 use std::collections::BTreeSet;
 
@@ -15,15 +15,15 @@ use crate::stability::{Growth, Orbit};
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Which {
-    /// The first that exists: an energy lift; a lift whose relations are kept exactly; one whose
-    /// relations do not grow along the orbit; one with the fewest new variables.
+    /// The first that exists: an energy lift; a lift whose relations are preserved exactly; one
+    /// whose relation errors do not grow along the orbit; one with the fewest new variables.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
     Energy,
-    /// A lift with the largest number of relations that the map keeps exactly.
+    /// A lift with the largest number of relations that the map preserves exactly.
     Relations,
-    /// A lift whose relations do not grow along the orbit.
+    /// A lift whose relation errors do not grow along the orbit.
     Stable,
     /// A lift with the fewest new variables.
     Smallest,
@@ -56,7 +56,7 @@ impl Which {
 /// The largest number of pairs of a candidate and a form that are evaluated.
 const MOST_FOLLOWED: usize = 32;
 
-/// A candidate with one form, the relations that the map keeps, and the growth of their errors.
+/// A candidate with one quadratic field, the relations that the map preserves, and error growth.
 #[derive(Debug)]
 pub(crate) struct Judged<'a> {
     pub(crate) candidate: &'a Candidate,
@@ -65,14 +65,14 @@ pub(crate) struct Judged<'a> {
     pub(crate) growth: Option<Growth>,
 }
 
-/// Returns the best candidate with its best form, and the reason for the choice.
+/// Returns the best candidate with its best quadratic field, and the reason for the choice.
 pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
     which: Which,
     orbit: Option<&Orbit>,
 ) -> Option<(Judged<'a>, String)> {
     let mut judged: Vec<Judged<'_>> = Vec::new();
-    // The limit leaves out the least preferred forms.
+    // The limit drops the least preferred fields.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -144,8 +144,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Computes the growth along the orbit, in order of the number of new variables. Stops after the
-/// first number with a stable lift, and drops the lifts that remain.
+/// Computes the error growth along the orbit, in order of the number of new variables. Stops after
+/// the first number with a stable lift, and drops the remaining lifts.
 fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();
@@ -186,7 +186,7 @@ impl<'a> Judged<'a> {
         self.growth.is_some_and(|growth| growth.is_stable())
     }
 
-    /// Returns forms with damping: w′ −= κ R, where the relation R contains w linearly.
+    /// Returns fields with damping: w′ −= κ R, for a relation R that is linear in w.
     ///
     /// κ exceeds the rate at which errors grow, so that they should decay.
     fn damped(&self, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
@@ -214,7 +214,7 @@ impl<'a> Judged<'a> {
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
-    /// Returns whether the map keeps one relation for each new variable; a sine and its cosine
+    /// Returns whether the map preserves one relation for each new variable; a sine and its cosine
     /// share one.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;

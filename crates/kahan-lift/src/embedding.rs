@@ -1,7 +1,7 @@
 //! The initial values of new variables as a straight-line program.
 //!
 //! `Lift::embed` runs the program in `f64`, and generated code is written from it, so both have
-//! equal bits. An operation is correctly rounded, an integer power by repeated squaring, or a
+//! equal bits. Each operation is correctly rounded, an integer power by repeated squaring, or a
 //! function of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};

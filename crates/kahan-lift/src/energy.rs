@@ -2,7 +2,7 @@
 //!
 //! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is
 //! constant along solutions. Let the components of G be affine in the variables of a lift, and let
-//! W stand for V with W′ = −pᵀS G. By the rule of polarisation with y = p, Kahan's map then keeps
+//! W stand for V with W′ = −pᵀS G. By polarisation with y = p, Kahan's map then preserves
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
 

@@ -66,7 +66,6 @@ impl Equations {
     }
 }
 
-/// Calls `visit` with the names in an expression, in order of occurrence.
 fn names(expr: &Expr<InFormula>, visit: &mut dyn FnMut(&str)) {
     match &expr.kind {
         ExprKind::Number(_) => {}

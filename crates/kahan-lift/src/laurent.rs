@@ -35,7 +35,6 @@ impl Monomial {
         self.0.get(coordinate).copied().unwrap_or(0)
     }
 
-    /// Returns the coordinates with nonzero exponents.
     pub(crate) fn powers(&self) -> impl Iterator<Item = (usize, i16)> + '_ {
         self.0.iter().copied().enumerate().filter(|&(_, exponent)| exponent != 0)
     }
@@ -188,15 +187,16 @@ impl Laurent {
         derivative
     }
 
-    /// Returns the monomial with the smallest exponent of each coordinate.
+    /// Returns the monomial with the smallest exponent of each coordinate, a common factor of all
+    /// terms.
     pub(crate) fn monomial_content(&self) -> Monomial {
         let least = |content: Monomial, next: &Monomial| content.zip(next, i16::min);
         let first = self.0.keys().next().cloned().unwrap_or_default();
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Splits off a number ρ: this = ρ·p, where the integer contents of p are coprime and its first
-    /// coefficient has a positive leading number.
+    /// Splits off a rational number ρ: this = ρ·p, where p has integer coefficients without a
+    /// common factor, and a positive leading number in its first coefficient.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

@@ -2,12 +2,12 @@
 //!
 //! In: a block of equations with functions, quotients and powers. Out: a [`Lift`], a quadratic
 //! field in the states and in new variables, which stand for functions of the states. Formulas are
-//! exact; floats serve only to choose a lift and to compute initial values. The crate must not know
-//! Kahan's map: rules of `kahan-algebra` say which functions a map keeps.
+//! exact; floats serve only to choose a lift and to compute initial values. Kahan's map is
+//! deliberately absent: rules of `kahan-algebra` tell which functions a map preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// A module uses only modules above it; a test checks the order.
+// Modules from bottom to top: each uses only those above, as a test checks.
 mod laurent;
 
 mod ring;

@@ -29,8 +29,8 @@ use crate::stability::{LARGEST_EXPONENT, Orbit};
 pub struct Options {
     /// The criterion.
     pub which: Which,
-    /// Initial values and parameters, in the order of [`Stated`]. Without them the choice follows
-    /// no orbit.
+    /// Initial values and parameters, in the order of [`Stated`]. Without them the choice uses no
+    /// orbit.
     pub orbit: Option<(Vec<f64>, Vec<f64>)>,
     /// The largest number of nodes of a search; 0 means 20 000.
     pub budget: usize,
@@ -43,8 +43,8 @@ const NODES: usize = 20_000;
 pub struct NewVariable {
     /// Its name.
     pub name: String,
-    /// The function of the states for which it stands, as text. `None` for the work done since the
-    /// start, whose initial value is 0.
+    /// The function of the states that the variable stands for, as text. `None` for the work done
+    /// since the start, whose initial value is 0.
     pub expression: Option<String>,
     /// The function, or 0 for the work done.
     value: Laurent,
@@ -53,7 +53,7 @@ pub struct NewVariable {
 /// The behaviour of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// The map keeps a modified relation exactly.
+    /// The map preserves a modified relation exactly.
     Kept,
     /// Its error stays bounded.
     Bounded,
@@ -72,7 +72,7 @@ pub struct Relation {
     pub text: String,
     /// The behaviour along the given orbit. Without an orbit, `Kept` or `None`.
     pub along: Option<Along>,
-    /// The modified function that the map keeps exactly, as text.
+    /// The modified function that the map preserves exactly, as text.
     pub formula: Option<String>,
     /// The largest growth exponent of the linearised errors of all relations, per unit of time.
     pub rate: Option<f64>,
@@ -80,7 +80,7 @@ pub struct Relation {
     pub defines: Option<usize>,
 }
 
-/// A quadratic field that is equivalent to the original equations where its new variables have the
+/// A quadratic field that is equivalent to the original equations if its new variables start at the
 /// values of their expressions.
 #[derive(Clone, Debug)]
 pub struct Lift {
@@ -103,7 +103,7 @@ pub struct Lift {
     pub chosen: String,
     /// The relations of the variables.
     pub relations: Vec<Relation>,
-    /// The energy that the map keeps exactly.
+    /// The energy that the map preserves exactly.
     pub energy: Option<String>,
     /// Warnings: points where a new variable is infinite though the equations are finite, and phase
     /// errors of periodic forces.
@@ -157,8 +157,8 @@ fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
     Some(Orbit::new(&equations.ring, start, parameters))
 }
 
-/// Returns all lifts and forms among which [`lift`] chooses with its default budget. Of `options`
-/// it uses the orbit.
+/// Returns all lifts and quadratic fields among which [`lift`] chooses with its default budget. Of
+/// `options` only the orbit is used.
 ///
 /// # Errors
 /// Mistakes in the text, and functions that cannot be lifted.
@@ -277,7 +277,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
-            // 1/(1 − exp u) is infinite at u = 0, where the equations may hold the finite u/(1 −
+            // 1/(1 − exp u) is infinite at u = 0, where the equations may contain the finite u/(1 −
             // exp u).
             Meaning::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
@@ -318,8 +318,7 @@ impl Lift {
         self.new.len()
     }
 
-    /// Returns a warning if errors of the relations grow along the orbit, so that orbits become
-    /// wrong.
+    /// Returns a warning if errors of the relations grow along the orbit, which makes orbits wrong.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let growing = |relation: &&Relation| relation.along == Some(Along::Grows);

@@ -178,7 +178,6 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Returns a short name of an argument with one term: `x`, `2x`, `wt`.
     fn short(&self, argument: &Laurent) -> Option<String> {
         let (monomial, coefficient) = argument.terms().next().filter(|_| argument.len() == 1)?;
         let (_, number) = coefficient.numerator().leading_term()?;

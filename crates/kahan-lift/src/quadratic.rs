@@ -1,7 +1,8 @@
 //! Derivatives as quadratic polynomials in the lifted variables.
 //!
-//! A monomial often has several forms: x² is x·x or the variable that stands for it. All forms
-//! agree where the relations hold, but the fields differ elsewhere. All are listed, up to a limit.
+//! A monomial may have several representations: x² is x·x or the variable that stands for it. They
+//! agree where the relations hold, but give different fields elsewhere. All are listed, up to a
+//! limit.
 
 use std::collections::BTreeMap;
 
@@ -38,13 +39,14 @@ pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFun
     sum
 }
 
-/// The products of at most two variables, by the monomial in coordinates that they equal.
+/// The products of at most two variables, keyed by the equal monomial in coordinates.
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
     /// The values of the states, then of the new variables.
     variables: Vec<Laurent>,
-    /// Products that are one monomial. The order numbers the relations in answers.
+    /// Products that are a single monomial. Their order determines the numbers of relations in
+    /// answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials in the variables that vanish identically in the states.
@@ -77,8 +79,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// Solves products with one unknown monomial for it, as long as there are any. Products without
-    /// an unknown monomial are relations.
+    /// Solves products with one unknown monomial for that monomial, repeatedly. Products without an
+    /// unknown monomial are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -136,19 +138,19 @@ impl<'a> Products<'a> {
         Some(sum)
     }
 
-    /// Returns the forms of a variable's derivative, the preferred one first.
+    /// Returns the alternatives for a variable's derivative, the preferred one first.
     fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
         let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // Prefer a decay term of the variable itself, which damps errors; then original states.
+            // Prefer a decay term in the variable itself, which damps errors; then original states.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // The equation of a state that is quadratic already stays as it was written.
+            // The equation of a state that is already quadratic stays as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
@@ -168,8 +170,8 @@ impl<'a> Products<'a> {
         Some(ways)
     }
 
-    /// Returns forms of the field, the preferred one first. Each is one equation a variable;
-    /// `fixed` prescribes some of them.
+    /// Returns alternative quadratic fields, the preferred one first, with one equation for each
+    /// variable; `fixed` prescribes some of them.
     pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {
@@ -194,8 +196,7 @@ impl<'a> Products<'a> {
     }
 
     /// Puts the product rule (uv)′ = u′v + uv′ first for a variable that is a product of variables
-    /// with affine equations. The lifted field then keeps its relation. States keep their
-    /// equations.
+    /// with affine equations; the map then preserves its relation. States keep their equations.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };

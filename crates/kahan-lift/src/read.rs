@@ -1,4 +1,4 @@
-//! Expressions to Laurent polynomials in coordinates.
+//! Parses expressions into Laurent polynomials in coordinates.
 //!
 //! Functions become coordinates. Arguments that are rational multiples of each other share the
 //! coordinate of their greatest common divisor. Passes over all equations are repeated until no
@@ -493,7 +493,7 @@ fn small(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 
-/// Splits a coefficient into its rational content with sign and the rest.
+/// Splits a coefficient into a rational number with sign, and a primitive factor.
 fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
     let content = value.numerator().content();
     let inverse = content.recip().expect("not 0");

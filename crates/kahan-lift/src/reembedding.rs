@@ -11,7 +11,7 @@ const ROUNDING: f64 = 8.0;
 /// Steps of a lifted map with symmetric projection onto the relations.
 ///
 /// A step begins at (x, g(x) + μ) with μ such that its image (x̃, w̃) satisfies w̃ + μ = g(x̃).
-/// Steps of a reversible map stay reversible, and a composed map keeps its order.
+/// Reversible maps stay reversible, and a composed map keeps its order.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
     /// μ of the last step, the initial guess of the next one.

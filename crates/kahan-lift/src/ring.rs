@@ -113,7 +113,8 @@ enum Rule {
     /// The monomial equals the polynomial.
     Replace(Monomial, Laurent),
     /// b^index = base, where `instead` equals the leading monomial of `base`. Powers of b are
-    /// reduced below the index; beside negative powers of b the leading monomial is replaced.
+    /// reduced below the index; in products with negative powers of b the leading monomial is
+    /// replaced.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
@@ -188,7 +189,7 @@ impl Ring {
         self.derivatives.known().clear();
     }
 
-    /// Returns the ring with frequent sums as further coordinates: the polynomial parts of P′, P″
+    /// Returns the ring with frequent sums as further coordinates: the polynomial factors of P′, P″
     /// and P‴ for the base P of each root. `None` if no derivative has one.
     ///
     /// Kepler's problem becomes one in r, x·p and p·p.
@@ -222,7 +223,6 @@ impl Ring {
         self.normal.known().clear();
     }
 
-    /// Returns whether no relation rewrites the monomial.
     pub(crate) fn is_normal(&self, monomial: &Monomial) -> bool {
         self.rewritten(monomial).is_none()
     }
@@ -277,7 +277,6 @@ impl Ring {
         sum
     }
 
-    /// Returns the product in normal form.
     pub(crate) fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
         let mut product = Laurent::zero();
         for (monomial, coefficient) in left.terms() {

@@ -3,8 +3,7 @@
 //! A set of variables is closed if each monomial in their derivatives can be written: as 1, a
 //! variable, a product of two variables, or from a product by a relation of the ring. Iterative
 //! deepening branches over the ways to write one missing monomial. If its budget of nodes ends
-//! first, local changes improve a greedy closure. The search reads no clock, so its result is
-//! reproducible.
+//! first, local changes improve a greedy closure. No clock is read, so the result is reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -20,9 +19,9 @@ use crate::table::{Id, Table};
 /// The task of a search: given variables and monomials to be written.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Problem {
-    /// Monomials that are variables already.
+    /// Monomials that are already variables.
     pub given: Vec<Monomial>,
-    /// Polynomials that are variables already.
+    /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
     /// Monomials to be written as products, besides those in derivatives of new variables.
     pub required: Vec<Monomial>,
@@ -41,7 +40,7 @@ pub(crate) struct Found {
 
 const MOST_SETS: usize = 24;
 pub(crate) const MOST_VARIABLES: usize = 60;
-/// The number of search nodes that take the time of one local change.
+/// The number of search nodes that take as long as one local change.
 const NODES_A_CHANGE: usize = 20;
 const LOCAL_CHANGES: usize = 40;
 
@@ -49,7 +48,7 @@ const LOCAL_CHANGES: usize = 40;
 #[derive(Clone, Debug, Default)]
 struct Cover {
     covered: FxHashSet<Id>,
-    /// The supports of products with more than one monomial that is not covered.
+    /// For each product with several uncovered monomials, the list of its monomials.
     composite: Vec<Rc<[Id]>>,
 }
 
@@ -65,7 +64,7 @@ impl Cover {
         }
     }
 
-    /// Covers the only missing monomial of a product, as long as there is such a product.
+    /// Covers the only missing monomial of a product, repeatedly.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -103,7 +102,7 @@ pub(crate) fn search(
 ) -> Option<Found> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // `most` comes from another ring. After a failed greedy closure success is unlikely.
+    // If `most` is the result of another ring, success is unlikely after a failed greedy closure.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -191,7 +190,6 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Returns whether each variable has a defining quadratic relation.
     fn are_founded(&mut self, set: &[Id]) -> bool {
         set.iter().all(|&id| {
             let monomial = self.table.monomial(id).clone();

@@ -13,7 +13,6 @@ use crate::quadratic::Quadratic;
 use crate::ring::Ring;
 
 const HORIZON: f64 = 100.0;
-/// The largest growth exponent that counts as stable.
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
 /// The amplification at which a fast growth ends the computation.
@@ -29,7 +28,6 @@ const TOLERANCE: f64 = 1e-6;
 pub(crate) struct Growth {
     /// The mean rate, per unit of time.
     pub(crate) exponent: f64,
-    /// The largest amplification.
     pub(crate) amplification: f64,
     /// The largest amplification in the first half of the time.
     half: f64,
@@ -46,7 +44,6 @@ impl Growth {
     }
 }
 
-/// An orbit of the original equations, computed in floats.
 #[derive(Clone, Debug)]
 pub(crate) struct Orbit {
     /// Step sizes, with the states in the middle of each step.

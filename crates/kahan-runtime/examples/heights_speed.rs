@@ -1,8 +1,6 @@
-//! Times the paper's Diophantine tests:
-//! `cargo run --release -p kahan-runtime --example heights_speed`.
+//! Times the paper's Diophantine tests, with all heights at each step; prints the best of three.
 //!
-//! Each test, with the heights of every component at every step, runs three times; the best time is
-//! printed.
+//! `cargo run --release -p kahan-runtime --example heights_speed`
 
 use std::time::Instant;
 
@@ -11,7 +9,6 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::{read, system::System};
 use kahan_runtime::heights::{Heights, HeightsOrbit, Survey};
 
-/// A test of the paper with its system, data, and time limit in seconds.
 struct Test {
     system: &'static str,
     parameters: &'static [&'static str],

@@ -24,15 +24,15 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    /// For each component its values, with the places of their monomials.
+    /// For each component its coefficients, each with the monomial as key.
     components: Vec<Vec<(Place, f64)>>,
 }
 
-/// Two states in increasing order, then a parameter, with [`BITS`] bits each. A single state is the
-/// second. Places increase in the order of a polynomial's terms.
+/// A monomial packed into an integer: two states in increasing order, then a parameter, [`BITS`]
+/// bits each. A single state is the second. Monomials are ordered as a polynomial's terms.
 type Place = u64;
 
-/// The bits of an index in a place; states and parameters have indices of at most 16 bits.
+/// The bits of an index in a packed monomial; states and parameters have indices of at most 16.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
 const NONE: Place = (1 << BITS) - 1;
@@ -53,7 +53,7 @@ fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> Place {
 pub enum CoefficientError {
     /// The field has no component, state or parameter with this index.
     OutOfRange {
-        /// One of `component`, `state` and `parameter`.
+        /// `"component"`, `"state"` or `"parameter"`.
         what: &'static str,
         /// The index, from 0 on.
         index: usize,
@@ -71,7 +71,7 @@ pub enum CoefficientError {
         array: &'static str,
         /// The array's length.
         found: usize,
-        /// The lengths that fit.
+        /// The accepted lengths.
         wanted: Vec<usize>,
     },
 }
@@ -109,7 +109,7 @@ impl Coefficients {
             states: own(states.into_iter().collect()),
             parameters: own(parameters.into_iter().collect()),
         };
-        // Parses a text with these names, because the rules for names are the parser's.
+        // The parser checks names, so parse a field with these names.
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
@@ -121,10 +121,10 @@ impl Coefficients {
         Coefficients { symbols, components }
     }
 
-    /// Adds a coefficient: an entry of c with no state, of B with one state, of Q with two states.
+    /// Adds a coefficient: of c without states, of B with one state, of Q with two states.
     ///
     /// # Errors
-    /// [`CoefficientError`] where the value is not finite, or an index is out of range.
+    /// [`CoefficientError`] if the value is not finite, or an index is out of range.
     pub fn add(
         &mut self,
         component: usize,
@@ -159,7 +159,7 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // The exact sum of equal halves of a symmetric array is a float, unless it overflows.
+            // The sum of two equal halves of a symmetric array is exact, unless it overflows.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };

@@ -6,10 +6,10 @@ use std::ops::Range;
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::render::{place, report};
 
-/// The mistakes in a text in the language of `kahan!`, with the macro's places and words.
+/// The mistakes in a text in the language of `kahan!`, with the macro's spans and messages.
 ///
 /// The `Display` form has a paragraph for each of the first eight mistakes: the message, the source
-/// line with a caret under the place, and the correction to write.
+/// line with a caret, and the correction to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     mistakes: Vec<Diagnostic>,
@@ -25,7 +25,7 @@ impl Diagnostics {
         Diagnostics { places: places.collect(), reports: reports.collect(), mistakes }
     }
 
-    /// Returns the mistakes, in the order of their places.
+    /// Returns the mistakes, in the order of the text.
     #[must_use]
     pub fn mistakes(&self) -> &[Diagnostic] {
         &self.mistakes

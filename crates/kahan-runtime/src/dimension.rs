@@ -13,7 +13,7 @@ pub struct DimensionError {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Argument {
     State,
-    /// The slice for a result.
+    /// The slice for the result.
     Out,
     Carry,
     /// The slice for points, one after the other.
@@ -26,7 +26,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// A step with a promise.
+    /// A step with a guaranteed error bound.
     Promise,
 }
 
@@ -45,8 +45,8 @@ impl DimensionError {
         self.found
     }
 
-    /// Returns the number of entries needed. For arguments that may be shared by all trajectories
-    /// it is the number of trajectories; for rows it is the length of each.
+    /// Returns the number of entries needed: for arguments that trajectories may share, the number
+    /// of trajectories; for rows, the length of a row.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected

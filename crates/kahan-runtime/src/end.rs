@@ -1,27 +1,27 @@
 //! The reasons why an orbit ends, with the number of steps made.
 
-/// The way in which an orbit ended. The number counts the steps from its start to its last point.
+/// The reason why an orbit ended, with the number of steps to its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// All steps were made.
+    /// All requested steps were made.
     Complete,
-    /// The next point is not finite in floats: a pole, or overflow. A start that is not finite ends
-    /// the orbit after 0 steps.
+    /// The next point is not finite in floats: a pole, or overflow. A nonfinite start ends the
+    /// orbit after 0 steps.
     Range(u64),
     /// The next point does not exist in exact numbers: det A = 0.
     Pole(u64),
-    /// A variable of the last point exceeds the bound asked for.
+    /// A variable of the last point exceeds the requested bound.
     Escaped(u64),
     /// Symmetric projection onto the relations of a lift did not converge.
     Reembed(u64),
     /// The time limit was reached.
     Time(u64),
-    /// Observers had seen enough, or the watch stopped the run.
+    /// The observers were done, or the watch stopped the run.
     Stopped(u64),
 }
 
 impl End {
-    /// Returns the name in answers.
+    /// Returns the name in results.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -35,7 +35,7 @@ impl End {
         }
     }
 
-    /// Returns the number of steps to the last point, where `asked` steps were asked for.
+    /// Returns the number of steps to the last point, if `asked` steps were requested.
     #[must_use]
     pub fn steps(self, asked: u64) -> u64 {
         match self {
@@ -49,7 +49,7 @@ impl End {
         }
     }
 
-    /// Returns the end of the whole orbit, where `before` steps were made before this part.
+    /// Returns the end relative to a start `before` steps earlier.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {
@@ -63,7 +63,7 @@ impl End {
         }
     }
 
-    /// Returns whether the orbit ended early without being stopped; answers then have no value.
+    /// Returns whether the orbit ended early without being stopped; its results are then undefined.
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

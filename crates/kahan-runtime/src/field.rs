@@ -9,7 +9,7 @@ use crate::engine::Engine;
 use crate::parameters::values_of;
 use crate::{Diagnostics, FieldText, Map, ParameterError, ParameterValue};
 
-/// A quadratic vector field with its derived map. Clones share everything derived, across threads.
+/// A quadratic vector field with its derived map. Clones share all derived data, across threads.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(crate) engine: Arc<Engine>,
@@ -18,9 +18,9 @@ pub struct Field {
 impl Field {
     /// Reads a field and proves its claims.
     ///
-    /// The text is in the language of `kahan!`, with or without a header, or in common notations
-    /// for equations. Without a header, undeclared names are parameters. Cost: some milliseconds
-    /// for a field of ordinary size.
+    /// The text is in the language of `kahan!`, with or without a header, or in another common
+    /// notation for equations. Without a header, undeclared names are parameters. Cost: some
+    /// milliseconds for a field of ordinary size.
     ///
     /// # Errors
     /// [`Diagnostics`] with the mistakes of the text, including false claims, as the macro reports
@@ -36,7 +36,7 @@ impl Field {
         Self::read(&FieldText::new(text.to_owned(), "field".to_owned()))
     }
 
-    /// Reads a field from a text with a name, or from a part of a text, and proves its claims.
+    /// Reads a field from a named text, or a part of one, and proves its claims.
     ///
     /// # Errors
     /// [`Diagnostics`], like [`parse`](Self::parse).
@@ -44,7 +44,7 @@ impl Field {
         text.system().map(|system| Self::of(&system))
     }
 
-    /// Derives the map of a system; the claims of the system are not proved again.
+    /// Derives the map of a system, whose claims are not proved again.
     #[must_use]
     pub fn of(system: &System) -> Self {
         Field { engine: Arc::new(Engine::new(system)) }
@@ -56,7 +56,7 @@ impl Field {
     ///
     /// # Errors
     /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is
-    /// not finite, and where the field divides by zero.
+    /// not finite, or if the field divides by zero.
     ///
     /// ```
     /// use kahan_runtime::Field;

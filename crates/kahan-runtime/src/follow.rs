@@ -1,8 +1,8 @@
 //! One orbit of any map over floats, followed while its points are finite.
 //!
 //! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
-//! how the orbit ended, and the report: nothing, that of observers, or the number of rows of
-//! points. The loop is generic over [`Step`], and so over chains, read maps and compiled maps.
+//! how the orbit ended, and a report: of observers, or the number of rows of points. The loop is
+//! generic over [`Step`], so that chains, run-time and compiled maps share it.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
@@ -22,20 +22,20 @@ pub struct Followed<R> {
     pub end: End,
 }
 
-/// Follows an orbit from `x`, step after step, while its points are finite.
+/// Follows an orbit from `x` while its points are finite.
 ///
 /// All methods replace `x` by the last finite point, so that the next call continues from there.
-/// Points have the bits of single calls of [`Step::advance`]. A start that is not finite ends the
-/// run after no step: [`End::Range`]`(0)`.
+/// Points have the bits of single calls of [`Step::advance`]. A nonfinite start ends the run after
+/// no step: [`End::Range`]`(0)`.
 ///
 /// The `watch` receives the number of steps since its last call, and may stop the run by
 /// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more
 /// variables, and after the last step. A watch can show progress, and read a clock or a flag;
 /// nothing else interrupts a run.
 ///
-/// Cost: that of the steps, a test of each point that is shown, and a copy of the point for each
-/// call of the watch. Where an orbit leaves the range of floats, the steps since the last call are
-/// made up to three times.
+/// Cost: the steps, a test of each point that is shown, and a copy of the point for each call of
+/// the watch. If an orbit leaves the range of floats, the steps since the last call are made up to
+/// three times.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -142,7 +142,7 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
     DimensionError::check(Argument::State, x.len(), map.dimension())
 }
 
-/// Returns the number of steps between two calls of the watch; they take some milliseconds at most.
+/// Returns the number of steps between two calls of the watch, some milliseconds at most.
 pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;
@@ -195,7 +195,7 @@ fn run<S: Step<Scalar: FloatScalar>>(
 /// Returns whether all |xᵢ| ≤ size; `false` if one is NaN.
 #[inline]
 pub(crate) fn is_within<T: Scalar>(x: &[T], size: f64) -> bool {
-    // Without an early exit, so that several numbers share a register.
+    // No early exit, so that the loop is vectorized.
     x.iter().fold(true, |all, x| all & (x.approximate().abs() <= size))
 }
 
@@ -213,7 +213,7 @@ pub(crate) fn advance_while_finite<T: Scalar + Copy>(
 ) -> u64 {
     let mut before = x.to_vec();
     let powers = (0..=steps.checked_ilog2().unwrap_or(0)).rev();
-    // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
+    // Binary search: nonfinite points stay nonfinite.
     powers.fold(0, |taken, power| {
         before.copy_from_slice(x);
         advance(x, 1 << power);

@@ -1,4 +1,4 @@
-//! Quotients of big integers, and ℚ over them as an arithmetic that takes no gcd.
+//! Quotients of big integers, and ℚ over them as an arithmetic without gcds.
 
 use core::fmt;
 
@@ -12,7 +12,7 @@ use crate::heights::{denominator, numerator, rational};
 /// A quotient of integers with a nonzero divisor, not necessarily in lowest terms.
 ///
 /// [`ExactOrbit`](crate::orbit::ExactOrbit) returns fractions in lowest terms. `Display` writes
-/// `p/q` or `p`, in time hardly more than proportional to the number of digits.
+/// `p/q` or `p`, in almost linear time in the number of digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
     above: IBig,
@@ -54,7 +54,7 @@ impl From<&Fraction> for Rational {
     }
 }
 
-/// The arithmetic of ℚ on [`Fraction`]s without a gcd. Operations recognise equal denominators,
+/// The arithmetic of ℚ on [`Fraction`]s without gcds. Operations exploit equal denominators,
 /// because all coordinates of a projective point share one.
 pub(crate) struct Fractions;
 

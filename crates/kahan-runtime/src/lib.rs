@@ -3,11 +3,11 @@
 //! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
 //! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
 //! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
-//! scalar ([`Map::as_kahan_map`]), exact orbits and their heights ([`heights`]), chains of a family
-//! ([`Lattice`]), and orbits ([`Follow`]). The crate must not know the catalog.
+//! scalar ([`Map::as_kahan_map`]), orbits ([`Follow`]), exact orbits and their heights
+//! ([`heights`]), and chains of a family ([`Lattice`]). The crate does not know the catalog.
 //!
-//! Maps and chains of texts are [`Step`](kahan_core::Step)s like compiled maps, so that a program
-//! can choose among them at run time:
+//! Run-time maps and chains are [`Step`](kahan_core::Step)s like compiled maps, so that a program
+//! can choose among them:
 //!
 //! ```
 //! use kahan_core::Step;

@@ -1,7 +1,7 @@
 //! A plan prepared for evaluation over any scalar, with names resolved and nodes as registers.
 //!
-//! In: a plan, then constants and a state in registers of the caller. Out: results. The operations,
-//! their order and therefore the bits are those of generated code.
+//! In: a plan, then constants and a state in registers of the caller. Out: results. Operations,
+//! order, and therefore bits are those of generated code.
 
 use std::marker::PhantomData;
 
@@ -16,16 +16,15 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
 /// A straight-line program with several results.
 ///
-/// Registers are numbered like operations. First come the constants (the parameters and ε, or in a
-/// kernel the prepared constants), then the numbers that the plan contains, the states (of one or
-/// two points), and the computed values.
+/// Registers, in order: the constants (the parameters and ε, or for a kernel the prepared
+/// constants), the numbers in the plan, the states (of one or two points), and the computed values.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
     constants: usize,
     /// The number of constants, including the numbers of the plan.
     given: usize,
-    /// The number of states, over all points that the line reads.
+    /// The number of states, over all points that the program reads.
     states: usize,
     has_poles: bool,
 }
@@ -105,17 +104,17 @@ impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
 }
 
 impl Line {
-    /// Prepares a plan of the states, the parameters and ε, with divisions as quotients.
+    /// Prepares a plan of states, parameters and ε; divisions become quotients.
     pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
-    /// Prepares a plan in which a division by zero may have no value.
+    /// Prepares a plan in which a division by zero yields no value.
     pub(crate) fn with_poles(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, true)
     }
 
-    /// Prepares the kernel of a step; a division by zero may have no value.
+    /// Prepares the kernel of a step; a division by zero yields no value.
     pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }
@@ -198,7 +197,7 @@ impl Line {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the line in its registers; `None` where a division by zero has no value.
+    /// Runs the program in its registers; `None` at a division by zero without value.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,
@@ -231,10 +230,10 @@ impl Line {
         self.run(registers, state)
     }
 
-    /// Runs the line once in registers that are resized to fit.
+    /// Runs the program once, after resizing the registers.
     ///
     /// # Panics
-    /// Where a division by zero has no value.
+    /// At a division by zero without value.
     pub(crate) fn values<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
@@ -265,7 +264,7 @@ impl<'a, V: Clone> Results<'a, V> {
     }
 }
 
-/// Unwraps a value, which exists over floats, and over exact scalars where the field is defined.
+/// Unwraps a value: always present over floats, and over exact scalars where the field is defined.
 ///
 /// # Panics
 /// If the value is `None`.

@@ -8,7 +8,8 @@ use smallvec::{SmallVec, smallvec};
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),
-    /// The 64-bit limbs in little-endian order, the nearest floats, and the rest behind `double`.
+    /// The 64-bit limbs in little-endian order, the nearest floats, and the remainder after
+    /// `double`.
     Long {
         negative: bool,
         numerator: SmallVec<[u64; 2]>,

@@ -30,7 +30,7 @@ impl Map {
         &self.field
     }
 
-    /// Returns the values of the parameters, in the order of the field.
+    /// Returns the values of the parameters, in the field's order.
     #[must_use]
     pub fn parameters(&self) -> &[Rational] {
         &self.parameters
@@ -51,9 +51,9 @@ impl Map {
         self.at(eps_from_dt(dt))
     }
 
-    /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step. States,
-    /// ε and parameters are `f32` numbers in `f64`; each step is computed in `f64` and rounded
-    /// once.
+    /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step: states,
+    /// ε and parameters are `f32` numbers stored as `f64`; each step is computed in `f64` and
+    /// rounded once.
     #[must_use]
     pub fn through_f64(&self, eps: f32) -> MapAt<f64> {
         let constants = self.constants(eps).map(f64::from).collect();
@@ -64,11 +64,11 @@ impl Map {
         self.parameters.iter().map(round).chain([eps])
     }
 
-    /// Returns the map as a [`KahanMap`](kahan_core::KahanMap) over any scalar in N variables, of
-    /// which those beyond the field's stay constant.
+    /// Returns the map as a [`KahanMap`](kahan_core::KahanMap) over any scalar in N variables;
+    /// variables beyond the field's stay constant.
     ///
-    /// Everything generic over maps then takes fields read at run time: orbits over `BigRational`,
-    /// the step with a promise, ensembles of points.
+    /// Code generic over maps then accepts run-time fields: orbits over `BigRational`, the step
+    /// with an error bound, ensembles of points.
     ///
     /// # Errors
     /// [`DimensionError`] if N is smaller than the number of variables.
@@ -78,8 +78,8 @@ impl Map {
         Ok(Interpreted::of(&self.field.engine, self.parameters.iter().map(round).collect()))
     }
 
-    /// Writes x̃ to `next`, with the promise and the bits of [`KahanMap::try_step`]: for a float,
-    /// an error of at most 64 u relative to the largest component, or else an inner error.
+    /// Writes x̃ to `next`, with the error bound and the bits of [`KahanMap::try_step`]: for a
+    /// float, at most 64 u relative to the largest component, or else an inner error.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
@@ -92,7 +92,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The size matters only for `f32`, which begins in its own precision in up to four
+        // The dimension affects only `f32`, which starts in its own precision in up to four
         // variables.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),

@@ -1,7 +1,7 @@
 //! A text that contains a field, read as a checked system.
 //!
-//! In: a text in the language of `kahan!` or in common notations for equations. Out: a [`System`]
-//! or [`Family`] with its claims, or [`Diagnostics`].
+//! In: a text in the language of `kahan!` or another common notation for equations. Out: a
+//! [`System`] or [`Family`] with its claims, or [`Diagnostics`].
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -28,7 +28,7 @@ pub struct FieldText {
 
 #[derive(Debug)]
 struct Shared {
-    /// Written at the first use, for a field made from a system.
+    /// Written at first use, for a field made from a system.
     text: OnceLock<String>,
     /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
@@ -39,9 +39,9 @@ struct Shared {
 
 #[derive(Debug)]
 struct Said {
-    /// The block in the language of `kahan!`, if the text is not in it.
+    /// The block translated to the language of `kahan!`, if written in another notation.
     canonical: Option<String>,
-    /// The reading without its tokens.
+    /// The parsed block, without its tokens.
     reading: Reading,
 }
 
@@ -53,28 +53,28 @@ impl PartialEq for FieldText {
 }
 
 impl FieldText {
-    /// Wraps a whole text; `origin` is its name in reports, such as the name of its file.
+    /// Wraps a whole text; `origin` names it in reports, such as by its file name.
     #[must_use]
     pub fn new(text: String, origin: String) -> Self {
         let all = 0..text.len();
         Self::part(text, all, origin)
     }
 
-    /// Wraps a part of a text; `origin` is the name of the text in reports.
+    /// Wraps a range of a text; `origin` names the text in reports.
     ///
     /// # Panics
     /// If `body` does not lie in the text, or cuts a character.
     #[must_use]
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
-        // Skips a byte order mark, which some editors put in front.
+        // Skip a byte order mark.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
         let (text, body) = (OnceLock::from(text), Some(body));
         FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
     }
 
-    /// Wraps a system, whose claims are not proved again. The text is written at the first use;
-    /// `origin` is the name of the text in reports.
+    /// Wraps a system, whose claims are not proved again. The text is written at first use;
+    /// `origin` names it in reports.
     #[must_use]
     pub fn of_system(system: System, origin: String) -> Self {
         let said = Said { canonical: None, reading: Reading::default() };
@@ -94,7 +94,7 @@ impl FieldText {
         })
     }
 
-    /// Returns the tokens of the block, which are not stored: they are larger than the text.
+    /// Returns the tokens of the block; they are not stored, being larger than the text.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }
@@ -166,7 +166,7 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// Returns the free names of a block without a header, its parameters, despite mistakes.
+    /// Returns the undeclared names in a block without a header, its parameters, despite mistakes.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {
@@ -205,13 +205,13 @@ impl FieldText {
         &self.said().reading.start
     }
 
-    /// Returns notes on readings that the writer of the text may not expect.
+    /// Returns notes on interpretations that the author may not expect.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.said().reading.notes
     }
 
-    /// Returns the seed of the macro's proof.
+    /// Returns the seed of the macro's random proof.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         kahan_algebra::seed(&self.tokens())

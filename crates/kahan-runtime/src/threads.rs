@@ -1,21 +1,21 @@
-//! Independent pieces of work, spread over all processors.
+//! Parallel loops over independent pieces of work.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
-/// Returns the number of threads that the machine runs at once, at least 1.
+/// Returns the number of hardware threads, at least 1.
 #[must_use]
 #[expect(clippy::disallowed_methods, reason = "processors are counted here")]
 pub fn available() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs `work` for each index below `count`, in about this order, each on the next free thread.
+/// Runs `work` for each index below `count`, roughly in order, each on the next free thread.
 ///
-/// `threads` defaults to the number that the machine runs at once. For one thread or one index the
-/// work is done on the caller's thread, so that machines without threads can do it too; otherwise
-/// the caller waits. A panic in a thread ends the call with a panic.
+/// `threads` defaults to the number of hardware threads. One thread or one index runs on the
+/// caller's thread, also on machines without threads; otherwise the caller waits. A panic in `work`
+/// is passed on.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);

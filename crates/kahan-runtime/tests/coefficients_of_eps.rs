@@ -1,5 +1,5 @@
-//! Coefficients that depend on ε: the macro against maps written by hand and maps read at run time,
-//! compositions, derivatives, error estimates and exact orbits.
+//! Coefficients that depend on ε: compiled against hand-written and run-time maps, compositions,
+//! derivatives, error estimates and exact orbits.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -69,7 +69,7 @@ fn at(text: &str, parameters: &[f64], eps: f64) -> MapAt<f64> {
     field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter").at(eps)
 }
 
-/// By hand, x̃ = x/(1 − 2ε(1 + aε²)x).
+/// The expected map, derived by hand, is x̃ = x/(1 − 2ε(1 + aε²)x).
 #[test]
 fn a_step_is_that_of_the_coefficients_at_eps() {
     let map = Advance { a: q("3/2") };
@@ -121,7 +121,7 @@ where
     let same = |a: &T, b: &T| a == b || (a.clone() != *a && b.clone() != *b);
     for (x, eps) in samples::<T, N>(40) {
         let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
-        // In more variables the macro's code solves differently, and the last bits differ.
+        // In more variables generated code solves differently, so the last bits differ.
         if N <= 8 {
             assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok());
         }
@@ -200,7 +200,7 @@ fn a_removable_pole_of_these_coefficients_is_none() {
     assert_eq!(Reduced.step(&x, eps), vector![q("-4"), q("-45")]);
 }
 
-/// Compares orbits by machine code, interpreted orbits and columns with those of the macro.
+/// Compares machine code, interpreted orbits and columns with the compiled map.
 #[test]
 fn orbits_and_columns_have_the_bits_of_steps() {
     let (start, eps) = ([0.5, -0.25, 0.125], 0.05);
@@ -277,7 +277,6 @@ fn derivatives_are_those_of_the_step() {
         for (vector, k) in [(1, 0), (2, 3), (3, 4), (4, 5)] {
             (0..3).for_each(|i| close(state[3 * vector + i], slopes[k][i]));
         }
-        // The loss is L = Σ wᵢxᵢ at the end.
         let weights = [vec![0.0; 3], vec![1.0, -2.0, 0.5]].concat();
         let every = NonZeroU64::new(steps as u64).unwrap();
         let found = map.gradient(start.as_slice(), every, &weights, |_| ControlFlow::Continue(())).unwrap();

@@ -1,6 +1,6 @@
-//! Families read at run time: chains of any number of sites, against those of the macro.
+//! Families read at run time against compiled families, for chains of any length.
 //!
-//! The allocator of this program counts what a thread allocates while it is measured.
+//! The allocator of this program counts the allocations of a thread while measuring.
 
 use allocation_counter::measure;
 use kahan_core::observe::first_crossing;
@@ -8,7 +8,7 @@ use kahan_core::prelude::*;
 use kahan_core::{LatticeMap, Level, Step, Workspace};
 use kahan_runtime::{Field, FieldText, Lattice, LatticeError, ParameterError};
 
-/// A family as the macro has it, and its text.
+/// Declares a family with the macro, and its text as a constant.
 macro_rules! family {
     ($text:ident, $($block:tt)*) => {
         kahan! { $($block)* }
@@ -74,7 +74,7 @@ fn start(len: usize) -> Vec<f64> {
     (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
 }
 
-/// Steps of both, on each level of this processor; the largest difference of two components.
+/// Steps both on each level of this processor; returns the largest difference of two components.
 fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
     let lattice = lattice(text);
     let mut worst = 0.0_f64;
@@ -98,8 +98,7 @@ fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values
     worst
 }
 
-/// Chains of up to some thirty sites are eliminated as a whole, longer ones in parts, several
-/// groups of them.
+/// Chains of up to about thirty sites are eliminated as a whole, longer ones in segments.
 #[test]
 fn chains_have_the_bits_of_the_macro() {
     for sites in [1, 2, 3, 4, 5, 8, 13, 40, 300, 4500] {
@@ -120,7 +119,7 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
-/// Site 1 is the first of an interior, and its column has its only entry in the separator's row.
+/// Site 1 is the first interior site; the only entry of its column is in the separator's row.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (300, 0.125);
@@ -134,8 +133,8 @@ fn a_singular_part_sends_the_step_to_the_whole() {
     assert_eq!(state, expected);
 }
 
-/// Long chains of the macro are cut into parts, those of a rare shape that are read are not: other
-/// roundings, some units in the last place a step, of numbers of size one.
+/// Long chains are cut into segments if compiled, but not at run time for a rare stencil, so
+/// results of size one differ by some units in the last place per step.
 #[test]
 fn long_chains_of_rare_shapes_are_those_of_the_macro() {
     for sites in [300, 3000] {
@@ -154,7 +153,7 @@ fn what_is_kept_is_what_the_macro_says_is_kept() {
         assert_eq!(chain.integrals(&state).unwrap(), compiled.integrals(&state));
         assert_eq!(chain.hamiltonian(&state).unwrap(), Some(compiled.hamiltonian(&state)));
         let before = chain.modified_energy(&state).unwrap().unwrap();
-        // Terms of size one, summed with their errors; their steps round a few times.
+        // Terms of size one with a few rounding errors each.
         let bound = 1e-14 * sites as f64;
         assert!((before - compiled.modified_energy(&state)).abs() <= bound);
         for _ in 0..20 {
@@ -222,26 +221,23 @@ fn mistakes_are_values() {
     assert!(state.iter().any(|x| x.is_nan()));
 }
 
-/// No parameters.
 const NOTHING: [(&str, [f64; 1]); 0] = [];
 
-/// The time at which the first number of a state crosses zero.
+/// Returns the time at which the first number of a state crosses zero.
 fn zero(map: &dyn Step<Scalar = f64>, start: &[f64]) -> Option<f64> {
     first_crossing(map, start.to_vec(), 10_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// A compiled field, a text, a chain compiled and read: chosen at run time, by one function.
+/// One function accepts a compiled field, a text, a compiled chain and a run-time chain.
 #[test]
 fn one_function_takes_every_map() {
     kahan! {
-        /// A circle around the origin.
         struct Turn;
         xdot = y;
         ydot = -x;
     }
     const SPRINGS: &str = "for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }";
     kahan! {
-        /// The same springs.
         struct Springs;
         for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
     }
@@ -253,17 +249,17 @@ fn one_function_takes_every_map() {
         Box::new(LatticeMap::at(&Springs, eps, 5).unwrap()),
         Box::new(lattice(SPRINGS).at(eps, 5, NOTHING).unwrap()),
     ];
-    // All springs alike swing as one does.
+    // Equal springs with equal starts move like a single spring.
     let starts = [[1.0, 0.0].to_vec(), [1.0, 0.0].repeat(5)];
     for (k, map) in maps.iter().enumerate() {
         let time = zero(&**map, &starts[k / 2]).unwrap();
-        // A quarter of a circle, by steps of order two: off by less than ε² of it.
+        // A quarter turn by steps of order two, with a relative error below ε².
         let quarter = std::f64::consts::FRAC_PI_2;
         assert!((time - quarter).abs() < eps * eps * quarter, "{k}: {time}");
     }
 }
 
-/// Chains that are read, in memory of the caller's that other chains have used.
+/// Run-time chains reuse the caller's memory after other chains.
 #[test]
 fn a_room_serves_chains_in_turn() {
     let mut workspace = Workspace::new();

@@ -1,5 +1,5 @@
-//! Maps of fields read at run time free all their memory when they are dropped. The allocator of
-//! this program counts allocations and deallocations of a thread while it is measured.
+//! Run-time maps free all their memory when they are dropped. The allocator of this program counts
+//! allocations and deallocations of a thread while measuring.
 
 use allocation_counter::measure;
 use kahan_algebra::rational::Rational;
@@ -29,7 +29,7 @@ fn follow() {
 
 #[test]
 fn maps_that_were_dropped_hold_no_memory() {
-    // Allocates first what is made once for the whole program.
+    // First allocate what is made once for the whole program.
     follow();
     let counted = measure(|| (0..50).for_each(|_| follow()));
     assert!(counted.count_total > 0, "nothing is counted");
@@ -41,7 +41,7 @@ fn maps_that_were_dropped_hold_no_memory() {
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {
         let at = map.at(eps);
-        // The first evaluation prepares a plan, which is kept.
+        // The first evaluation prepares a plan, which is cached.
         let slope = map.field(&x);
         let counted = measure(|| {
             let last = (0..100).fold(x.clone(), |x, _| at.step(&x));
@@ -55,7 +55,7 @@ fn steps_of_floats_allocate_nothing() {
     assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
 }
 
-/// Returns a field of many variables with a sparse step or, if all act on all, a dense one.
+/// Returns a field of many variables, sparse or with all variables coupled.
 fn field_in(n: usize, is_dense: bool) -> Field {
     let terms = |i: usize| if is_dense { (0..n).collect() } else { vec![i, (i + 1) % n] };
     let equation = |i: usize| {
@@ -81,7 +81,7 @@ fn no_step_allocates<T: MachineFloat>(n: usize, is_dense: bool) {
             at.advance_columns(&mut columns, &[], &[], 9).unwrap();
             at.advance_columns(&mut columns, &each, &[&each], 9).unwrap();
         };
-        // The first runs make the steps after which the code of an elimination is compiled.
+        // The first runs trigger the compilation of the elimination's code.
         (0..4).for_each(|_| run());
         assert_eq!(measure(run).count_total, 0, "{n} variables, {eps:?}");
     }

@@ -9,7 +9,6 @@ use kahan_core::{Composition, KahanMap};
 use kahan_runtime::{Field, MapAt};
 
 kahan! {
-    /// The Lorenz system.
     pub struct Lorenz { s, r, b }
     xdot = s*(y - x);
     ydot = x*(r - z) - y;

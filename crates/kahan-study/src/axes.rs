@@ -1,5 +1,5 @@
-//! Axes of a question in JSON: an object with the values of each name,
-//! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
+//! Axes of a question in JSON: an object from names to values, `{"a": "0:1:/9", "eps":
+//! "1/10:1:5"}`.
 //!
 //! Use `#[serde(with = "axes")]` on an [`Entry`], an optional entry or a list of entries.
 
@@ -136,7 +136,7 @@ impl<'de, E: Entry> Visitor<'de> for Object<E> {
     }
 }
 
-/// A reader of the values of one name, so that errors in the values carry their path.
+/// Deserializes the values of one name, so that errors carry their path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: Entry> DeserializeSeed<'de> for Named<'_, E> {

@@ -1,4 +1,4 @@
-//! The catalog of `kahan-systems` as one of studies.
+//! The catalog of `kahan-systems` as a [`Catalog`] of studies.
 
 use kahan_systems::{lattices, registry};
 

@@ -1,8 +1,8 @@
-//! Assigns columns of a table to states, parameters and ε by their names.
+//! Assigns the columns of a table to states, parameters and ε by name.
 //!
 //! In: the names of a table's columns, and the names of the field. Out: a column for each name, or
-//! an error whose subject is the table: "has no column `y`; …". Files of the command, plans of
-//! sweeps and tables of Python use this module. It reads no numbers of a table.
+//! an error without its subject: "has no column `y`; …". Shared by files, plans of sweeps and
+//! tables of Python. Reads no numbers.
 
 use std::fmt;
 
@@ -13,8 +13,8 @@ use kahan_algebra::check::nearest;
 pub struct Wanted<'a> {
     /// The states. Each of the first [`least`](Self::least) needs a column.
     pub states: &'a [String],
-    /// The number of states that need a column. The remaining states are the new variables of a
-    /// lift; a table may have columns for all of them.
+    /// The number of leading states that need a column. The others are new variables of a lift, for
+    /// which columns are optional.
     pub least: usize,
     /// The parameters of the field.
     pub parameters: &'a [String],
@@ -36,7 +36,7 @@ pub enum Others {
 /// The indices of the matched columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Places {
-    /// The column of each state, in the order of the states.
+    /// The column of each state.
     pub states: Vec<usize>,
     /// The parameters, and `eps`, that have a column, with its index, in the order of the table.
     pub others: Vec<(String, usize)>,

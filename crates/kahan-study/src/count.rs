@@ -29,13 +29,13 @@ impl<'a> Count<'a> {
         }
     }
 
-    /// Adds finished work; returns `Break` once the watch has ended the work.
+    /// Adds finished work; returns `Break` if the watch has ended the work.
     pub fn tell(&self, more: u64) -> ControlFlow<()> {
         self.add(more);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Returns whether the watch has ended the work; the watch then gets no more reports.
+    /// Returns whether the watch has ended the work; it then gets no more reports.
     pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }

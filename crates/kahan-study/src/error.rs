@@ -1,7 +1,7 @@
-//! Reasons for which a question has no answer.
+//! Errors of questions.
 //!
-//! Variants hold the values from which a front words its own message, such as the options of a
-//! command. [`Display`](fmt::Display) writes the message of the library.
+//! Variants hold values, from which each front end (command, Python, library) words its message.
+//! [`Display`](fmt::Display) writes the message of the library.
 
 use std::fmt;
 
@@ -20,7 +20,7 @@ use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
-/// The reason for which a subject cannot be studied or a question has no answer.
+/// The reason why a subject cannot be studied, or a question has no answer.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -195,7 +195,7 @@ pub enum StudyError {
     },
     /// A number is beyond the range of the scalar.
     BeyondRange {
-        /// The part of the question that holds the number: `at`, `param` or `eps`.
+        /// The field of the question that holds the number: `at`, `param` or `eps`.
         what: &'static str,
         /// The name of the number.
         name: String,
@@ -263,11 +263,11 @@ impl StudyError {
     }
 }
 
-/// Spells a part of a question, by its name and value, in messages of a front. The value is empty
-/// if the message is about the part at any value.
+/// Spells a named value of a question in the style of a front end, as `--eps 1/2`. The value is
+/// empty if the message concerns any value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
-/// Spells a part in the way of JSON, TOML and Python: the name, then the value.
+/// Spells a named value in the style of JSON, TOML and Python: the name, then the value.
 pub(crate) fn by_name(name: &str, value: &str) -> String {
     match name {
         "need" => format!("the need `{value}`"),
@@ -283,7 +283,7 @@ impl fmt::Display for StudyError {
 }
 
 impl StudyError {
-    /// Returns the message, with the parts of the question spelled by `spelling`.
+    /// Returns the message, with names and values spelled by `spelling`.
     #[must_use]
     pub fn spelled(&self, spelling: Spelling) -> String {
         fmt::from_fn(|f| self.tell(f, spelling)).to_string()

@@ -1,10 +1,10 @@
 //! Formulas as straight-line programs: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the
 //! variables of a state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program without
-//! simplifications: each operation is rounded as written, and a common subexpression is computed
-//! once. A [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
-//! Parsing belongs to `kahan_algebra`; here names and functions get their meaning.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program with the
+//! operations as written, each common subexpression computed once. A [`Formula`] runs in doubles,
+//! [`Formulas`] in doubles, single precision and fractions. `kahan_algebra` parses; this module
+//! resolves names and functions.
 
 mod abreast;
 
@@ -82,7 +82,7 @@ impl Calls<Called> for Float32 {
     }
 }
 
-/// Fractions support powers with integer exponents, and no other function.
+/// Fractions support only powers with integer exponents.
 impl Calls<Called> for Exact {
     fn call(&self, function: &Called, a: &Rational, b: &Rational) -> Option<Rational> {
         match function {
@@ -230,10 +230,9 @@ impl Formulas {
 /// Values of names, in addition to `pi`.
 pub type Known = [(String, f64)];
 
-/// The variables of a formula of sites.
 const OF_SITES: [&str; 1] = ["i"];
 
-/// The reason for which a text is not a formula.
+/// The reason why a text is not a formula.
 #[derive(Clone, Debug)]
 pub struct NoFormula {
     text: String,
@@ -291,7 +290,7 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
 struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
-    /// Named formulas with their values in the program.
+    /// Named formulas, with the nodes of their values in the program.
     defined: &'a [(&'a str, Node)],
 }
 
@@ -341,7 +340,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Joins operands from left to right; the flag of an operand selects `inverse` over `operator`.
+    /// Combines operands from left to right; the flag of an operand selects `inverse` over
+    /// `operator`.
     fn chain<'a>(
         &self,
         builder: &mut Builder,
@@ -360,7 +360,6 @@ impl Names<'_> {
         Ok(joined.expect("a sum has terms, and a product factors"))
     }
 
-    /// Returns the value or the variable called `name`.
     fn named(&self, builder: &mut Builder, name: &str, span: Span) -> Result<Node, Diagnostic> {
         let variable = self.variables.iter().position(|variable| *variable == name);
         let known = self.known.iter().position(|(known, _)| known == name);
@@ -411,7 +410,6 @@ impl Names<'_> {
     }
 }
 
-/// Builds the diagnostic of a name that is unknown or has another meaning.
 fn mistake(span: Span, message: String, help: String) -> Diagnostic {
     Diagnostic::new(Kind::UnknownName, span, message, help)
 }

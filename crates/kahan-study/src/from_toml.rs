@@ -50,16 +50,16 @@ impl<'t> TomlDocument<'t> {
         Ok(TomlDocument { text, root })
     }
 
-    /// Converts the document to an object of JSON, in the order of the text.
+    /// Converts the document to a JSON object, in the order of the text.
     ///
     /// # Errors
-    /// A value that JSON does not have, with its line.
+    /// A value without a form in JSON, with its line.
     pub fn to_json(&self) -> Result<Map<String, Value>, Misplaced> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, from 1, of the value at a path of names and of indices from 0. If the path
-    /// leaves the document, returns the line of the last value on the path.
+    /// Returns the line, from 1, of the value at a path of names and indices. Outside of the
+    /// document, returns the line of the last existing value on the path.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);
@@ -91,7 +91,7 @@ fn line_of(text: &str, span: Range<usize>) -> usize {
     1 + before.iter().filter(|&&byte| byte == b'\n').count()
 }
 
-/// The reason for which a value has no form in JSON, with its span.
+/// The reason why a value has no form in JSON, with its span.
 type NoJson = (Range<usize>, String);
 
 fn of_table(table: &DeTable<'_>) -> Result<Map<String, Value>, NoJson> {

@@ -1,10 +1,10 @@
 //! Questions about a field and its Kahan map, and their answers, as values.
 //!
-//! In: a [`Subject`] (a field with values of its parameters) and a [`Question`]. Out: an [`Answer`]
-//! with its own type for each question, which serializes under the names of the command's JSON. A
-//! [`Study`] is a subject that was read and planned once; any thread may ask it questions. Also
-//! here: reference trajectories of the flow ([`mod@reference`]), and work and error of each setting
-//! of the integrator ([`trade`]). Terminals, files, flags and HTML belong to the fronts.
+//! In: a [`Subject`] (a field with parameter values) and a [`Question`]. Out: an [`Answer`] with a
+//! type for each question, which serializes to the command's JSON. A [`Study`] is a subject that
+//! was read and planned once; any thread may ask it questions. Also here: reference trajectories of
+//! the flow ([`mod@reference`]), and error and cost of integrator settings ([`trade`]). Terminals,
+//! files, flags and HTML are deliberately absent.
 //!
 //! ```
 //! use kahan_study::{Answer, Question, Subject, Systems, Unwatched};

@@ -1,8 +1,8 @@
-//! Fields that were lifted to quadratic ones.
+//! Lifted fields.
 //!
 //! In: a text with functions, quotients or powers, and the kind of lift. Out: the lift, and the
-//! quadratic system with the formulas that its map preserves as integrals. Points are given in the
-//! original variables; the new variables are functions of them.
+//! quadratic system with the formulas that its map preserves. Points are given in the original
+//! variables; the new variables are functions of them.
 
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -42,8 +42,8 @@ pub struct Lifting {
 }
 
 impl Lifting {
-    /// Sorts the coordinates of the start into the order of the variables; drops a start that
-    /// lacks a coordinate.
+    /// Sorts the coordinates of the start into the order of the variables; drops an incomplete
+    /// start.
     fn put_in_order(&mut self, states: &[String]) {
         let names = std::mem::take(&mut self.names);
         if !names.is_empty() {
@@ -66,7 +66,7 @@ pub(crate) struct Lifted {
     /// The variables in answers; `places` holds their indices among all variables.
     shown: Vec<String>,
     places: Vec<usize>,
-    /// For each parameter of the lift, its index among the parameters of the field.
+    /// The index of each lift parameter among the field's parameters.
     parameters: Vec<Option<usize>>,
     /// The derivatives of the new variables by the original ones, computed on first use.
     slopes: OnceLock<Embedding>,
@@ -108,7 +108,7 @@ impl Lifted {
         let lift = read.map_err(StudyError::Field)?;
         let states = lift.states.len() - usize::from(lift.has_time);
         let original = lift.states[..states].to_vec();
-        // A quadratic text is kept with its claims.
+        // A quadratic text keeps its claims.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
@@ -148,7 +148,7 @@ impl Lifted {
     }
 }
 
-/// Returns a text with the rational constants and the claims of a block, one a line, and the names
+/// Returns the rational constants and the claims of a block as text, one per line, and the names
 /// that they define.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
@@ -247,7 +247,7 @@ fn quadratic(
     Ok((text, System { header: lift.header.clone(), ..system }))
 }
 
-/// `t`, if lifted, and the new variables depend on the original variables.
+/// The new variables, and a lifted `t`, depend on the original variables.
 impl Relations for Lifted {
     fn originals(&self) -> usize {
         self.original.len()
@@ -372,7 +372,7 @@ impl Study {
 /// The length of the time interval over which relations are watched, and the default step ε.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The number of parts, with an error each, in an eighth of an orbit.
+/// The number of segments, each with an error, in an eighth of an orbit.
 const EIGHTH: usize = 50;
 /// The growth of a relation's error, from the first eighth to the last, that counts as a drift.
 const DRIFT: f64 = 1.5;
@@ -380,7 +380,7 @@ const DRIFT: f64 = 1.5;
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
-    /// Returns the ratio of a relation's errors in the last and the first eighth of the orbit, or
+    /// Returns the ratio of a relation's errors in the last and the first eighth of the orbit;
     /// `None` if the orbit ends early.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
@@ -522,7 +522,8 @@ pub struct NewFound {
 pub struct RelationFound {
     /// A function that is 0 where the relation holds.
     pub relation: String,
-    /// The fate along the orbit; `None` if no start was given and no rule preserves the relation.
+    /// The behaviour along the orbit; `None` if no start was given and no rule preserves the
+    /// relation.
     pub along: Option<Fate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
@@ -539,7 +540,7 @@ fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::
     rate.filter(|rate| rate.is_finite()).serialize(serializer)
 }
 
-/// The fate of a relation along an orbit of the map.
+/// The behaviour of a relation's error along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
@@ -556,7 +557,7 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// Combines the verdict on the linearised error with the measured growth along an orbit.
+    /// Combines the result for the linearised error with the measured growth along an orbit.
     fn of(along: Along, drift: Option<f64>) -> Self {
         match along {
             Along::Kept => Fate::Kept,

@@ -1,9 +1,8 @@
 //! Steps of lifted fields that end an orbit where the original equations lose their meaning.
 //!
-//! In: the map of a lifted field at an ε. Out: a [`Step`] that fills its point with NaN if a
-//! variable that is positive by definition, such as a square root, would become negative, or if
-//! symmetric projection onto the relations, where requested, does not converge. Each step depends
-//! only on its point.
+//! In: the map of a lifted field at an ε. Out: a [`Step`] that returns NaN if a variable that is
+//! positive by definition, such as a square root, would become negative, or if a requested
+//! symmetric projection onto the relations does not converge. Each step depends only on its point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
@@ -14,21 +13,19 @@ use crate::error::StudyError;
 use crate::question::NoOrbit;
 use crate::study::Study;
 
-/// A step of a lifted field's map, or of a map with tangent vectors, that detects where the lift
-/// ends.
+/// A step of a lifted field, or of its tangent map, that detects the end of the lift's domain.
 pub struct LiftedStep<'a, S: Step> {
     at: S,
     lift: &'a Lift,
-    /// The new variables that are positive by definition.
     positive: Vec<usize>,
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// A function that advances a point on the relations by a given step, and returns `false` if the
-/// projection does not converge.
+/// Advances a point on the relations by a given step; returns `false` if the projection does not
+/// converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
-/// The reason for which a point of a lifted field has no successor.
+/// The reason why a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
     /// This new variable, positive by definition, would become negative.
@@ -37,7 +34,7 @@ pub enum LiftEnds {
     NotReembedded,
 }
 
-/// A growth of a relation's error, over a watched orbit, that counts as exponential.
+/// The growth of a relation's error over a watched orbit that counts as exponential.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
@@ -62,8 +59,8 @@ impl LiftEnds {
 }
 
 impl Study {
-    /// Returns steps that end where a variable loses the sign it has by definition. Returns `None`
-    /// if no variable has a fixed sign; the steps of the map then suffice.
+    /// Returns steps that end where a variable loses its sign by definition. Returns `None` if no
+    /// variable has a fixed sign, since the steps of the map then suffice.
     #[must_use]
     pub fn lifted_step<S: Step + Clone>(&self, at: &S) -> Option<LiftedStep<'_, S>> {
         let lift = self.lift()?;
@@ -140,7 +137,7 @@ impl Study {
 }
 
 impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
-    /// Returns the first new variable that is negative in spite of its definition.
+    /// Returns the first new variable that is negative, contrary to its definition.
     fn negative(&self, x: &[T]) -> Option<usize> {
         let new = &x[self.lift.states.len()..];
         self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
@@ -154,7 +151,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // Signs are checked after the first step only, because it starts on the relations.
+                // Signs are checked after the first step, which starts on the relations.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);
@@ -184,7 +181,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.negative(x).is_some()
     }
 
-    /// Refines the end of an orbit whose last point is `x`.
+    /// Replaces the end of an orbit with last point `x` by the lift's reason, if there is one.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {

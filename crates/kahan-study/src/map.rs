@@ -3,7 +3,7 @@
 use kahan_runtime::interpreted::UnsupportedDimension;
 use kahan_runtime::{MapAt, ParameterError};
 
-/// The reason for which a system cannot be run.
+/// The reason why a system cannot be run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CannotRun {
     /// The system has too many variables.

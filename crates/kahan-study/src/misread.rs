@@ -1,4 +1,4 @@
-//! Mistakes in questions and subjects, with their places.
+//! Mistakes in questions and subjects, with their JSON paths.
 
 use std::fmt;
 

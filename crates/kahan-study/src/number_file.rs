@@ -1,10 +1,9 @@
-//! Reads files of numbers: CSV, split into cells by the crate `csv`, and NumPy arrays (`.npy`,
-//! numpy.lib.format).
+//! Files of numbers: CSV, split into cells by the crate `csv`, and NumPy arrays (`.npy`).
 //!
 //! In: the bytes of a file. Out: its numbers, exact on request, with shape and column names, or a
-//! first point from each row. Access to files belongs to the callers. Arrays are parsed here
-//! because `npyz` 0.9.1 multiplies the sizes of a header unchecked and panics on a crafted file of
-//! a hundred bytes, and `ndarray-npy` requires all sizes beforehand.
+//! first point from each row. File access is deliberately absent. Arrays are parsed here because
+//! `npyz` 0.9.1 multiplies the sizes of a header unchecked and panics on crafted files, and
+//! `ndarray-npy` requires all sizes beforehand.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use kahan_algebra::rational::Rational;
@@ -120,9 +119,8 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
     let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
-    // Reading from memory cannot fail, so an error means invalid text.
+    // Reads from memory cannot fail, so an error means invalid text.
     while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
-        // The line holds only spaces.
         if row.len() == 1 && row[0].is_empty() {
             continue;
         }
@@ -134,7 +132,6 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
         if is_first {
             numbers.names = comments.iter().rev().find_map(|comment| names_in(comment, row.len()));
         }
-        // The column `ended` holds words.
         let words = numbers.names.iter().flatten().position(|name| name == "ended");
         let number = |(place, cell): (usize, _)| {
             V::of_text(if words == Some(place) { "" } else { cell }).ok_or((place, cell))
@@ -184,8 +181,8 @@ fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     Some(found.into_iter().map(|name| name.trim().trim_matches('"').to_owned()).collect())
 }
 
-/// Returns the line in which a row begins. The reader of `csv` does not count skipped empty lines
-/// or the second character of a Windows line break.
+/// Returns the line in which a row begins; `csv` does not count empty lines, nor the second
+/// character of a Windows line break.
 fn line(text: &[u8], row: &StringRecord) -> usize {
     let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
     let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
@@ -220,7 +217,6 @@ impl<'a> Array<'a> {
         Some(Array { header, descr, is_fortran, sizes, count, data })
     }
 
-    /// Reads entries of `WIDTH` bytes each, in row-major order.
     fn entries<const WIDTH: usize, V>(&self, read: impl Fn([u8; WIDTH]) -> V) -> Result<Vec<V>, String> {
         let (entries, rest) = self.data.as_chunks();
         if entries.len() != self.count || !rest.is_empty() {
@@ -262,7 +258,7 @@ fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
         "'<f8'" => array.entries(|bytes| V::of_float(f64::from_le_bytes(bytes))),
         "'<f4'" => array.entries(|bytes| V::of_float(f32::from_le_bytes(bytes).into())),
         "'<i4'" => array.entries(|bytes| V::of_float(i32::from_le_bytes(bytes).into())),
-        // Integers beyond 53 bits are rounded as by NumPy's `astype(float)`.
+        // Integers beyond 53 bits are rounded like NumPy's `astype(float)`.
         "'<i8'" => array.entries(|bytes| V::of_float(i64::from_le_bytes(bytes) as f64)),
         _ => Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };

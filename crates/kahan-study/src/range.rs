@@ -1,4 +1,4 @@
-//! Ranges of exact values in one grammar for all questions: `1/10:1:400`.
+//! Ranges of exact values, in one grammar for all questions: `1/10:1:400`.
 //!
 //! In: text. Out: equally spaced values, the cells around them for pictures, and text that reads
 //! back as an equal range.
@@ -28,7 +28,7 @@ pub struct Range {
     spacing: Spacing,
 }
 
-/// The reason for which a text is not a range, and a correction, as a sentence.
+/// The reason why a text is not a range, and a correction, as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoRange(String);
 
@@ -103,14 +103,14 @@ impl Range {
         &self.spacing
     }
 
-    /// Returns the range whose cells have the distinct `values` as midpoints. Returns `None` if the
-    /// values are not equally spaced or fewer than two.
+    /// Returns the range whose cells have the distinct `values` as midpoints; `None` if the values
+    /// are not equally spaced, or fewer than two.
     #[must_use]
     pub fn around(values: &[f64]) -> Option<Self> {
         let mut found = values.to_vec();
         found.sort_unstable_by(f64::total_cmp);
         found.dedup();
-        // The shortest decimals of floats are the decimals that the values were written with.
+        // Convert each float by its shortest decimal, which is how the values were written.
         let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };

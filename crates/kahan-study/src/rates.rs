@@ -11,7 +11,7 @@ use crate::study::Study;
 
 const MOST_POINTS: u64 = 16;
 
-/// The most points to inspect if the field has more than [`MANY`] variables.
+/// The most points to check if the field has more than [`MANY`] variables.
 const MOST_OF_MANY: u64 = 4;
 
 /// The number of variables above which one matrix costs more than a row of a table.
@@ -28,7 +28,7 @@ pub struct Rates {
     at: MapAt<f64>,
     variables: usize,
     jacobian: Vec<f64>,
-    /// The number of points inspected, and the number of points with a fast component.
+    /// The number of checked points, and the number of points with a fast component.
     points: [u32; 2],
     largest: f64,
 }
@@ -45,7 +45,7 @@ impl Study {
 }
 
 impl Rates {
-    /// Returns the distance between inspected rows, given the number of all rows.
+    /// Returns the distance between checked rows, given the number of all rows.
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
         let most = if self.variables > MANY { MOST_OF_MANY } else { MOST_POINTS };
@@ -58,7 +58,7 @@ impl Rates {
         self.variables
     }
 
-    /// Inspects a point. Costs a matrix f′, and some products by f′ if its norm is large.
+    /// Checks a point. Costs a matrix f′, and some products by f′ if its norm is large.
     pub fn look(&mut self, x: &[f64]) {
         let Self { at, jacobian, points: [count, fast], largest, .. } = self;
         if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {
@@ -75,7 +75,7 @@ impl Rates {
         }
     }
 
-    /// Returns a warning if at least half of the inspected points have fast components.
+    /// Returns a warning if at least half of the checked points have fast components.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let [count, fast] = self.points;
@@ -93,7 +93,7 @@ impl Rates {
 
 /// Estimates the spectral radius by power iteration: the mean growth of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // The start is generic, so that no symmetry of a field keeps it in an invariant subspace.
+    // A generic start is not in an invariant subspace of a symmetric field.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCTS;

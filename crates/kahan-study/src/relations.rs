@@ -1,4 +1,4 @@
-//! Relations between the variables of a lift: errors along an orbit, and fates in words.
+//! Relations between the variables of a lift: errors along an orbit, and their behaviour in words.
 
 use std::ops::ControlFlow;
 
@@ -16,8 +16,8 @@ use crate::subject::{Catalog, Subject};
 /// The errors of the relations of a lift along an orbit of the map.
 #[derive(Clone, Debug)]
 pub struct RelationErrors {
-    /// The largest error of each relation in each of the equal parts of the orbit; infinite if a
-    /// function has no value. A part that the orbit does not reach has no entry.
+    /// The largest error of each relation in each of the equal segments of the orbit; infinite if a
+    /// function has no value. A segment that the orbit does not reach has no entry.
     pub errors: Vec<Vec<f64>>,
     /// The requested steps, or fewer if the orbit ended early.
     pub steps: u64,
@@ -46,7 +46,7 @@ impl Error {
 
 impl Study {
     /// Measures the errors of the relations of a lift along an orbit of Kahan's map, in `parts`
-    /// equal parts. A field without a lift has no errors. Costs the steps and, at each step, the
+    /// equal segments. A field without a lift has no errors. Costs the steps and, at each step, the
     /// functions of the new variables.
     ///
     /// # Errors
@@ -75,7 +75,7 @@ impl Study {
             let functions = lift.embed(&x[..states], &own);
             for (errors, size) in errors.iter_mut().zip(&sizes) {
                 let error = size.at(x, states, &functions);
-                // With fewer points than parts, some parts contain no point.
+                // With fewer points than segments, some segments contain no point.
                 errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
                 errors[part] = error.max(errors[part]);
             }
@@ -86,7 +86,6 @@ impl Study {
     }
 }
 
-/// Returns the error function of each relation, at the given values of the lift's parameters.
 fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
     let names: Vec<&str> = lift.variables().iter().map(String::as_str).collect();
     let error = |relation: &kahan_lift::Relation| match relation.defines {
@@ -151,13 +150,14 @@ impl LiftFound {
 }
 
 impl RelationFound {
-    /// Describes the fate along the orbit: `kept exactly: …`, `bounded`, `decays at the rate …`.
+    /// Describes the behaviour along the orbit: `kept exactly: …`, `bounded`, `decays at the rate
+    /// …`.
     #[must_use]
     pub fn verdict(&self) -> String {
         self.verdict_asking("give a first point")
     }
 
-    /// Describes the fate; for a missing first point, uses `for_point` as the request.
+    /// Describes the behaviour; if no first point is known, asks for one by `for_point`.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

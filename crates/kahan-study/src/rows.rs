@@ -1,4 +1,5 @@
-//! Tables in blocks of rows, passed on while they are computed, so that memory is bounded.
+//! Tables in blocks of rows, passed to a consumer while they are computed, so that memory is
+//! bounded.
 
 use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
@@ -191,10 +192,10 @@ impl Serialize for Cell<'_> {
     }
 }
 
-/// A receiver of the rows of a table, block by block.
+/// A consumer of the rows of a table, block by block.
 pub trait Rows {
     /// Takes a block of at most some thousand rows: the values of each column, all of one length.
-    /// Returns `Break` to end the work; then no more blocks come.
+    /// Returns `Break` to end the work; no block follows.
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()>;
 }
 
@@ -239,18 +240,18 @@ impl Serialize for Table {
     }
 }
 
-/// The way in which the rows of an orbit ended.
+/// The reason why the rows of an orbit ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ending {
     /// The kind of end, with the number of steps before it.
     pub end: End,
     /// The number of steps to the last point; all steps if the orbit is complete.
     pub step: u64,
-    /// A sentence that says why no step leads on; `None` for a complete or interrupted orbit.
+    /// A sentence on why no next point exists; `None` for a complete or interrupted orbit.
     pub why: Option<String>,
-    /// A part of the question and a value of it that could be tried instead.
+    /// The name of an option, and an alternative value to try.
     pub instead: Option<[&'static str; 2]>,
-    /// A remark about the orbit that does not concern its end, as a sentence.
+    /// A remark about the orbit, unrelated to its end, as a sentence.
     pub note: Option<String>,
 }
 

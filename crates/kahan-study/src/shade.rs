@@ -1,6 +1,6 @@
-//! Selects the number by which a chart colors each orbit.
+//! The number by which a chart colours each orbit.
 //!
-//! In: the name of a color, and a table with a row for each orbit. Out: a number for each row.
+//! In: the name of a colour, and a table with a row for each orbit. Out: a number for each row.
 
 use kahan_runtime::Observable;
 
@@ -50,7 +50,6 @@ impl Shade {
         Err(StudyError::UnknownColumn { name: name.to_owned(), known })
     }
 
-    /// Returns whether the largest drift of all integrals is selected.
     fn is_of_all(&self) -> bool {
         self.observable == Observable::Drift && self.column == self.observable.name()
     }
@@ -83,8 +82,7 @@ impl Shade {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit beyond the range of doubles exceeds any size; without a step there is no
-            // orbit.
+            // An orbit beyond the range of doubles has exceeded the size, unless it has no step.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

@@ -1,7 +1,7 @@
-//! Chooses ε and a first point, if they are not given, so that a picture shows an orbit.
+//! Defaults for ε and the first point, so that a picture shows a typical orbit.
 //!
-//! Choices scale with the units of the field: a change of the units of length or time changes them
-//! by powers of two, and leaves the picture unchanged.
+//! The defaults scale with the units of the field: other units of length or time change them by
+//! powers of two, and leave the picture unchanged.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -45,9 +45,9 @@ impl Study {
     ///
     /// ε is a power of two, at most a fifth of the bound by the field's rates. The start is the
     /// first of some small fractions of the length scale whose orbit stays bounded and keeps
-    /// moving. A lifted field uses the rates and orbits of its original variables: ε is at most a
-    /// tenth of the bound by their frequencies, and is halved while relations have large errors.
-    /// Costs some orbits of 4000 steps.
+    /// moving. For a lifted field, rates and orbits are those of the original variables: ε is at
+    /// most a tenth of the bound by their frequencies, and is halved while relations have large
+    /// errors. Costs some orbits of 4000 steps.
     ///
     /// # Errors
     /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
@@ -60,7 +60,7 @@ impl Study {
         let start = start.map(<[Rational]>::to_vec).or_else(|| self.start());
         start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
-        // The coefficients of a lift give no length scale of the original variables.
+        // The coefficients of a lift do not determine a length scale of the original variables.
         let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
         let length = if is_lifted { 1.0 } else { length(self.system(), map.parameters(), eps) };
         let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
@@ -101,7 +101,7 @@ impl Study {
         if !is_lifted || self.lift_start().is_none() {
             return Ok(shown);
         }
-        // Large errors of the relations call for a smaller ε.
+        // Large errors of the relations require a smaller ε.
         let (start, tries) = (self.point(&shown.start)?, if eps.is_some() { 1 } else { 5 });
         let (own, mut smaller) = (shown.start.clone(), shown.eps.clone());
         shown.stays = false;
@@ -122,7 +122,7 @@ impl Study {
     }
 }
 
-/// A way to advance points and to measure rates.
+/// The map, or the projected step, of a trial orbit, and its rates.
 struct Way<'a> {
     at: MapAt<f64>,
     lift: Option<(&'a Lift, Vec<f64>)>,
@@ -131,7 +131,6 @@ struct Way<'a> {
 }
 
 impl<'a> Way<'a> {
-    /// Prepares a map; `projects` selects projection onto the relations of a lift.
     fn new(study: &'a Study, at: MapAt<f64>, projects: bool) -> Self {
         let lift = study.lift().filter(|lift| lift.order() > 0);
         let lift = lift.map(|lift| {
@@ -154,7 +153,6 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// Returns the largest error of a new variable, relative to max(1, |function|).
     fn error(&self, x: &[f64]) -> f64 {
         let Some((lift, own)) = &self.lift else { return 0.0 };
         let (states, new) = x.split_at(lift.states.len());
@@ -199,20 +197,19 @@ impl<'a> Way<'a> {
     }
 }
 
-/// A trial orbit with the figures by which it is chosen.
+/// A trial orbit with the figures that decide the choice.
 struct Followed {
     shown: ShownOrbit,
     steps: u64,
     moves: bool,
     rate: f64,
-    /// The largest error of the new variables of a lift.
     error: f64,
 }
 
 impl Followed {
     fn of(way: &mut Way<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
-        // Only original variables count, because new variables have scales of their own.
+        // New variables have scales of their own, so only original variables count.
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
         let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };
@@ -307,8 +304,8 @@ fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()
 }
 
-/// Returns the largest power of two ≤ `bound`, which is short in every unit of time. Returns 1 for
-/// an infinite bound, and 2⁻³⁰ if no power of two fits.
+/// Returns the largest power of two ≤ `bound`, which has few bits in every unit of time. Returns 1
+/// for an infinite bound, and 2⁻³⁰ if no power of two fits.
 fn round_below(bound: f64) -> Rational {
     const SMALL: f64 = 1.0 / (1_u64 << 30) as f64;
     let eps = power_below(bound).unwrap_or(if bound > 0.0 { 1.0 } else { SMALL });

@@ -20,27 +20,24 @@ use crate::subject::{Catalog, Given, Named, Subject};
 /// The most variables of a chain whose equations are written out.
 pub const MOST_VARIABLES: usize = 200;
 
-/// The reason for which a point has no image.
+/// The reason why a point has no image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoStep {
-    /// The reduced map has a pole there.
+    /// The reduced map has a pole at the point.
     Pole,
-    /// det A = 0, and the map exceeds the budget of terms, so that it was not reduced and may have
-    /// a value.
+    /// det A = 0 for a map with too many terms to be reduced; the reduced map might have a value.
     Unreduced,
     /// The image is beyond the range of the scalar.
     Range,
 }
 
-/// A field with values of its parameters, planned once and usable from any thread. A clone shares
-/// the plans.
+/// A field with parameter values, planned once and usable from any thread. Clones share the plans.
 #[derive(Clone, Debug)]
 pub struct Study {
     read: Arc<Read>,
     here: Arc<Here>,
 }
 
-/// The field as read, with the plans for all values of the parameters.
 #[derive(Clone, Debug)]
 struct Read {
     named: Option<Named>,
@@ -53,7 +50,6 @@ struct Read {
     interpreter: OnceLock<Interpreter>,
 }
 
-/// The values of the parameters, with the map at them.
 #[derive(Debug)]
 struct Here {
     /// The values, in the order of the parameters; `None` for a value not given.
@@ -180,7 +176,7 @@ impl Study {
         self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
     }
 
-    /// Returns notes for the writer of the text on unusual readings.
+    /// Returns notes for the author of the text on unusual interpretations.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         self.given_text().notes()
@@ -192,7 +188,7 @@ impl Study {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// Returns the values of the parameters for numbers: the given ones, or else those of the text.
+    /// Returns the parameter values for numbers: the given ones, or else those of the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);
@@ -238,9 +234,9 @@ impl Study {
         &self.here.given
     }
 
-    /// Returns the study at these values of parameters, which replace all earlier ones. Both
-    /// studies share the field with its proofs, plans and compiled code. A lift keeps the values of
-    /// its `Subject`.
+    /// Returns the study at these parameter values, which replace all earlier ones. Both studies
+    /// share the field with its proofs, plans and compiled code. A lift keeps the values of its
+    /// `Subject`.
     ///
     /// # Errors
     /// An unknown name, or a name given twice.
@@ -263,15 +259,14 @@ impl Study {
         })
     }
 
-    /// Returns the study with the value of one parameter replaced.
     pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
         let mut given = self.given().to_vec();
         given[place] = Some(value);
         self.at(given)
     }
 
-    /// Returns the study at this ε: claims `when` a condition holds become unconditional if the
-    /// values of the parameters and ε satisfy it. Plans the field anew if a claim changes.
+    /// Returns the study at this ε: claims with a condition `when` become unconditional if the
+    /// parameters and ε satisfy it. Plans the field anew if a claim changes.
     ///
     /// # Errors
     /// Claims that do not hold, or a field that divides by zero.
@@ -366,7 +361,6 @@ impl Study {
         }
     }
 
-    /// Returns the index of the parameter on an axis; `None` for ε.
     pub(crate) fn axis(&self, axis: &Axis) -> Result<Option<usize>, StudyError> {
         let place = self.parameters().iter().position(|name| *name == axis.name);
         if place.is_some() || axis.name == "eps" {
@@ -495,7 +489,7 @@ fn named(values: &[(String, Rational)], name: &String) -> Option<Rational> {
     values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
 }
 
-/// Formats `x = 1`, `y = 2`, …; of long numbers, keeps the first digits.
+/// Formats `x = 1`, `y = 2`, …; long numbers are cut to their first digits.
 pub(crate) fn assigned<N: Display, V: Display>(
     values: impl IntoIterator<Item = (N, V)>,
 ) -> impl Iterator<Item = String> {

@@ -1,4 +1,4 @@
-//! The subject of a question: a field, values of its parameters, and the sites of a family.
+//! The subject of a question: a field, parameter values, and the number of sites of a family.
 
 use std::collections::BTreeMap;
 
@@ -79,7 +79,7 @@ impl Subject {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// Reads a field from a text that has a name in reports, or from a part of it.
+    /// Reads a field from a named text, or from a part of it.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(Given::Text(text))
@@ -96,7 +96,7 @@ impl Subject {
         self
     }
 
-    /// Sets the number of sites of a family; its chain is then written out.
+    /// Sets the number of sites of a family, whose chain is then written out.
     #[must_use]
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }

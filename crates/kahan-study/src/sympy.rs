@@ -1,4 +1,4 @@
-//! Formulas in the notation of `sympy.sympify`, and a script that reads the formulas of a sheet.
+//! Formulas in the notation of `sympy.sympify`, and a script that defines the formulas of a sheet.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -24,7 +24,6 @@ const KEYWORDS: [&str; 37] = [
     "yield",
 ];
 
-/// Converts a formula of [`Text`] to Python.
 fn python(text: &str) -> String {
     let mut formula = String::new();
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
@@ -145,7 +144,6 @@ fn read(formula: &str, names: &str) -> String {
     format!("sympify(\"{formula}\", locals={names})")
 }
 
-/// Writes the lines of a claim, which may refer to earlier claims.
 fn claim(claim: &ClaimShown) -> String {
     let when = if claim.condition.is_empty() { String::new() } else { format!(" when {}", claim.condition) };
     let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];

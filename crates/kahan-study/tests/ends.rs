@@ -70,7 +70,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
         }
-        // Alone in a table, beside others, and with the last point as the only observable.
+        // Singly, in a table, and with the last point as the only observable.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
             for (count, transient) in [(1, 0), (3, 0), (1, 7), (3, 7), (3, steps - 1)] {
                 let asked = Observe { observe: of.clone(), ..late(transient) };
@@ -89,7 +89,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
     }
 }
 
-/// Indicators of a start that is NaN are NaN, and not those of a regular orbit.
+/// Indicators of a NaN start are NaN, not those of a regular orbit.
 #[test]
 fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");

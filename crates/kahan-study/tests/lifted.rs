@@ -118,7 +118,7 @@ fn relations_have_errors_along_an_orbit() {
         assert!((3.5..4.5).contains(&ratio), "{coarse:?} {fine:?}");
         assert!(coarse[7] < 1.5 * coarse[0], "{coarse:?}");
     }
-    // With more parts than points, the start, which has only rounding errors, fills its parts.
+    // With more segments than points, the start fills four segments with its rounding errors.
     let few = errors((1, 20), 1);
     assert!(few.errors.iter().all(|errors| errors.len() == 5 && errors[3] < 1e-15 && errors[4] > 1e-6));
     let none = Subject::named("lv").study(&Systems).unwrap();

@@ -178,8 +178,8 @@ fn exponents_of_motion_that_is_attracted() {
     }
 }
 
-/// On regular orbits of a conservative system vectors grow linearly. The tangent plane must be
-/// carried, because exponents of order ε would give e^30 in this time.
+/// On regular orbits of a conservative system tangent vectors grow linearly. An unpropagated
+/// tangent plane would give exponents of order ε, and e^30 in this time.
 #[test]
 fn indicators_of_regular_motion_are_small() {
     let found = observed(&PENDULUM, Some(Which::Automatic), (1, 40), 200_000);

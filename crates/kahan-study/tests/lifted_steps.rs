@@ -87,7 +87,7 @@ fn sections_refine_crossings_on_projected_steps() {
     }
 }
 
-/// A step depends only on its point, and steps back lead to the start, at which y and p are 0.
+/// A step depends only on its point, and steps back lead to the start, where y = p = 0.
 #[test]
 fn projected_steps_are_reversible_and_forget_the_steps_before() {
     let study = lifted(KEPLER);
@@ -226,7 +226,7 @@ fn other_variables_may_change_their_signs() {
     }
 }
 
-/// A clock that advances by a microsecond at each look, independent of the machine's speed.
+/// A clock that advances by a microsecond at each reading, independent of the machine's speed.
 #[derive(Debug, Default)]
 struct Clock(AtomicU64);
 

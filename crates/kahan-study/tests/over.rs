@@ -19,8 +19,8 @@ fn over(object: Value) -> Over {
     over
 }
 
-/// Mixes drawn starts, two orders, both scalars, a parameter that the field divides by, with the
-/// value 0, and points from which orbits leave the range.
+/// Mixes drawn starts, two orders, both scalars, a parameter with the value 0 that the field
+/// divides by, and points from which orbits overflow.
 fn mixed() -> (Study, Over) {
     let field = "xdot = y/r; ydot = x^2 + r;";
     let over = over(json!({
@@ -43,7 +43,7 @@ impl Rows for Few {
     }
 }
 
-/// A watch with a number of threads that stops after a number of looks.
+/// A watch with a number of threads that stops after a number of checks.
 struct Hands {
     threads: usize,
     looks: AtomicU64,

@@ -9,10 +9,10 @@ use kahan_runtime::MapAt;
 use kahan_study::{Direction, Plane, Section, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
-/// The largest value of the formula at a crossing, as a part of its larger size at the ends of the
+/// The largest value of the formula at a crossing, relative to its larger size at the ends of the
 /// step.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
-/// The number of samples of a step, and of each part with a sign change.
+/// The number of samples of a step, and of each subinterval with a sign change.
 const SAMPLES: usize = 128;
 
 #[derive(Debug, Default)]

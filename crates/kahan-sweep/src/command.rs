@@ -1,4 +1,4 @@
-//! The command `kahan-sweep`: arguments in, words and an exit status out.
+//! The command `kahan-sweep`: arguments in, text and an exit status out.
 
 use std::ffi::OsString;
 use std::fs;
@@ -168,7 +168,7 @@ impl Cli {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
-            // A broken pipe means that the reader has read enough.
+            // A broken pipe means that the reader needs no more.
             Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
                 Err((format!("the rows cannot be written: {error}"), 1))
             }
@@ -199,7 +199,7 @@ impl Cli {
         (text, u8::from(!is_whole))
     }
 
-    /// Returns the shard, and the number of the sweep's processes on this machine.
+    /// Returns the shard, and the number of processes of the sweep on this machine.
     fn shard(&self) -> Result<(Shard, usize), String> {
         let said = self.shard.as_deref();
         if let Some(text) = said.filter(|text| *text != "auto") {
@@ -270,14 +270,12 @@ fn merged(plan: &Plan, out: &Path) -> Ended {
     Ok((format!("{} written: {} points, {size:.1} MB\n", results.display(), plan.points()), 0))
 }
 
-/// Parses `3/10`, the third of ten shards.
 fn shard(text: &str) -> Option<Shard> {
     let (index, of) = text.split_once('/')?;
     let (index, of): (u64, u64) = (index.trim().parse().ok()?, of.trim().parse().ok()?);
     (1 <= index && index <= of).then(|| Shard { index: index - 1, of })
 }
 
-/// Returns a progress bar, hidden unless the standard error is a terminal.
 fn bar(length: u64, what: &str) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

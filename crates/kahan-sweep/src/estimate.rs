@@ -1,4 +1,4 @@
-//! Estimates of a sweep's points, time and size, from measuring some of its points.
+//! Estimates a sweep's points, time and size by computing a sample of its points.
 
 use std::time::{Duration, Instant};
 
@@ -12,16 +12,14 @@ pub(crate) struct Estimate<'a> {
     plan: &'a Plan,
     /// The size of the merged file; the parts need the same space again.
     bytes: f64,
-    /// The time on one core.
     core_seconds: f64,
     cores: usize,
-    /// The number of points measured.
+    /// The number of sampled points.
     measured: u64,
 }
 
-/// The time spent on measuring.
 const MEASURED: Duration = Duration::from_millis(500);
-/// The largest number of neighbouring points that are measured together.
+/// The largest number of neighbouring points that are computed together.
 const TOGETHER: u64 = 256;
 
 impl<'a> Estimate<'a> {
@@ -29,8 +27,8 @@ impl<'a> Estimate<'a> {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
-        // The measured points are spread by an odd stride, as their costs may differ. Neighbours
-        // may run in lanes, so each measurement takes as many of them as time permits.
+        // The sample is spread by an odd stride, as points may differ in cost. Neighbours may share
+        // SIMD lanes, so each measurement takes as many of them as time permits.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {

@@ -1,22 +1,20 @@
-//! Recognises the launcher of this process by its environment, and returns the shard to compute.
+//! Determines the shard to compute from the environment of a known launcher.
 
 use std::env::VarError;
 
 use crate::run::Shard;
 
-/// A recognised launcher.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Launched {
     pub(crate) shard: Shard,
-    /// The message for the user.
     pub(crate) sentence: String,
     /// The number of the sweep's processes on this machine, if known, else 1.
     pub(crate) beside: usize,
 }
 
-/// The number of shards, if the launcher does not say it.
+/// The variable for the number of shards, for launchers that do not provide it.
 const SHARDS: &str = "KAHAN_SHARDS";
-/// The index of this shard from 0, for launchers unknown to this program.
+/// The variable for the index of this shard from 0, for unknown launchers.
 const INDEX: &str = "KAHAN_SHARD_INDEX";
 
 /// Launchers of task arrays: name, then the variables of task, first, last and stride.
@@ -48,8 +46,8 @@ struct Place {
 }
 
 /// Reads the environment; `None` without a known launcher. Tasks of an array may start ranks, for
-/// instance by MPI: each rank of each task is then a shard. Fails with a sentence if a launcher
-/// says too little.
+/// instance by MPI: each rank of each task is then a shard. Fails with a sentence if information is
+/// missing.
 pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<Option<Launched>, String> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
     let places: Vec<Place> = match number(INDEX) {
@@ -77,12 +75,11 @@ pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<O
     Ok(Some(Launched { shard, sentence, beside: beside.max(1) as usize }))
 }
 
-/// Returns this process's place in a task array.
 fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
 ) -> Option<Result<Place, String>> {
-    // Outside of arrays, Grid Engine says `undefined` and LSF says 0.
+    // Outside of arrays, Grid Engine sets `undefined` and LSF sets 0.
     let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
     // Kubernetes counts from 0; PBS and LSF count from 1.
     let usual = if *launcher == "Kubernetes" { 0 } else { 1 };
@@ -92,7 +89,6 @@ fn task(
     Some(Place::new(launcher, task, index, number(SHARDS).or(count)))
 }
 
-/// Returns this process's place among ranks.
 fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<Place, String>> {
     for (launcher, rank, size) in RANKS {
         if let Some(index) = number(rank) {
@@ -149,7 +145,7 @@ mod tests {
         assert_eq!(found(&[("PBS_ARRAY_INDEX", "2"), ("KAHAN_SHARDS", "6")]), Some(Ok((1, 6))));
         let srun = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "1"), ("SLURM_NTASKS", "3")];
         assert_eq!(found(&srun), Some(Ok((1, 3))));
-        // A batch script has these variables, too, but is a single process.
+        // A batch script also has these variables, but is a single process.
         assert_eq!(found(&srun[1..]), None);
         assert_eq!(found(&[("KAHAN_SHARD_INDEX", "5"), ("KAHAN_SHARDS", "6"), slurm[0]]), Some(Ok((5, 6))));
         let grid_engine = [("SGE_TASK_ID", "undefined"), ("SGE_TASK_FIRST", "undefined")];

@@ -1,7 +1,9 @@
-//! Sweeps: Kahan's maps for many initial states, parameters and ε, on any number of machines. Takes
-//! a plan in TOML; writes one Parquet file, whose bytes depend on the plan only. A [`Plan`] is a
-//! question over axes. Runs compute its rows in parts, fixed ranges of indices, which are merged.
-//! Schedulers find, share and restart machines; they start this program with a shard's number.
+//! Sweeps: Kahan's maps for many initial states, parameters and ε, on any number of machines.
+//!
+//! In: a plan in TOML ([`Plan`], a question over axes). Out: one Parquet file, whose bytes depend
+//! only on the plan. Its rows are computed in parts, fixed ranges of indices, which are then
+//! merged. Finding, sharing and restarting machines is left to schedulers, which start this program
+//! with a shard's number.
 
 mod command;
 mod estimate;

@@ -36,13 +36,13 @@ pub(crate) enum End {
     Interrupted,
 }
 
-/// The interval between journal entries, and the longest turn of a thread.
+/// The interval between journal entries, and the longest time for which a thread computes in one
+/// go.
 const NOTED: Duration = Duration::from_secs(8);
 
 /// The reason why locks are never poisoned.
 const PANIC: &str = "a thread that panics ends the process";
 
-/// A shard being computed.
 pub(crate) struct Run<'a> {
     pub(crate) plan: &'a Plan,
     pub(crate) folder: &'a Path,
@@ -114,7 +114,7 @@ impl Run<'_> {
         Ok(End::Done)
     }
 
-    /// Computes a range of rows in turns, and hands over the rows of each turn.
+    /// Computes a range of rows piece by piece, and hands each piece over.
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
@@ -136,17 +136,17 @@ impl Run<'_> {
     }
 }
 
-/// One turn of a thread: the work until it hands over its rows.
+/// The work of a thread until it hands over its rows.
 struct Turn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
-    /// The number of finished rows at the last look.
+    /// The number of finished rows at the last check.
     done: AtomicU64,
 }
 
 impl Watch for Turn<'_> {
-    /// Stops at once on request. After the time of a turn, stops when a block of rows is finished,
-    /// because an unfinished block would be lost.
+    /// Stops at once on request. After the time limit, stops at the end of a block of rows, because
+    /// an unfinished block would be lost.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > NOTED;
@@ -158,9 +158,8 @@ impl Watch for Turn<'_> {
     }
 }
 
-/// The shared state of a part's threads.
 struct Work {
-    /// First rows with tables, unordered.
+    /// Tables with their first rows, unordered.
     done: Vec<(u64, Table)>,
     /// The number of tables, at the end of `done`, that are missing from the journal.
     unnoted: usize,
@@ -184,7 +183,6 @@ impl Work {
         error.filter(|_| !was_told)
     }
 
-    /// Appends finished rows to the journal.
     fn note(&mut self) -> io::Result<()> {
         self.noted = Instant::now();
         let from = self.done.len() - self.unnoted;

@@ -30,14 +30,13 @@ fn filled(template: &str, places: &[(&str, String)]) -> String {
     parts.collect()
 }
 
-/// Quotes a path for a shell.
 fn quoted(path: &Path) -> String {
     let text = path.to_string_lossy();
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-+./:=,".contains(c);
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A newline would end the comment in which the path stands.
+        // A newline would end the comment that contains the path.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

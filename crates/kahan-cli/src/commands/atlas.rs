@@ -46,7 +46,7 @@ impl Atlas {
     }
 }
 
-/// The file DIR/index.html in the making; it appears whole or not at all.
+/// The file DIR/index.html while it is made; it appears whole or not at all.
 pub(super) struct Index {
     path: PathBuf,
     since: Instant,
@@ -68,7 +68,7 @@ impl Index {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // Dropping the sink at once leaves no trace if the work is interrupted.
+        // Dropping the sink at once leaves no file behind if the work is interrupted.
         drop(Sink::file(&path, "--out")?);
         Ok(Index { path, since })
     }
@@ -80,7 +80,7 @@ impl Index {
         Making { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes the page. Returns an answer with its place, `holds`, its size and the time.
+    /// Writes the page. Returns an answer with its path, `holds`, its size and the time.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, Refusal> {
         Sink::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

@@ -118,7 +118,7 @@ const OF_ORBITS: [&str; 12] = [
     "reembed",
 ];
 
-/// Reads a colour: an observable with one value, or a column, which help does not list.
+/// Parses a colour: an observable with one value, or a column, which help does not list.
 #[derive(Clone, Copy)]
 struct Colours;
 

@@ -31,8 +31,8 @@ impl Completions {
     }
 }
 
-/// Adds the names of systems as values of SYSTEM. The command itself does without, as its refusals
-/// say more than a list.
+/// Adds the names of systems as values of SYSTEM, for completion only: the refusals of the command
+/// itself say more than a list.
 fn naming_systems(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();

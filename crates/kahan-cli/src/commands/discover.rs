@@ -166,7 +166,7 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     })
 }
 
-/// Returns findings that no claim can express, as comments.
+/// Returns results that no claim can express, as comments.
 fn comments(found: &Discovered, width: usize) -> String {
     let modified = modified(found, found.report.alone()).into_iter().flatten();
     let texts = modified.chain(bases(found).flatten());

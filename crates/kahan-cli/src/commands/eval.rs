@@ -68,7 +68,7 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     }
 }
 
-/// Says that det A = 0 counts as a pole of an unreduced map.
+/// Explains that det A = 0 counts as a pole of an unreduced map.
 pub(super) fn unreduced(name: &str, place: &str) -> String {
     format!(
         "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \

@@ -135,8 +135,8 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// Returns the rows of a table that fits a screen: all of a short one, otherwise ever fewer, and
-/// the last.
+/// Returns the rows of a table that fits a screen: all rows of a short table, otherwise ever
+/// sparser rows, and the last.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

@@ -1,4 +1,4 @@
-//! Command lines that ask a question, as pages show them under each figure.
+//! Command lines of questions, as pages show them under each figure.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, Refusal};
 
-/// A command that asks a question. Arguments determine the question, and a question its arguments.
+/// A command that asks a question; arguments and questions determine each other.
 pub(crate) trait Asking: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
@@ -35,8 +35,8 @@ impl Line {
         Line { command, words: system.to_vec() }
     }
 
-    /// Appends the options of `A` that differ from their defaults. An argument has the name of the
-    /// field of `asked` that it sets.
+    /// Appends the options of `A` that differ from their defaults. Arguments have the names of the
+    /// fields of `asked`.
     pub(crate) fn saying<A: Args>(self, asked: &impl Serialize) -> Self {
         let command = A::augment_args(clap::Command::new(self.command));
         let fields = json!(asked);
@@ -44,7 +44,7 @@ impl Line {
             let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
             let usual: Vec<&str> =
                 argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
-            // An option without a delimiter is repeated for each value.
+            // Without a delimiter, the option is repeated for each value.
             let takes_all = argument.get_value_delimiter().is_some();
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {
@@ -129,7 +129,7 @@ mod tests {
         matches.and_then(|matches| A::from_arg_matches(&matches)).expect("a call")
     }
 
-    /// Checks that the command line of each question leads back to it.
+    /// Checks that the command line of each question parses to that question.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
         for asked in questions {
             let line = C::options(&asked, Line::new("", &["lv".to_owned()]));

@@ -1,5 +1,5 @@
-//! `kahan orbit`: the points of an orbit with their integrals, row by row. Rows are written at once
-//! and not kept, so memory does not grow with the length of the orbit.
+//! `kahan orbit`: the points of an orbit with their integrals, row by row. Rows are written at
+//! once, so memory does not grow with the length of the orbit.
 
 mod over;
 mod rows;
@@ -150,7 +150,7 @@ impl Asking for Orbit {
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&study)?;
-        // All orbits begin before the first row is written, as one may be refused.
+        // Begin all orbits before the first row is written, as one of them may be refused.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);

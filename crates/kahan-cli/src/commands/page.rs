@@ -101,7 +101,7 @@ impl Page {
     }
 }
 
-/// Returns the source with values from the text or the catalog for parameters without a value.
+/// Returns the source, with values from the text or the catalog for parameters without a value.
 fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
     let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
     let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
@@ -121,7 +121,7 @@ struct Chapter {
     body: Markup,
 }
 
-/// Computes all parts in order. `written` is the given text of a lifted field.
+/// Computes all chapters in order. `written` is the original text of a lifted field.
 fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
@@ -201,7 +201,7 @@ fn introduction(subject: &Subject<'_>) -> Markup {
     }
 }
 
-/// Returns the field with the integrals that were found, if there are any and they are short.
+/// Returns the field with the discovered integrals, if they are few and short enough.
 fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field> {
     const LONGEST: usize = 800;
 

@@ -1,5 +1,4 @@
-//! `kahan periodic`: cycles of the map, how stable they are, and where they go when something
-//! changes.
+//! `kahan periodic`: cycles of the map, their stability, and their branches.
 
 use std::path::PathBuf;
 
@@ -48,7 +47,7 @@ Examples:
   kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg
   kahan periodic --field 'xdot=-y-z; ydot=x+y/5; zdot=1/5+x*z-4*z;' --free eps --eps 0.01 --at 1,2,0")]
-// ε may be what changes.
+// ε may be an axis.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
@@ -92,7 +91,7 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-/// The longest period that is looked for, and the most steps of a cycle of the flow.
+/// The longest period, and the most steps of a limit cycle of the flow.
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 
@@ -112,7 +111,6 @@ impl Asking for Periodic {
         Ok((study, Question { eps, at, period, free, transient, over: axis, hold }))
     }
 
-    /// The cycle, and its branch.
     fn run(&self) -> Result<Answer, Refusal> {
         let out = self.out.as_deref().map(OutFile::picture_or_table).transpose()?;
         let (study, asked) = self.asked()?;
@@ -133,12 +131,11 @@ impl Asking for Periodic {
     }
 }
 
-/// The message for a branch that ends early.
 const CUT: &str =
     "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
-/// The reason for a row without an error.
+/// Explains a row without an error estimate.
 const PLAIN: &str = "finer steps have no such cycle there; take a smaller eps (dt)";
-/// Behind a verdict that the digits of the multipliers do not show.
+/// Explains a stability that the printed digits of the multipliers do not show.
 const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
 
 fn text(found: &CycleFound) -> String {
@@ -200,13 +197,13 @@ fn text(found: &CycleFound) -> String {
     paragraphs(groups.filter(|lines| !lines.is_empty()))
 }
 
-/// A number to one digit more than its error has, with that.
+/// Formats a number to one digit more than its error, with the error.
 fn with_error(found: &Extrapolated) -> String {
     let digits = (1.0 - found.error.log10().floor()).clamp(1.0, 15.0);
     format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)
 }
 
-/// A row for each value of the branch and for each change.
+/// Returns a row for each requested value of the branch, and for each bifurcation.
 fn branch_rows(found: &CycleFound, name: &str) -> Rows {
     let is_of_flow = found.flow.is_some();
     let rows = found.rows().map(|(point, of_flow)| {
@@ -227,7 +224,6 @@ fn branch_rows(found: &CycleFound, name: &str) -> Rows {
     headed(head.chain(variables).chain(["stability", "multipliers", "change"]), rows)
 }
 
-/// All points of each cycle of the branch, one behind the other.
 fn points(found: &CycleFound) -> Rows {
     let (name, _) = found.branch.as_ref().expect("a branch is written where there is one");
     let shown = |x: f64| format!("{x:?}");
@@ -248,7 +244,7 @@ fn points(found: &CycleFound) -> Rows {
     headed(&head, rows)
 }
 
-/// The cells of a row of the branch behind its point.
+/// Returns the cells of a row of the branch after its point.
 fn tail(found: &CycleFound, point: &BranchPoint, of_flow: Option<&FlowFound>) -> Vec<String> {
     let shown = |x: f64| format!("{x:?}");
     let PeriodicPoint { points, multipliers, .. } = &point.cycle;

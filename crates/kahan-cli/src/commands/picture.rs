@@ -1,5 +1,5 @@
-//! `kahan picture`: orbits, orbit diagrams and heights as pictures. Here is how they are asked for;
-//! [`shown`] asks and draws.
+//! `kahan picture`: parses the arguments of pictures of orbits, orbit diagrams and heights;
+//! [`shown`] computes and draws.
 
 pub(crate) mod shown;
 pub(crate) mod starts;
@@ -147,13 +147,13 @@ enum Kind {
     OrbitsOver,
 }
 
-/// The most first points for each of those that are given.
+/// The most first points for each `--at`.
 const MOST_STARTS: usize = 100_000;
-/// The crossings of each orbit of a section, if neither these nor steps are given.
+/// The default number of crossings of each orbit, if neither crossings nor steps are given.
 const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {
-    /// What is drawn, and of which field.
+    /// Returns the field, and the picture as a value.
     pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
         let kind = self.kind()?;
         let study = self.source.proved(self.at.first().map(String::as_str))?;
@@ -219,7 +219,7 @@ impl Picture {
         Ok((study, shown))
     }
 
-    /// The line with the options that draw this; what is as usual is left out.
+    /// Appends the options for this picture that differ from the defaults.
     pub(super) fn options(asked: &Shown, line: Line) -> Line {
         let Shown { what, eps, at, spread, steps, axes, windows, lines, reembed, seconds, look, out } = asked;
         let (kind, over) = match what {
@@ -244,7 +244,7 @@ impl Picture {
         look.options(line).with("--out", out.display())
     }
 
-    /// Writes the file; the answer says what is in it.
+    /// Writes the file, and returns a description of its contents.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let kind = self.kind()?;
         let out = OutFile::picture(&self.out)?;
@@ -254,7 +254,7 @@ impl Picture {
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
-    /// The formula of the section, the direction and the number of crossings, if one is asked for.
+    /// Returns formula, direction and number of crossings of the section, if requested.
     fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, Refusal> {
         let (plane, maxima) = (self.plane.as_deref(), self.maxima.as_deref());
         if plane.or(maxima).is_none() {

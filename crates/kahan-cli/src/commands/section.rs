@@ -1,4 +1,4 @@
-//! `kahan section`: where orbits cross a plane, or the level of any function.
+//! `kahan section`: crossings of orbits with a plane, or with the level set of any function.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -120,7 +120,7 @@ impl Asking for Section {
         Ok((study, asked))
     }
 
-    /// Writes the crossings; what is left to say is the answer.
+    /// Writes the crossings; returns notes as the answer.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         if self.json && self.out.is_none() {
@@ -141,7 +141,8 @@ impl Asking for Section {
     }
 }
 
-/// The formula and the direction of a section; of the maxima of a variable those of its derivative.
+/// Returns the formula and the direction of a section; for the maxima of a variable, the derivative
+/// of the variable.
 pub(super) fn section(
     study: &Study,
     plane: Option<&str>,
@@ -173,7 +174,7 @@ fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     })
 }
 
-/// A table that begins with its first rows, so that nothing is written of what is refused.
+/// A table that is opened at its first rows, so that a refused question leaves no output.
 struct Late {
     table: Option<Table>,
     begin: Option<(Sink, Map<String, Value>)>,

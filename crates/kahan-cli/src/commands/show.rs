@@ -73,7 +73,7 @@ impl Asking for Show {
             Show { latex: true, .. } => Form::Latex,
             Show { sympy: true, .. } => Form::Sympy,
             Show { plan: true, .. } => Form::Plan,
-            // In JSON the block is one of the formulas.
+            // With --json, the block is one of the formulas.
             Show { as_macro: true, json: false, .. } => Form::Kahan,
             _ => Form::Text,
         };
@@ -109,7 +109,7 @@ impl Asking for Show {
 }
 
 impl Show {
-    /// Returns the expansion of the block; with values of parameters, that of the block of
+    /// Returns the macro's expansion of the block; with parameter values, of the block of
     /// `--macro`.
     fn expanded(&self) -> Result<Answer, Refusal> {
         let study = self.source.proved(None)?;

@@ -134,7 +134,7 @@ impl Asking for Trade {
 impl Trade {
     fn asked_of(&self, block: &Block) -> Result<(Study, Question), Refusal> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
-        // A false claim is reported before a missing number.
+        // Report a false claim before a missing number.
         study.proved()?;
         let asked = Question {
             at: point(self.at.as_deref(), &study)?,
@@ -174,7 +174,6 @@ fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-/// Formats the answer. `call` computes the orbit of the choice.
 fn text(traded: &Traded, call: Option<&Line>) -> String {
     let scene = &traded.scene;
     let title =

@@ -1,7 +1,6 @@
-//! Removal of unfinished files on SIGINT and SIGTERM.
+//! Removal of unfinished files on SIGINT and SIGTERM; the process ends with status 130 or 143.
 //!
-//! The process then ends with status 130 or 143. A signal is sent to the whole process, so the list
-//! of unfinished files is global.
+//! A signal is sent to the whole process, so the list of unfinished files is global.
 
 use std::io;
 use std::path::PathBuf;
@@ -11,7 +10,7 @@ use tempfile::NamedTempFile;
 
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// An entry in the list of unfinished files, for as long as this value lives.
+/// A registration in the list of unfinished files; dropping it ends the registration.
 pub(super) struct Unfinished(PathBuf);
 
 /// Makes a temporary file that signals remove.
@@ -48,7 +47,7 @@ fn listen() -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM])?;
     std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            // The lock is held to the end, so that no new file is made.
+            // The lock is held until the process ends, so that no new file is made.
             let list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
             for path in list.iter() {
                 // A file that was just renamed no longer exists under this name.

@@ -1,8 +1,8 @@
 //! Tables, labels and matrices that fit the screen.
 //!
 //! A table breaks between columns at the width of the terminal, or at 80 columns. Formulas break
-//! before a term on a terminal, and not at all in files. Words and numbers are never broken; one
-//! that is wider than the screen gets a line of its own.
+//! before a term on a terminal, and not at all in files. Words and numbers are never broken; a
+//! wider one gets a line of its own.
 
 #[cfg(test)]
 mod tests;
@@ -16,20 +16,19 @@ use kahan_draw::document::Rows;
 
 /// The width of a screen of unknown width.
 const USUAL_WIDTH: usize = 80;
-/// The smallest width of a terminal that is respected.
+/// Narrower terminals are treated as this wide.
 const NARROWEST: usize = 20;
 
 pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
 }
 
-/// Returns the width for lines that are cut off.
+/// Returns the width at which lines are cut off.
 pub(crate) fn page_width() -> usize {
     const WIDEST: usize = 100;
     terminal_width().map_or(WIDEST, |width| width.min(WIDEST))
 }
 
-/// Returns the width of the terminal, if standard output is one.
 pub(crate) fn terminal_width() -> Option<usize> {
     let (terminal_size::Width(width), _) = terminal_size::terminal_size_of(stdout())?;
     Some(usize::from(width).max(NARROWEST))
@@ -47,7 +46,6 @@ fn largest(rows: &[Vec<String>], column: usize, size: fn(&str) -> usize) -> usiz
     rows.iter().filter_map(|row| row.get(column)).map(|cell| size(cell)).max().unwrap_or(0)
 }
 
-/// Returns the width of a table with these columns, two spaces apart.
 fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
@@ -105,7 +103,7 @@ pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> Strin
 /// The width from which a cell counts as a sentence, which may break.
 const SENTENCE: usize = 24;
 
-/// Returns the width of each column if its heading has one word a line.
+/// Returns the width of each column with one word per line in its heading.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
@@ -126,7 +124,7 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
     Some(narrower)
 }
 
-/// Groups the columns behind the keys so that each group fits; `None` if a column does not fit.
+/// Groups the columns after the keys so that each group fits; `None` if a column does not fit.
 fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;

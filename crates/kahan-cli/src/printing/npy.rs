@@ -19,7 +19,6 @@ impl Npy {
         numbers.iter().try_for_each(|number| self.sink.write(number.to_le_bytes()))
     }
 
-    /// Writes the number of rows into the header, and closes the file.
     pub(crate) fn finish(mut self) -> Result<(), Broken> {
         self.sink.overwrite_beginning(&header(self.rows, &self.row))?;
         self.sink.finish()

@@ -63,7 +63,6 @@ impl Refusal {
         Refusal(paragraph(message.as_ref()))
     }
 
-    /// Returns the message, without `error:`.
     pub(crate) fn message(&self) -> &str {
         self.0.trim_start_matches("error: ").trim_end()
     }

@@ -1,8 +1,8 @@
 //! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
 //! A file is written under a temporary name in the same folder and renamed at the end; unfinished
-//! files are removed, also after a signal. Rows for standard output are buffered; a
-//! write 0.1 s after the last flush flushes them, so that a reader sees rows early.
+//! files are removed, also after a signal. Standard output is buffered, and flushed by the first
+//! write 0.1 s after the last flush, so that a reader sees rows early.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -38,7 +38,7 @@ impl From<Broken> for Refusal {
     }
 }
 
-/// The time after a flush from which the next write flushes.
+/// The time after a flush after which the next write flushes.
 const PATIENCE: Duration = Duration::from_millis(100);
 
 impl Sink {
@@ -74,7 +74,7 @@ impl Sink {
         Ok(Sink(Place::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
-    /// Opens a file for a table. A name without an extension is accepted, too.
+    /// Opens a file for a table; a name without an extension is also accepted.
     pub(crate) fn table(path: &Path) -> Result<Self, Refusal> {
         if path.extension().is_none() || is_table(path) {
             return Self::file(path, "--out");

@@ -13,14 +13,14 @@ pub(crate) enum Format {
     /// A line of column names, then a line for each row; undefined values are empty. A terminal
     /// breaks long lines after commas.
     Csv,
-    /// One object: the head, `rows`, and members behind the rows; undefined values are null.
+    /// One object: the metadata, `rows`, and members after the rows; undefined values are null.
     Json,
 }
 
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
-    /// The first cells of all rows of an orbit, one value each, which identify it among several.
+    /// The first cells of all rows of an orbit, which identify it among several.
     place: Vec<Kept>,
     line: String,
     has_rows: bool,
@@ -31,7 +31,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Writes the head of a table. `head` has the names of the columns under `columns`.
+    /// Writes the metadata of a table; its `columns` are the names of the columns.
     pub(crate) fn begin(sink: Sink, format: Format, head: &Map<String, Value>) -> Result<Self, Broken> {
         let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
         let text = match format {
@@ -84,7 +84,7 @@ impl Table {
         self.broken.take().map_or(Ok(()), Err)
     }
 
-    /// Writes the members behind the rows, and closes the sink.
+    /// Writes the members after the rows, and closes the sink.
     pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), Broken> {
         if self.format == Format::Json {
             self.sink.write("\n  ]")?;

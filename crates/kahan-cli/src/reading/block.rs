@@ -18,8 +18,7 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{Refusal, joined};
 
 thread_local! {
-    /// The last block. A command reads its field twice: for notes on undeclared names, and for its
-    /// answer.
+    /// Caches the last block, since a command reads its field twice: for notes, and for its answer.
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
@@ -103,7 +102,7 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on how the text is read, and on values that it gives and options do not
+    /// Returns notes on interpretations of the text, and on values in it that options do not
     /// override.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
@@ -124,7 +123,7 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
-    /// Returns the product of states of one letter that a name may mean.
+    /// Returns the product of one-letter states that a name may stand for.
     pub(super) fn product(&self, name: &str) -> Option<String> {
         let system = self.text.unproved_system().ok()?;
         let letters: Vec<String> = name.chars().map(String::from).collect();
@@ -158,8 +157,8 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
     }))
 }
 
-/// Returns the range of the field: the whole text, or one call of `kahan!`. Of several calls
-/// `wanted` chooses one by name or line.
+/// Returns the range of the field: the whole text, or one call of `kahan!`. If there are several,
+/// `wanted` selects one by name or line.
 pub(super) fn chosen(text: &str, origin: &str, wanted: Option<&str>) -> Result<Range<usize>, Refusal> {
     let blocks = blocks(text);
     let is_wanted = |block: &&RustBlock| {

@@ -1,4 +1,4 @@
-//! A chain with any number of sites: its map and its first state. Values of sites come from a
+//! A chain with any number of sites: its map and its first state. Values at the sites come from a
 //! formula of the index i, or from a file.
 
 use kahan_algebra::rational::Rational;
@@ -64,7 +64,7 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     let option = format!("--param {name}");
     if is_number_file(value) {
         let Numbers { names, values, .. } = read(value, &option)?;
-        // With several columns, headings choose the column.
+        // With several columns, a heading selects the column.
         let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
         let wanted = [name.to_owned()];
         let place = Wanted::new(&wanted, &[], Others::Ignored).places(&names);
@@ -105,7 +105,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // One array may be a list as well as a column. Of several states the last one is the start.
+    // A single array may be a list or a column. If a file has several states, the last one counts.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

@@ -2,7 +2,7 @@
 //! variables, and the `order` of the columns of Q.
 //!
 //! In: the bytes of the file. Out: the coefficients. `kahan._coefficients` of the Python package
-//! accepts equal files and reads them by NumPy.
+//! accepts the files that this module accepts.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -17,7 +17,7 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The states in a term: none, one, or two.
+/// The states of a term: none in c, one in B, two in Q.
 type States = [Option<usize>; 2];
 
 /// An array: its shape, and its entries as (row, column, value). A row belongs to a component of

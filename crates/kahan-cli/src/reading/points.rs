@@ -1,4 +1,4 @@
-//! Points behind `--at`: coordinates with commas, or a file with a row for each point.
+//! Points given by `--at`: coordinates with commas, or a file with a row for each point.
 
 use std::fs;
 use std::path::Path;
@@ -43,8 +43,8 @@ pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Re
     only(points(at, study)?, at)
 }
 
-/// Reads the first point of `--at` before the field is known, with the names of its coordinates if
-/// a file has them. Returns `None` without a point.
+/// Reads the first point of `--at` before the field is known, with names of coordinates if the file
+/// has them. Returns `None` without a point.
 pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;

@@ -1,8 +1,8 @@
 //! Finds the calls of `kahan!` in a text: their ranges and names.
 //!
-//! The lexer of rustc tells calls from comments and strings. The parsers `proc-macro2` and `syn`
-//! are not used: they refuse files with an open bracket and Markdown with a program, and `syn` does
-//! not look into other macros.
+//! The lexer of rustc distinguishes calls from comments and strings. The parsers `proc-macro2` and
+//! `syn` are not used: they reject files with an open bracket, and Markdown with a program, and
+//! `syn` does not look into other macros.
 
 #[cfg(test)]
 mod tests;
@@ -29,7 +29,7 @@ struct Piece<'a> {
 }
 
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
-    // Most texts have none, and may be long.
+    // Most texts have no call, and may be long.
     if !text.contains(MACRO) {
         return Vec::new();
     }
@@ -60,7 +60,6 @@ pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
     found
 }
 
-/// Splits a text into tokens, without spaces and comments.
 fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut end = 0;
     let pieces = tokenize(text, FrontmatterAllowed::No).map(|token| {

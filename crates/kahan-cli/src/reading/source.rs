@@ -180,8 +180,7 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Removes --all, and returns whether it was given. Some commands use it for more than new
-    /// variables.
+    /// Removes --all, and returns whether it was given; some commands give it a wider meaning.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
@@ -192,8 +191,7 @@ impl Source {
         self
     }
 
-    /// Returns how the field is lifted, if it is. The start and the values serve to choose the
-    /// lift.
+    /// Returns the kind of lift, if requested. The start and the parameter values guide its choice.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -224,7 +222,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value of a parameter or a `step` that one of the `axes` varies.
+    /// Refuses a parameter value, or a `step`, for a name on one of the `axes`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), Refusal> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -274,8 +272,8 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// Returns notes on how a text is read, and on undeclared names without a value or a range in
-    /// `ranges`. For standard input [`block`](Self::block) prints them.
+    /// Returns notes on interpretations of a text, and on undeclared names without a value or
+    /// range. For standard input [`block`](Self::block) prints them.
     pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
         block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))
@@ -287,7 +285,7 @@ impl Source {
         block.notes(&given).into_iter().chain(undeclared_in(block, &given)).collect()
     }
 
-    /// Splits off the parameters that are given as ranges: `xi=-2:2:+1/12` as `xi` and the rest.
+    /// Separates parameters given as ranges, such as `xi=-2:2:+1/12`, from the others.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
         let mut single = self.clone();
         single.parameters.retain(|given| !given.contains(':'));

@@ -30,7 +30,7 @@ impl Source {
         Ok(study)
     }
 
-    /// Returns the field of a block that was read already; standard input can be read only once.
+    /// Returns the field of a block that was already read: standard input can be read only once.
     pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
@@ -92,7 +92,7 @@ impl Start {
     }
 }
 
-/// Spells a part of a question as the option of its name.
+/// Spells a named value of a question as an option.
 pub(crate) fn option(name: &str, value: &str) -> String {
     format!("--{name} {value}").trim_end().to_owned()
 }

@@ -10,7 +10,6 @@ use kahan_study::{Axis, Observable, Range};
 
 use crate::printing::Refusal;
 
-/// Reads an exact number; `what` names it in the refusal.
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     numbers::number(text).map_err(|why| Refusal::new(format!("{what}: {why}")))
 }
@@ -63,7 +62,6 @@ pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse().expect("clap takes no others"))
 }
 
-/// Reads NAME=FROM:TO:… of `--over`.
 pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
     let (name, range) = text.split_once('=').ok_or_else(|| {
         Refusal::new(format!(

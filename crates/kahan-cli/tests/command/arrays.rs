@@ -1,4 +1,4 @@
-//! Fields from files of `np.savez`, built byte by byte. Tests in Python read files of NumPy.
+//! Fields from files of `np.savez`, built byte by byte. Python tests read files made by NumPy.
 
 use std::io::Write;
 
@@ -8,7 +8,7 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 
 use crate::running::{answer, kahan, refusal, text};
 
-/// A file of arrays in the making, with the bytes of each.
+/// A builder for a file of arrays, with the bytes of each.
 struct Npz {
     folder: tempfile::TempDir,
     files: Vec<(String, Vec<u8>)>,

@@ -1,5 +1,4 @@
-//! `kahan discover` and `kahan scan`: findings that prove again, keys of JSON, refusals. Further
-//! systems of the catalog claim what is found.
+//! `kahan discover` and `kahan scan`: results that can be proved again, keys of JSON, refusals.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
@@ -93,8 +92,7 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // New integrals fit behind the catalog's claims, without equal names; a block has one
-        // density.
+        // New integrals can follow the catalog's claims without equal names. A block has one density.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
@@ -148,11 +146,11 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
-        // A degree ends the search early.
+        // A fixed degree ends the search early.
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // A basis stands for integrals without a short formula.
+        // A basis replaces integrals without a short formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);

@@ -20,11 +20,11 @@ fn a_circle_is_known_in_closed_form() {
     let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
                   rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
-    // The map turns clockwise, from x to its rate, by 2 atan(ε).
+    // Each step rotates clockwise, from x to its rate, by 2 atan(ε).
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
-    // Lengths are kept up to rounding, over 500 units of time.
+    // Lengths are preserved up to rounding, over 500 units of time.
     for exponent in found["spectrum"].as_array().expect("a list").iter().chain([&found["lyapunov"]]) {
         assert!(number(exponent).abs() < 1e-13);
     }
@@ -72,7 +72,7 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     }
 }
 
-/// An observable has equal values with and without others, also on very short orbits.
+/// An observable has the same value with and without others, also on very short orbits.
 #[test]
 fn a_name_means_one_thing_whatever_else_is_asked() {
     let lorenz =
@@ -167,13 +167,13 @@ fn sections_are_where_the_formula_vanishes() {
     for (k, point) in points.iter().enumerate() {
         let (x, y) = (number(&point[0]), number(&point[1]));
         assert!((y - x / 2.0).abs() < 1e-14, "{point}");
-        // A crossing is half a turn from the next one, at an equal radius.
+        // Successive crossings are half a turn apart, at equal radius.
         assert!((x.hypot(y) - 2.0).abs() < 1e-12, "{point}");
         assert_eq!(x > 0.0, k % 2 == 1, "{point}");
     }
     let times = found["times"].as_array().expect("a list");
     let period = number(&times[2]) - number(&times[0]);
-    // A turn takes π/atan(ε) steps; a part θ of a step turns by 2 atan(θε).
+    // A full rotation takes π/atan(ε) steps; a fraction θ of a step rotates by 2 atan(θε).
     assert!((period - 0.1 * PI / 0.05_f64.atan()).abs() < 1e-4, "{period}");
     let few =
         answer(&["section", "e6", "--eps", "0.05", "--at", "1,2,3", "--plane", "H - 3", "--steps", "9"]);
@@ -182,7 +182,7 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
-/// Each of many orbits has its own crossings, behind its start and the values of the axes.
+/// Each orbit has its own crossings, after its start and the values on the axes.
 #[test]
 fn sections_of_many_orbits_are_one_table() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -408,7 +408,7 @@ const ROWS: &str =
 #[test]
 fn charts_show_the_rows_of_a_file() {
     let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
-    // Values are the middles of cells, in order; a cell without rows is empty.
+    // Values are the midpoints of cells, in order; a cell without rows is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"

@@ -19,7 +19,6 @@ struct Paint {
 }
 
 impl Paint {
-    /// Returns the paint of an element inside this paint.
     fn of(&self, element: &BytesStart<'_>) -> Self {
         let mut paint = self.clone();
         for attribute in element.attributes() {

@@ -1,4 +1,4 @@
-//! Periodic points: what is found, proved, followed and refused.
+//! `kahan periodic`: cycles found, proved, continued and refused.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ fn the_examples_of_the_help_run() {
 
 #[test]
 fn multipliers_of_a_linear_field_are_those_of_the_formula() {
-    // Eigenvalues −1 and 2: (1 + ελ)/(1 − ελ).
+    // The eigenvalues λ = −1 and 2 give the multipliers (1 + ελ)/(1 − ελ).
     let found = object(&[
         "periodic",
         "--field",
@@ -41,7 +41,7 @@ fn multipliers_of_a_linear_field_are_those_of_the_formula() {
 
 #[test]
 fn cycles_of_an_integrable_map_come_in_families() {
-    // The orbits of the Euler top are circles of the map's own curves, where some have period 7.
+    // Orbits of the Euler top lie on closed curves, some of which consist of cycles of period 7.
     let euler = ["euler", "--param", "a1=1", "--param", "a2=-2", "--param", "a3=1", "--eps", "1/2"];
     let found =
         object(&[&["periodic"], &euler[..], &["--at", "0.2,1.6,0.4", "--period", "7", "--json"]].concat());
@@ -85,7 +85,7 @@ fn a_branch_goes_round_its_fold() {
         table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
         "{table}"
     );
-    // Fixed points of the map are those of the flow: a = x².
+    // The map and the flow have equal fixed points: a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
         assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
@@ -94,8 +94,8 @@ fn a_branch_goes_round_its_fold() {
 
 #[test]
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
-    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, those of the flow
-    // and of the map: multipliers are (1 + ελ)/(1 − ελ).
+    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, for the flow and
+    // for the map, with multipliers (1 + ελ)/(1 − ελ).
     let lorenz = ["lorenz", "--param", "s=10", "--param", "b=8/3", "--eps", "1/1000", "--at", "8,8,27"];
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
@@ -109,7 +109,7 @@ const HOPF: &str = "Hopf point, a pair of eigenvalues of f' goes through the ima
 #[test]
 fn steady_states_keep_the_totals_of_their_start() {
     let sirs = ["periodic", "--field", "sdot = -2*s*i + r/2; idot = 2*s*i - i; rdot = i - r/2;", "--json"];
-    // s = 1/2, i = r/2, and the total is that of the start.
+    // s = 1/2, i = r/2, with the total of the start.
     for (start, state) in [
         ("0.5,0.2,0.3", ["1/2", "1/6", "1/3"]),
         ("1,0.5,0.5", ["1/2", "1/2", "1"]),
@@ -119,7 +119,7 @@ fn steady_states_keep_the_totals_of_their_start() {
         assert_eq!(found["exact"]["points"][0], serde_json::json!(state), "{found}");
         assert_eq!((&found["family"], &found["stability"]), (&0.into(), &"attracting".into()), "{found}");
         assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(2), "{found}");
-        // With all three variables, the total has an eigenvalue 0 of its own.
+        // In all three variables, the total contributes an eigenvalue 0.
         let free = object(&[&sirs[..], &["--at", start, "--hold", "none"]].concat());
         assert_eq!((&free["family"], &free["stability"]), (&1.into(), &"neutral".into()), "{free}");
         assert_eq!(
@@ -133,7 +133,7 @@ fn steady_states_keep_the_totals_of_their_start() {
 
 #[test]
 fn coefficients_of_what_is_held_may_be_parameters_that_stand_still() {
-    // a*x + y is kept; over a there is no integral with constant coefficients.
+    // a*x + y is an integral; if a varies, no integral has constant coefficients.
     let field = ["periodic", "--field", "xdot = y - x; ydot = -a*(y - x);", "--at", "1,0"];
     let held = |more: &[&str]| object(&[&field[..], more, &["--json"]].concat())["held"].clone();
     assert_eq!(held(&["--param", "a=3"]), serde_json::json!(["3*x + y = 3"]));
@@ -152,8 +152,8 @@ fn steady_states_need_no_step_and_have_the_eigenvalues_of_the_field() {
         assert!((eigenvalue / expected + 1.0).abs() < 1e-12, "{found}");
         assert_eq!(found["exact"]["points"], serde_json::json!([["1"]]), "{found}");
     }
-    // Lorenz' atmosphere of 1984 at a = 1/4, b = 4. At the Hopf point f = 0, and a₁a₂ = a₃ of the
-    // characteristic polynomial of f': solved apart, in 40 digits.
+    // Lorenz's atmosphere (1984) at a = 1/4, b = 4. At the Hopf point f = 0, and a₁a₂ = a₃ for the
+    // characteristic polynomial of f'; solved independently, in 40 digits.
     let field = "xdot = -y^2 - z^2 - x/4 + F/4; ydot = x*y - 4*x*z - y + G; zdot = 4*x*y + x*z - z;";
     let over = ["--param", "G=1/5", "--at", "1,0,0", "--over", "F=0.8:1.2:21", "--json"];
     let found = object(&[&["periodic", "--field", field], &over[..]].concat());
@@ -188,7 +188,7 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     assert!(answer(&over).contains("neutral"));
 }
 
-/// trace − 2 is 1.5e-10 there, and rounding makes it a hundred thousand times as much.
+/// trace − 2 is 1.5e-10, which rounding errors exceed by a factor of a hundred thousand.
 #[test]
 fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     let cycle = |eps: &str, at: &str, period: &str| {
@@ -207,13 +207,13 @@ fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
         ])
     };
     assert_eq!(cycle("1/20", "0.41,0.1", "29")["stability"], "neutral");
-    // Its fixed points, at x = ±1/√6, are a saddle and a centre.
+    // The fixed points x = ±1/√6 are a saddle and a centre.
     assert_eq!(cycle("1/20", "0.41,0", "1")["stability"], "saddle");
     assert_eq!(cycle("1/20", "-0.41,0", "1")["stability"], "neutral");
 }
 
-/// Langford's field: r' = (z - b) r, z' = 3/5 + z - z^2 - r^2, a cycle of period 2π/3 at z = b,
-/// which a pair of multipliers leaves the circle of at b = 1/2.
+/// Langford's field: r' = (z - b) r, z' = 3/5 + z - z^2 - r^2, with a cycle of period 2π/3 at z =
+/// b. A complex pair of multipliers crosses the unit circle at b = 1/2.
 const TORUS: &str = "xdot = x*z - b*x - 3*y; ydot = 3*x + y*z - b*y; zdot = 3/5 + z - z^2 - x^2 - y^2;";
 
 fn number(value: &serde_json::Value) -> f64 {
@@ -232,7 +232,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // Eigenvalues λ² + λ + 6/5 = 0 of the equations of r and z.
+        // λ² + λ + 6/5 = 0 for the equations of r and z.
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(
@@ -254,7 +254,7 @@ fn limit_cycles_keep_the_totals_of_their_start() {
     assert!((number(&found["flow"]["period"]) - 2.0 * std::f64::consts::PI / 3.0).abs() < 1e-8, "{found}");
     let totals = found["points"].as_array().expect("points").iter().map(|x| number(&x[0]) + number(&x[3]));
     assert!(totals.into_iter().all(|total| (total - 1.5).abs() < 1e-15), "{found}");
-    // Without it the cycles are a family, one for each total.
+    // Without fixed integrals the cycles form a family, one for each total.
     let free = kahan(&[&line[..], &["--hold", "none"]].concat());
     assert_eq!(free.status.code(), Some(1));
     assert!(text(&free.stderr).contains("family"), "{}", text(&free.stderr));
@@ -277,7 +277,7 @@ fn changes_of_limit_cycles_are_extrapolated() {
 
 #[test]
 fn limit_cycles_of_lifted_fields_have_no_multipliers_of_relations() {
-    // Period and multiplier by shooting with DOP853 of SciPy, tolerance 1e-13.
+    // Period and multiplier: shooting with SciPy's DOP853, tolerance 1e-13.
     let field = "xdot = y; ydot = m*(1 - x^2)*y - x;";
     let line = ["periodic", "--field", field, "--param", "m=1", "--lift", "--free", "eps", "--eps", "0.01"];
     let found = object(&[&line[..], &["--at", "2,0", "--json"]].concat());

@@ -1,4 +1,4 @@
-//! Pictures: what the files hold, and what is refused.
+//! `kahan picture`: contents of the files, and refusals.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::painting::painted;
 use crate::running::examples_run;
 use crate::running::{answer, kahan, object, refusal, text};
 
-/// The file of a picture with these arguments, which begin after `picture`.
+/// Returns the file drawn with these arguments of `kahan picture`.
 fn drawn(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("picture.svg");
@@ -21,14 +21,14 @@ fn drawn(arguments: &[&str]) -> String {
     fs::read_to_string(file).expect("the picture")
 }
 
-/// The object that describes such a picture.
+/// Returns the JSON description of a picture.
 fn described(arguments: &[&str]) -> Value {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("picture.svg");
     object(&[&["picture"], arguments, &["--json", "--out", file.to_str().expect("UTF-8")]].concat())
 }
 
-/// The elements of a picture, which must be well formed.
+/// Returns the elements of an SVG; panics unless it is well formed.
 fn elements(svg: &str) -> Vec<BytesStart<'static>> {
     let mut reader = Reader::from_str(svg);
     let mut found = Vec::new();
@@ -41,7 +41,6 @@ fn elements(svg: &str) -> Vec<BytesStart<'static>> {
     }
 }
 
-/// The words of a picture.
 fn words(svg: &str) -> Vec<String> {
     let shown = |part: &str| {
         let (_, inner) = part.split_once('>').expect("the end of a tag");
@@ -66,7 +65,7 @@ fn a_diagram_shows_crossings_over_a_parameter() {
             "{found}"
         );
     }
-    // A hundred crossings, if neither their number nor steps are given.
+    // The default is a hundred crossings.
     let usual = [&orbit[..orbit.len() - 4], &["--over", "c=2:4:2", "--maxima", "x"]].concat();
     assert_eq!(described(&usual)["points"], 200);
 }
@@ -84,7 +83,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     let counted = [&orbit[..3], &["--at", "1,2,3", "--at", "1,1,2", "--crossings", "5"]].concat();
     assert_eq!(described(&[&counted[..], &["--plane", "x - y"]].concat())["points"], 10);
     assert_eq!(described(&[&counted[..], &["--maxima", "x"]].concat())["points"], 10);
-    // The last variable of the formula is left out of the axes.
+    // The last variable of the formula is not an axis.
     assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
@@ -142,7 +141,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let rows: Vec<(f64, f64)> = table.lines().skip(1).map(place).collect();
     assert_eq!(dots.len(), rows.len());
     for (dot, row) in dots.iter().zip(&rows) {
-        // Places are written in tenths.
+        // Coordinates are written in tenths.
         assert!((dot.0 - row.0).abs() <= 0.0501 && (dot.1 - row.1).abs() <= 0.0501, "{dot:?}, {row:?}");
     }
 }
@@ -180,11 +179,11 @@ fn starts_lie_on_a_line_or_around_a_point_and_follow_the_seed() {
 
 #[test]
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
-    // A sink, whatever the parameter is.
+    // The field has a sink for every value of the parameter.
     let field = "xdot = a - x;";
     let over = ["--field", field, "--over", "a=0:4:+1/2", "--eps", "1/10", "--at", "7", "--steps", "5"];
     let svg = drawn(&[&over[..], &["--window", "x=-1:5", "--transient", "400"]].concat());
-    // A value of a, one place.
+    // Each value of a has one point.
     assert_eq!(svg.matches("h0").count(), 9, "{svg}");
     let early = drawn(&[&over[..], &["--transient", "0"]].concat());
     assert!(early.matches("h0").count() > 40, "{early}");
@@ -263,7 +262,7 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
 #[test]
 fn a_png_or_a_pdf_is_written_or_it_is_said_how_to_get_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Width and height stand behind the first twelve bytes of a PNG and the name of their part.
+    // In a PNG, width and height follow the first twelve bytes and the name of their chunk.
     let size = [960_u32.to_be_bytes(), 720_u32.to_be_bytes()].concat();
     let kinds: [(&str, bool, &[u8], &[u8]); 2] = [
         ("png", cfg!(feature = "png"), b"\x89PNG\r\n\x1a\n", &size),

@@ -121,7 +121,6 @@ mod on_a_terminal {
 
     use super::WIDE;
 
-    /// Returns standard output as a terminal of this width shows it.
     fn shown(columns: u16, arguments: &[&str]) -> String {
         on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
     }

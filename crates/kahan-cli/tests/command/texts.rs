@@ -6,7 +6,6 @@ use crate::running::{answer, kahan, refusal, text};
 
 const LORENZ: &str = "par s=10,r=28,b=8/3\ninit x=1,y=1,z=1\nx'=s*(y-x)\ny'=r*x-y-x*z\nz'=x*y-b*z\ndone";
 
-/// Returns the output of a run that succeeds, without its notes.
 fn printed(arguments: &[&str]) -> String {
     let run = kahan(arguments);
     assert_eq!(run.status.code(), Some(0), "{arguments:?}: {}", text(&run.stderr));

@@ -1,4 +1,4 @@
-//! Other units of length and time: every number changes by a power of two.
+//! In other units of length and time, every number changes by a power of two.
 
 use serde_json::Value;
 

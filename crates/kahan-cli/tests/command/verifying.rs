@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::running::{answer, kahan, object, refusal, text};
 
-/// One system stands for all; `crates/kahan-paper/tests` proves the whole paper.
+/// Tests one system as an example; `crates/kahan-paper/tests` proves the whole paper.
 #[test]
 fn every_claim_of_a_system_has_an_outcome_and_a_place() {
     let report = object(&["verify", "--system", "E3", "--json"]);

@@ -1,4 +1,4 @@
-//! HTML and a table for a search: proved formulas and the search's numbers.
+//! HTML and a table for the results of a search: proved formulas, and numbers.
 
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
@@ -83,7 +83,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // Higher degrees were not searched, so an empty list would prove nothing.
+    // Higher degrees were not searched, so an empty list would be no proof.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
@@ -103,8 +103,8 @@ pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2
     ]
 }
 
-/// Says which quotients of a basis's coefficients are integrals, and how many points of an orbit
-/// determine them. Each quotient stands between two copies of `mark`.
+/// Describes which quotients of a basis's coefficients are integrals, and how many points of an
+/// orbit determine them. Each quotient is enclosed by `mark`.
 #[must_use]
 pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {

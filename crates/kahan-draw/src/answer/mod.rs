@@ -1,5 +1,5 @@
-//! Answers as parts of a page: HTML for pages, and tables that text output prints, too. Commands
-//! and their arguments are unknown here.
+//! Answers as HTML for pages, and as tables that text output also prints. Commands and their
+//! arguments are deliberately absent.
 
 mod discovered;
 mod lifted;
@@ -20,7 +20,6 @@ pub use poles::poles;
 pub use section::jumps;
 pub use traded::{choice, front};
 
-/// The largest number of variables whose formulas a page shows.
 const MOST_VARIABLES: usize = 8;
 
 /// Returns the HTML of an answer, or `None` for answers that pages omit or draw by

@@ -5,7 +5,7 @@ use kahan_study::{End, Observable, Observed, Seen};
 
 use crate::document::Table;
 
-/// Returns the tables of all observables that were asked for.
+/// Returns the tables of all requested observables.
 #[must_use]
 pub fn observed(observed: &Observed) -> Vec<Table> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
@@ -76,7 +76,7 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
 }
 
 /// Describes the errors of Lyapunov exponents, and whether the largest exponent may be 0. Returns
-/// `None` without an exponent whose error is finite.
+/// `None` if no exponent has a finite error.
 #[must_use]
 pub fn convergence(observed: &Observed) -> Option<String> {
     let largest = |observable| match observed.of(observable)? {
@@ -97,7 +97,7 @@ pub fn convergence(observed: &Observed) -> Option<String> {
     })
 }
 
-/// Explains an orbit that ended before the steps asked for.
+/// Explains an orbit that ended before the requested steps.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
     let Observed { system, steps, end, why, .. } = observed;

@@ -1,10 +1,11 @@
-//! A table of singularity patterns: the curves that a map loses, and whether it recovers them.
+//! A table of singularity patterns: curves that the map contracts or sends to infinity, and their
+//! images.
 
 use kahan_study::PolesFound;
 
 use crate::document::Table;
 
-/// The longest polynomial written out, in characters; longer ones appear by degree and size.
+/// The longest polynomial to write out, in characters; longer ones appear by degree and size.
 const LONGEST: usize = 1000;
 
 /// Returns a table with one row for each pattern.

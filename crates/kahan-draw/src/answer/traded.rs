@@ -1,4 +1,5 @@
-//! HTML for settings compared on one scene: the picture, the cheapest setting and the Pareto front.
+//! HTML for integrator settings in one scene: the picture, the cheapest setting and the Pareto
+//! front.
 
 use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};

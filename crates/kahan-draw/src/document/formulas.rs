@@ -14,7 +14,7 @@ pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\
     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
-/// Sets the field, A, b (unless x), det A and the reduced map, of a sheet in LaTeX.
+/// Writes the field, A, b (unless x), det A and the reduced map from a sheet in LaTeX.
 pub fn formulas(sheet: &Sheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
@@ -42,8 +42,8 @@ pub fn formulas(sheet: &Sheet) -> Markup {
     }
 }
 
-/// Sets a claim about a field with this number of variables: kind, condition, source and formulas.
-/// `besides` is further text about the claim.
+/// Writes a claim about a field with this number of variables: kind, condition, source, formulas,
+/// and further text `besides`.
 pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {

@@ -1,11 +1,11 @@
-//! Formulas from LaTeX to MathML, which browsers set without a script.
+//! Formulas from LaTeX to MathML, which browsers render without a script.
 
 use kahan_latex::breaking;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
 
-/// Sets a formula in running text.
+/// Renders a formula in running text.
 pub fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
@@ -17,18 +17,18 @@ pub const COLUMN: usize = 56;
 /// The length of a line in a cell of a table of formulas, in characters.
 const CELL: usize = 44;
 
-/// Sets a displayed formula with at most `width` characters on a line.
+/// Renders a displayed formula with at most `width` characters on a line.
 pub fn display(latex: &str, width: usize) -> Markup {
     let latex = breaking::display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
-/// Sets a formula for a cell of a table: in display style, without a box.
+/// Renders a formula for a cell of a table: in display style, without a box.
 pub fn cell(latex: &str) -> Markup {
     inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
 
-/// Sets several displayed formulas, one below the other.
+/// Renders several displayed formulas, one below the other.
 pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
@@ -43,7 +43,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
         push_mathml(&mut text, events, RenderConfig { display_mode, ..RenderConfig::default() })
     });
     match set {
-        // The library sets `\\mu` as the micro sign, which would stay upright.
+        // The library writes `\\mu` as the micro sign, which would stay upright.
         Ok(Ok(())) => PreEscaped(text.replace('\u{b5}', "μ")),
         _ => html! { code.unset { (latex) } },
     }

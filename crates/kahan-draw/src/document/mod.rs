@@ -1,5 +1,5 @@
-//! Pages of HTML that need no network and no script: formulas are MathML, drawings are SVG, and a
-//! policy forbids the browser to fetch anything. The atlas and the pages of fields use them.
+//! HTML pages that need no network and no script: formulas are MathML, drawings are SVG, and a
+//! policy forbids the browser to fetch anything.
 
 mod formulas;
 mod math;
@@ -55,7 +55,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
     document.into_string()
 }
 
-/// Sets the footer: version, time, and in `again` the command that writes the page once more.
+/// Writes the footer: version, time, and in `again` the command that makes the page again.
 pub fn colophon(making: &Making, again: &Markup) -> Markup {
     html! {
         footer {

@@ -1,4 +1,4 @@
-//! Typographic forms of plain text, such as places in the paper and details of findings.
+//! Typographic forms of plain text, such as references to the paper and details of results.
 
 use crate::plot::{lowered, raised};
 

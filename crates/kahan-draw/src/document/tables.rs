@@ -34,7 +34,7 @@ impl Render for Table {
     }
 }
 
-/// Sets a table of formulas with an anchor. The first cell of a row names its subject.
+/// Writes a table of formulas with an anchor. The first cell of a row names its subject.
 pub fn table_of_formulas(
     id: &str,
     caption: &str,

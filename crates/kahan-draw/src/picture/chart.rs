@@ -33,9 +33,9 @@ fn logarithm(value: f64) -> f64 {
 
 impl Chart {
     /// Makes the chart of one column of an [`Observe`](kahan_study::Observe) over one or two
-    /// ranges. The question's last axis becomes the abscissa. A cell is empty where the orbit
-    /// leaves the range of doubles or escapes; for `escape`, where the orbit does neither. Panics
-    /// if the question is another one, or an axis is not a range.
+    /// ranges. The question's last axis becomes the abscissa. A cell is empty if its orbit leaves
+    /// the range of doubles or escapes; for `escape`, if the orbit does neither. Panics for another
+    /// question, or an axis that is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &Shade) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -61,7 +61,7 @@ impl Chart {
         Chart { is_lower_bound, ended, steps: Some(observe.steps), ..chart }
     }
 
-    /// Says whether a column spans many powers of ten, so that charts show its logarithm.
+    /// Returns whether a column spans many powers of ten, so that charts show its logarithm.
     #[must_use]
     pub fn is_logarithmic(column: &str) -> bool {
         Observable::of_column(column).is_some_and(Observable::is_logarithmic)

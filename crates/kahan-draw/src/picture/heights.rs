@@ -8,8 +8,8 @@ use kahan_study::HeightsFound;
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
 
-/// Draws ln h of each variable's heights h against n for exponential growth, else against ln n.
-/// Powers of n become straight lines. `eps` appears in the description.
+/// Draws ln h of each variable's heights h against n for exponential growth, else against ln n, so
+/// that powers of n become straight lines. `eps` appears in the description.
 #[must_use]
 pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
     let survey = &found.survey;

@@ -1,5 +1,7 @@
-//! Pictures of answers. Takes answers, or the rows of orbits as they arrive, and the picture's
-//! looks; returns a [`Picture`]. Questions and time limits are unknown here.
+//! Pictures of answers.
+//!
+//! In: answers, or the rows of orbits as they arrive, and the picture's looks. Out: a [`Picture`].
+//! Questions and time limits are deliberately absent.
 
 mod chart;
 mod heights;
@@ -31,7 +33,7 @@ pub struct Look {
     pub lines: bool,
 }
 
-/// A drawing with statements about its content.
+/// A drawing with statistics of its points.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The drawing.

@@ -31,8 +31,8 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// Draws the branch of a cycle: its first variable against the parameter, with stable cycles marked
-/// apart. A cycle of the flow shows the maximum and minimum only.
+/// Draws the branch of a cycle: its first variable against the parameter, with a separate style for
+/// stable cycles. A cycle of the flow shows the maximum and minimum only.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &Look) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

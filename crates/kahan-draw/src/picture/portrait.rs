@@ -42,7 +42,7 @@ pub struct Trace {
 pub struct Visits {
     /// The number of points.
     pub points: usize,
-    /// The number of distinguishable places.
+    /// The number of distinguishable positions.
     pub places: usize,
 }
 
@@ -69,7 +69,6 @@ impl Coordinate {
         }
     }
 
-    /// Makes an axis that shows these values.
     fn axis(&self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
         let name = self.name(variables);
         look.windowed(
@@ -97,7 +96,7 @@ impl Trace {
         self.columns[0].len()
     }
 
-    /// Counts the points, and the distinguishable places among those inside the axes.
+    /// Counts the points, and the distinguishable positions of those inside the axes.
     fn visits(&self, axes: &[NumberLine]) -> Visits {
         const PARTS: f64 = 200.0;
 
@@ -169,7 +168,7 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
     Picture { visits, ..picture }
 }
 
-/// Chooses marks by the number of points; orbits with few distinct places get visible dots.
+/// Chooses marks by the number of points; orbits with few distinct positions get visible dots.
 fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
     const FEW: usize = 24;
     /// Beyond this number of points, lines of the usual width would merge into an area.

@@ -5,7 +5,7 @@ use kahan_study::{LiftFound, Watched};
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
 
-/// Draws the largest error of each relation in each part of the watched orbit, on a logarithmic
+/// Draws the largest error of each relation in each segment of the watched orbit, on a logarithmic
 /// axis. Returns `None` if no orbit was watched. Relations without any error get no line.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &Look) -> Option<Picture> {

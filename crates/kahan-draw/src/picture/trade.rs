@@ -1,5 +1,5 @@
-//! The work–precision diagram: price against error. Double and double-double get one line for each
-//! order, other scalars and compensated sums small dots; the front lies below all.
+//! The work–precision diagram: price against error. Double and double-double get a line for each
+//! order, other scalars and compensated sums small dots; the Pareto front is drawn below them.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
@@ -13,13 +13,13 @@ pub fn trade_sheet() -> Sheet {
     Sheet::page(720, 480)
 }
 
-/// Draws all measured settings, except those with errors too large to be of use.
+/// Draws all measured settings except those with useless errors.
 #[must_use]
 pub fn trade(traded: &Traded, look: &Look) -> Picture {
     const LARGEST: f64 = 10.0;
 
     let what = traded.error_name();
-    // An error of 0 has no place on a logarithmic axis.
+    // An error of 0 has no position on a logarithmic axis.
     let shown = traded.settings.iter().filter(|measured| place(measured).1.is_finite());
     let (shown, beyond): (Vec<&Measured>, Vec<_>) = shown.partition(|measured| measured.error() <= LARGEST);
     let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {

@@ -31,7 +31,6 @@ pub enum Format {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
     pixels: (u32, u32),
-    /// The width and height of the view box.
     pub(super) view_box: (f64, f64),
     /// The colours. PNG and PDF files of [`Theme::Viewer`] are light.
     pub theme: Theme,
@@ -53,7 +52,7 @@ impl Drawing {
         let Sheet { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Fonts of printers; the letters of both have equal widths.
+        // Fonts of printers; both have letters of equal widths.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -81,7 +80,7 @@ impl Drawing {
     }
 }
 
-/// A reason why a drawing has no file.
+/// The reason why a drawing has no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoFile {
     /// The file name's extension belongs to no format.
@@ -146,7 +145,6 @@ impl Format {
 }
 
 impl Sheet {
-    /// Pixels per inch in print.
     const INCH: f64 = 300.0;
     /// The size of a picture in pixels that fills a column in print, 86 mm wide.
     pub const COLUMN: (u32, u32) = (1016, 762);

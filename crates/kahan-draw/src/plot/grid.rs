@@ -34,7 +34,6 @@ pub struct Grid {
 
 /// The number of colours; one further index is transparent, for empty cells.
 const COLOURS: usize = 255;
-/// The left and right edges of the colour bar, measured from the frame.
 const COLUMN: [f64; 2] = [12.0, 26.0];
 const NAME: f64 = 28.0;
 

@@ -1,6 +1,6 @@
-//! Labels. A single letter that stands alone is a variable, and set in italic; raised and lowered
-//! characters are exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Some fonts lack raised
-//! and lowered characters, so drawings use small digits off the baseline.
+//! Labels. Single letters are variables, and set in italic; superscripts and subscripts are
+//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Some fonts lack these characters, so
+//! drawings use small digits off the baseline.
 
 use maud::{Markup, html};
 
@@ -28,7 +28,6 @@ fn small(size: f64) -> f64 {
     (0.7 * size).max(LEAST)
 }
 
-/// The share of [`width`] that labels occupy in most fonts.
 const USUAL: f64 = 0.92;
 
 /// Returns the largest distance of a label's ends from its middle, in any common font.
@@ -36,7 +35,7 @@ pub(super) fn reach(words: &str, size: f64) -> f64 {
     (1.0 - USUAL / 2.0) * width(words, size)
 }
 
-/// Shrinks a label to fit into `room`, and shortens it where the font would become too small.
+/// Shrinks a label to fit into `room`, and shortens it if the font would become too small.
 pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
     let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
     let mut shown = words.to_owned();
@@ -89,7 +88,7 @@ fn parts(words: &str) -> Vec<(Set, String)> {
     parts
 }
 
-/// Sets a label at a place, rotated by `turn` degrees; `anchor` is `start`, `middle` or `end`.
+/// Writes a label at a position, rotated by `turn` degrees; `anchor` is `start`, `middle` or `end`.
 pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -> Markup {
     let transform =
         (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));

@@ -13,7 +13,7 @@ const FREE: f64 = 8.0;
 
 pub(super) struct Legend<'a> {
     sheet: Sheet,
-    /// The place, text, font size and series of each entry; a note has no series.
+    /// Position, text, font size and series of each entry; a note has no series.
     entries: Vec<(Place, (String, f64), Option<&'a Series>)>,
 }
 

@@ -1,5 +1,5 @@
-//! Axes with round ticks. A [`NumberLine`] shifts values that share leading digits, and divides
-//! very large or small values by a power of ten; its name states both.
+//! Axes with round ticks. A [`NumberLine`] subtracts a number from values that share leading
+//! digits, and divides very large or small values by a power of ten; its name states both.
 
 use super::script::raised;
 
@@ -41,8 +41,8 @@ impl NumberLine {
         NumberLine { label: label.to_owned(), low, high, marks: Marks::Round }
     }
 
-    /// Makes an axis that shows all finite values, with small margins. Values that differ by
-    /// rounding errors only count as equal.
+    /// Makes an axis that shows all finite values, with small margins. Values that differ only by
+    /// rounding errors count as equal.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -59,8 +59,7 @@ impl NumberLine {
         NumberLine::new(label, low - room, high + room)
     }
 
-    /// Makes an axis that shows nearly all values. A few distant ones, as near a pole, don't
-    /// squeeze the rest together.
+    /// Makes an axis that shows nearly all values, without a few distant ones, as near a pole.
     #[must_use]
     pub fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
@@ -118,8 +117,7 @@ impl NumberLine {
         self.high.floor() - self.low.ceil() >= 1.0
     }
 
-    /// Returns four to seven ticks at round values, or fewer where more labels would overlap by
-    /// `fits`.
+    /// Returns four to seven ticks at round values, or fewer if `fits` rejects overlapping labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
         // Consecutive steps differ by factors 2 or 2.5, so one of them gives four to seven ticks.
@@ -139,7 +137,6 @@ impl NumberLine {
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
     }
 
-    /// Returns the multiples of a step on the axis.
     fn every(&self, step: f64) -> Vec<Tick> {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
@@ -160,13 +157,13 @@ impl NumberLine {
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
     }
 
-    /// Returns the place of a value, if `low` lies at `from` and `high` at `to`.
+    /// Returns the position of a value, if `low` is at `from` and `high` at `to`.
     #[must_use]
     pub fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)
     }
 
-    /// Says whether a value lies on the axis.
+    /// Returns whether a value lies on the axis.
     #[must_use]
     pub fn shows(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)

@@ -1,5 +1,5 @@
-//! Colours of drawings. The six colours of curves are distinguishable in grey print and by readers
-//! who lack one kind of cones. Each has the contrast to the paper that text needs.
+//! Colours of drawings. The six colours of curves can be distinguished in grey print and by readers
+//! who lack one kind of cones. Each has the contrast to the background that text needs.
 
 use std::fmt::Write as _;
 
@@ -47,9 +47,9 @@ const CURVES: [Colour; 6] = [
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
-/// The fill and stroke of one part of a drawing. Elements carry the theme's colours as attributes,
-/// which all programs read. Where the viewer chooses, these are the light colours, and a style
-/// sheet replaces them by the dark ones through the class.
+/// The fill and stroke of one kind of element. Elements carry the theme's colours as attributes,
+/// which all programs read. For [`Theme::Viewer`] these are the light colours, and a style sheet
+/// replaces them by the dark ones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,
@@ -135,7 +135,7 @@ impl Theme {
     }
 }
 
-/// Returns the style sheet of drawings: the dark colours, where the viewer chooses.
+/// Returns the style sheet of drawings: the dark colours of [`Theme::Viewer`].
 pub(crate) fn style(theme: Theme) -> String {
     match theme {
         Theme::Viewer => {
@@ -177,7 +177,7 @@ mod tests {
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // About nine times the smallest difference that is noticed side by side.
+                        // About nine times the smallest difference that is visible side by side.
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

@@ -19,7 +19,6 @@ pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>
     }
 }
 
-/// Returns the path of a circle around each place.
 pub(super) fn rings(places: &[Place], radius: f64) -> String {
     let half = |by: f64| format!("a{radius} {radius} 0 1 0 {} 0", tenths(by));
     let ring = |&(x, y): &Place| {
@@ -31,7 +30,7 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
 /// The path command of a dot; some programs omit paths without width and height.
 const DOT: &str = "h.01";
 
-/// Returns the path of a line through places, merging equal neighbours; a single place is a dot.
+/// Returns the path of a line through positions, merging equal neighbours; one position is a dot.
 pub(super) fn polyline(places: &[Place]) -> String {
     let mut path = String::new();
     let mut before = None;
@@ -52,7 +51,7 @@ pub(super) fn polyline(places: &[Place]) -> String {
 /// The largest number of dots in a path, about a megabyte of SVG.
 const MOST_DOTS: usize = 100_000;
 
-/// Returns the path of a dot at each place: lines of zero length with round ends, a third of the
+/// Returns the path of a dot at each position: lines of zero length with round ends, a third of the
 /// size of circles. Coinciding dots are merged; among very many dots, also those within 0.5 or 1
 /// unit, about the size of a dot.
 pub(super) fn dots(places: &[Place]) -> String {

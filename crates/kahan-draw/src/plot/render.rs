@@ -1,4 +1,4 @@
-//! PNG and PDF files from a drawing's SVG, equal on every machine by a font of the crate's own.
+//! PNG and PDF files from a drawing's SVG, equal on every machine by an embedded font.
 
 use std::sync::Arc;
 
@@ -83,7 +83,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Only letters lie left of the axis.
+            // Left of the axis there are only letters.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }

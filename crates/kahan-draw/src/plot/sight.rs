@@ -1,6 +1,6 @@
-//! Simulated colour vision, for tests of the palette. Missing cones follow the matrices of severity
-//! 1 by Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
-//! vision deficiency" (2009).
+//! Simulated colour vision deficiency, for tests of the palette, by the matrices of severity 1 of
+//! Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision
+//! deficiency" (2009).
 
 pub(super) type Linear = [f64; 3];
 
@@ -28,7 +28,6 @@ pub(super) fn linear(byte: u8) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Returns the colour that a reader with this vision perceives.
 pub(super) fn seen(colour: Linear, kind: Kind) -> Linear {
     let rows = match kind {
         Kind::All => return colour,

@@ -33,7 +33,6 @@ pub struct Space {
     pub clouds: Vec<Cloud>,
 }
 
-/// The margins around the box.
 const RIGHT: f64 = 16.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
@@ -43,8 +42,8 @@ const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
 /// The number of depth layers. The width of lines changes invisibly from one layer to the next.
 const LAYERS: usize = 24;
-/// A box with a larger ratio of lengths than `SLENDER` is stretched to unit height and up to
-/// `BROAD` times that width.
+/// A box whose ratio of lengths exceeds `SLENDER` is stretched to unit height and at most `BROAD`
+/// times that width.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
@@ -56,7 +55,7 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 struct View {
-    /// The place of the box's middle in the drawing.
+    /// The position of the box's middle in the drawing.
     centre: Place,
     middle: [f64; 3],
     /// The factors of the box's lengths before rotation.
@@ -269,7 +268,6 @@ impl Space {
 
 /// The edges that carry the axes, as pairs of corners: two below, one on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
-/// The offsets of tick labels from their edges, to the right and downwards.
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
 /// The offsets of the names of the two lower axes, to the right and downwards.

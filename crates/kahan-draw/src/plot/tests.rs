@@ -1,4 +1,4 @@
-//! Tests of places, labels and descriptions.
+//! Tests of positions, labels and descriptions.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -33,7 +33,7 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The right end of the frame, on the way to (99, 1).
+    // The right end of the frame, on the line to (99, 1).
     assert!(path.contains("L466 "), "{path}");
 }
 
@@ -160,7 +160,6 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     assert!(inked.starts_with("#000000"), "{inked}");
 }
 
-/// The bounds of a label: left, top, right, bottom.
 type Box = [f64; 4];
 
 /// Returns the labels of a drawing with their bounds in a wide font.

@@ -1,9 +1,9 @@
-//! The solution of ẋ = f(x), to measure orbits against.
+//! The solution x(t) of ẋ = f(x), a reference for orbits of the map.
 //!
-//! In: a field, a point, a time. Out: x(t) as a piecewise polynomial with a value at every time.
-//! The pieces are Taylor series of high order ([`series`]), short where the motion is fast and near
-//! a pole. Nothing here uses Kahan's map, so agreement of an orbit with a flow is independent
-//! evidence. Error bounds are deliberately absent; comparison with a second method shows the error.
+//! In: a field, a point, a time. Out: x(t) as a piecewise polynomial. The pieces are Taylor series
+//! of high order ([`series`]), short where the motion is fast or near a pole. Nothing here uses
+//! Kahan's map, so agreement with an orbit is independent evidence. Error bounds are deliberately
+//! absent.
 
 mod piece;
 mod series;
@@ -41,14 +41,14 @@ use series::Expansion;
 pub struct Flow<T> {
     pieces: Vec<Piece<T>>,
     end: f64,
-    /// The number of leading variables that distances and the scale refer to.
+    /// The number of leading variables that enter distances and the scale.
     measured: usize,
     scale: f64,
     slope: f64,
     turning: f64,
 }
 
-/// The reason for which a flow does not reach its end.
+/// The reason why a flow does not reach its end time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoFlow {
     /// The solution escapes to infinity, or beyond the range of `f64`.
@@ -78,12 +78,12 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     /// The degree of a piece, which has one coefficient more for each variable.
     pub const DEGREE: usize = T::TERMS;
 
-    /// Follows the flow from `start` to the time `end` > 0, and beyond it by the part `beyond` of
-    /// `end`, for orbits that pass it. A solution that escapes to infinity after `end` is not
-    /// extended. Calls `go_on` before each piece with the number of pieces so far.
+    /// Integrates from `start` to the time `end` > 0, and further by `beyond`·`end` for orbits that
+    /// overshoot. A solution that escapes to infinity after `end` is not extended. Calls `go_on`
+    /// before each piece with the number of pieces so far.
     ///
-    /// Costs about 90 evaluations of the bilinear form for a piece in `f64`, and 240 in [`Dd`]. A
-    /// piece has 0.14 and 0.09 of the distance to the nearest singularity in complex time.
+    /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. Its
+    /// length is 0.14 (`Dd`: 0.09) of the distance to the nearest singularity in complex time.
     ///
     /// # Errors
     /// [`NoFlow`].
@@ -111,9 +111,9 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(Piece::of(&series, t));
-            // The step is a double, so that sums of steps in double-double stay exact for long.
+            // A step of type `f64` keeps sums of steps exact in double-double for long.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed part of the remaining time, so steps shrink
+            // Near a pole each step is a fixed fraction of the remaining time, so steps shrink
             // geometrically.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
@@ -139,13 +139,12 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             t += Dd::from(step);
         }
         if flow.scale == 0.0 {
-            // A solution at rest in the origin gets the scale 1.
             flow.scale = 1.0;
         }
         Ok(flow)
     }
 
-    /// Restricts distances and the scale to the first `variables`, up to the time `end`.
+    /// Restricts distances and the scale to the first `variables` and to times up to `end`.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {
         let size = |t: f64| {
@@ -156,7 +155,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Self { measured: variables, scale: if scale > 0.0 { scale } else { 1.0 }, ..self }
     }
 
-    /// Returns the last time.
+    /// Returns the time at which the last piece ends.
     pub fn end(&self) -> f64 {
         self.end
     }
@@ -167,7 +166,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.scale
     }
 
-    /// Returns the largest ‖f′(x(t))‖∞; its product with ε measures how coarse a step is.
+    /// Returns max ‖f′(x(t))‖∞; ε times this number measures how coarse a step is.
     pub fn slope(&self) -> f64 {
         self.slope
     }
@@ -200,12 +199,11 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.measure(self.piece_at(t), t, x, &mut vec![T::zero(); x.len()])
     }
 
-    /// Prepares distances of points in N variables at increasing times.
+    /// Prepares [`Flow::distance`] for points in N variables at increasing times.
     pub(crate) fn along<const N: usize>(&self) -> Along<'_, T, N> {
         Along { flow: self, piece: 0, value: [T::zero(); N] }
     }
 
-    /// Returns the piece of time t: the last one that begins at or before t.
     fn piece_at(&self, t: Dd) -> &Piece<T> {
         let later = self.pieces.partition_point(|piece| piece.start <= t);
         &self.pieces[later.saturating_sub(1)]
@@ -221,8 +219,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Distances from a flow at increasing times, without repeated searches for a piece and without
-/// allocation.
+/// Distances from a flow at increasing times, without searching for the piece, and without allocation.
 #[derive(Debug)]
 pub(crate) struct Along<'a, T, const N: usize> {
     flow: &'a Flow<T>,
@@ -231,7 +228,6 @@ pub(crate) struct Along<'a, T, const N: usize> {
 }
 
 impl<T: Digits, const N: usize> Along<'_, T, N> {
-    /// Returns the distance like [`Flow::distance`].
     pub(crate) fn distance(&mut self, t: Dd, x: &[Dd; N]) -> f64 {
         let pieces = &self.flow.pieces;
         while pieces.get(self.piece + 1).is_some_and(|next| next.start <= t) {

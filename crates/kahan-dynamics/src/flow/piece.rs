@@ -9,7 +9,6 @@ pub(super) struct Piece<T> {
     pub(super) start: Dd,
     /// The unit of time is 1/rate: the polynomial is in powers of rate·(t − start). A power of 2.
     rate: f64,
-    /// The coefficient vectors x₀, x₁, ….
     pub(super) coefficients: Vec<T>,
 }
 

@@ -20,7 +20,7 @@ pub(crate) trait Digits: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
     /// with its square; the least total lies near the number of digits.
     const TERMS: usize = if Self::SHORT_BITS > f64::SHORT_BITS { 30 } else { 18 };
 
-    /// The step h as a part of the radius of convergence ρ. The first omitted term is about
+    /// The step h as a fraction of the radius of convergence ρ. The first omitted term is about
     /// (h/ρ)^(TERMS + 1) of the solution: 0.14¹⁹ ≈ 6·10⁻¹⁷ and 0.09³¹ ≈ 4·10⁻³³.
     const PART_OF_RADIUS: f64 = if Self::SHORT_BITS > f64::SHORT_BITS { 0.09 } else { 0.14 };
 }
@@ -35,7 +35,6 @@ pub(super) struct Expansion<'a, F, T, const N: usize> {
     constant: SVector<T, N>,
 }
 
-/// The series at one point, with its range.
 #[derive(Clone, Debug)]
 pub(super) struct Series<T, const N: usize> {
     /// The coefficients x₀, x₁, … of powers of rate·(t − t₀).
@@ -53,8 +52,8 @@ impl<'a, T: Digits, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F, T,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at x₀; the radius of convergence should be near 1/`rate`, and is
-    /// otherwise found in a few trials. Costs about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at x₀. `rate` is a guess of 1/ρ, ρ the radius of convergence; a few
+    /// trials correct a bad guess. Costs about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
         /// A factor whose 30th power stays far from the ends of the range of floats.
         const NEAR: f64 = (1_u64 << 16) as f64;
@@ -66,8 +65,7 @@ impl<'a, T: Digits, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F, T,
             if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
                 break;
             }
-            // Coefficients that overflow or underflow only tell whether to decrease or increase the
-            // rate.
+            // Coefficients that overflow or underflow only show the direction of the correction.
             rate = power_of_two(match size {
                 size if size == f64::INFINITY => rate / NEAR,
                 size if size > 0.0 => rate / size,
@@ -124,17 +122,16 @@ impl<T: Digits, const N: usize> Series<T, N> {
 }
 
 /// Estimates ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, like Jorba and Zou, Exp. Math. 14 (2005)
-/// 99, but for each component, because a component that is small now may become important.
+/// 99, but per component, because a small component may become important.
 ///
-/// A step h = pρ, with the [part](Digits::PART_OF_RADIUS) p, omits about |x_K|h^K, and may omit p^K
-/// of the component. The component is at least as large as each of its terms |xₖ|hᵏ, and may begin
-/// with 0; therefore the term that allows the longest step counts.
+/// A step h = pρ, p = [`PART_OF_RADIUS`](Digits::PART_OF_RADIUS), omits about |x_K|h^K, which may
+/// be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound of that size, also if x₀ = 0,
+/// so the largest step that any term allows is accepted.
 fn radius<T: Digits, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
         let (left_out, allowed) = (size(last, i), T::PART_OF_RADIUS.powi(last as i32));
         if !left_out.is_finite() {
-            // The coefficient overflowed.
             return 0.0;
         }
         let step = |k: usize| (allowed * (size(k, i) / left_out)).powf(1.0 / (last - k) as f64);

@@ -1,4 +1,4 @@
-//! Cycles as a parameter, or ε, changes: along the arc of the branch, so that it may turn back.
+//! Pseudo-arclength continuation of cycles in a parameter or ε; folds are passed.
 
 use std::ops::ControlFlow;
 
@@ -17,16 +17,16 @@ use super::unit::{self, InUnits, Unit};
 pub struct BranchPoint {
     /// The value of the parameter.
     pub parameter: f64,
-    /// Half the time step there.
+    /// Half the time step.
     pub eps: f64,
-    /// The cycle there.
+    /// The cycle at this parameter value.
     pub cycle: PeriodicPoint,
-    /// The reason why the branch has a point there.
+    /// The reason why the branch has this point.
     pub mark: Mark,
 }
 
 impl BranchPoint {
-    /// Returns the change at the point.
+    /// Returns the bifurcation at this point, if any.
     #[must_use]
     pub fn change(&self) -> Option<Change> {
         if let Mark::Change(change) = self.mark { Some(change) } else { None }
@@ -37,11 +37,11 @@ impl BranchPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Mark {
-    /// The value is one of those asked for, with this index.
+    /// A requested value of the parameter, with its index.
     Asked(usize),
-    /// Something changes there.
+    /// A bifurcation.
     Change(Change),
-    /// The branch goes on from there to the next value.
+    /// An intermediate step of the continuation.
     Between,
 }
 
@@ -49,30 +49,29 @@ pub enum Mark {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Branch {
-    /// Those within the range, in the order of the branch.
+    /// The points within the range, in the order of the branch.
     pub points: Vec<BranchPoint>,
-    /// The changes within the range, in the same order.
+    /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<Turn>,
-    /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond,
-    /// where cycles come together, after twenty times as many steps as were asked for, or where
-    /// `see` ended it.
+    /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
+    /// merge, after 20 times `steps` steps, or because `see` ended it.
     pub is_cut: bool,
 }
 
-/// A place on the branch: the points of the cycle in units of its first size, and behind them the
-/// parameter in units of the range. Both are then measured together.
+/// A position on the branch: the points in units of the first cycle's size, then the parameter in
+/// units of the range, so that both are comparable.
 pub(super) type Place = DVector<f64>;
 
-/// Follows a cycle at `from` towards `to`, until the parameter leaves the range between them.
-/// `steps` equal parts of the range have `steps + 1` ends, the values at which cycles are asked
-/// for: the branch has a point at each, again behind a fold, and others between them.
+/// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
+/// range. The branch has a point at each of the `steps + 1` equidistant values, again after a fold,
+/// and intermediate points.
 ///
-/// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found,
-/// and may end the branch there. Between two cycles each change is found by halving the step; what
-/// changes and changes back between them is not seen.
+/// `map` makes the map at a value of the parameter. `see` receives each cycle as it is found and
+/// may end the branch. Bifurcations are located by bisection; two that cancel within one step are
+/// missed.
 ///
-/// Cost: each step some decompositions as those of
-/// [`periodic_point`](super::periodic_point()), and each change some hundred.
+/// Cost: a step takes a few decompositions like those of
+/// [`periodic_point`](super::periodic_point()), a bifurcation a few hundred.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -108,7 +107,6 @@ pub fn branch<M: Parametric>(
     follow(&arc, place, steps, see)
 }
 
-/// Follows a curve of cycles from a place on it.
 pub(super) fn follow(
     arc: &impl Curve,
     mut place: Place,
@@ -129,7 +127,7 @@ pub(super) fn follow(
     if add(&mut branch, &place, Mark::Asked(0)) {
         return branch;
     }
-    // Far from the origin points move faster than the parameter.
+    // Far from the origin the points move faster than the parameter.
     let longest = |place: &Place| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.judged(&place).cycle;
@@ -172,7 +170,7 @@ pub(super) fn follow(
         }
         (place, tangent, before) = (next, next_tangent, there);
         stride = (1.5 * stride).min(longest(&place));
-        // A branch that winds ends somewhere.
+        // Bounds the work on a curve that winds without leaving the range.
         strides += 1;
         if strides > 20 * steps {
             return branch;
@@ -182,8 +180,7 @@ pub(super) fn follow(
     branch
 }
 
-/// The whole numbers up to `most` that are passed on the way from one number to another, but for
-/// one that is left.
+/// Returns the integers in 0..=most that are passed between two numbers, the starting one excluded.
 fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     let is_passed = |k: &usize| {
         let k = *k as f64;
@@ -193,8 +190,8 @@ fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
-/// What points on a branch are measured by: the size of the first cycle. Where that is 0, as is the
-/// point it was found from, how far it moves with the parameter.
+/// Returns the scale of lengths on a branch: the size of the first cycle, or if that is 0 how far
+/// the points move with the parameter.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
@@ -204,38 +201,34 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
     if moved.is_finite() { moved } else { 0.0 }
 }
 
-/// A curve of cycles over the range of a parameter.
 pub(super) trait Curve {
-    /// The value of the parameter at a place.
     fn parameter(&self, place: &Place) -> f64;
 
-    /// The cycle at a place.
     fn judged(&self, place: &Place) -> BranchPoint;
 
-    /// The direction of the curve that is nearest to another one, of length 1.
+    /// Returns the unit tangent nearest to the direction `near`.
     fn tangent(&self, place: &Place, near: &Place) -> Option<Place>;
 
-    /// The place on the curve near another one, from which it lies across a direction.
+    /// Projects `near` onto the curve by Newton's method, perpendicular to `across`.
     fn corrected(&self, near: Place, across: &Place) -> Option<Place>;
 
-    /// The place on the curve a stride further on.
+    /// Takes a predictor step along the tangent, then corrects it.
     fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
         self.corrected(place + tangent * stride, tangent)
     }
 
-    /// Returns the change at a place where the curve turns back.
+    /// Returns the kind of bifurcation where the parameter reverses.
     fn turning_back(&self, _: &Place) -> Change {
         Change::Fold
     }
 
-    /// Returns whether a place is on another curve: of steady states, or of cycles that run twice
-    /// along one of half the period, as those in this direction.
+    /// Returns whether a step ended on another branch: steady states, or cycles of half the period.
     fn has_jumped(&self, _: &Place, _: &Place) -> bool {
         false
     }
 }
 
-/// The curve of cycles of a map.
+/// The solution curve of cycles of a map at fixed ε or fixed parameter.
 struct Arc<F> {
     map: F,
     unit: Unit,
@@ -252,7 +245,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// The derivative of the defect: with respect to the points, then the parameter.
+    /// Returns the derivative of the defect with respect to the points, then the parameter.
     fn slope(&self, place: &Place) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -281,7 +274,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
 
     fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
         let wide = self.slope(place)?;
-        // What the derivative does to the other direction is taken out of it.
+        // Project `near` onto the null space of the derivative.
         let out = least_norm(wide.clone(), &(&wide * near))?;
         (near - out).try_normalize(1e-8)
     }
@@ -293,14 +286,15 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
         let gaps_at = |there: &Place| defect(&self.map(there), Self::cycle(there).as_slice());
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;
-            // Across the direction, so that it does not slide back.
+            // The last row keeps the step perpendicular to `across`.
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                // Double multipliers show a root of what is left.
+                // A double multiplier has an error of about the square root of the remaining
+                // defect, so try one more step.
                 let is_nearer =
                     gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -1,37 +1,35 @@
-//! Newton's equations around a long cycle, reduced to as many unknowns as one point has.
+//! Newton's equations of a long cycle, condensed to as many unknowns as one point has.
 //!
-//! In: a map, the points of a cycle, and how the map depends on a few further unknowns e, as ε.
-//! Out: solutions of
+//! In: a map, the points of a cycle, and derivatives by a few further unknowns e, such as ε. Out:
+//! solutions, under further linear conditions, of
 //!
-//! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ
+//! dxᵢ₊₁ = Aᵢ dxᵢ + Bᵢ de + gᵢ.
 //!
-//! around the cycle that meet further conditions. All dxᵢ are affine functions of dx₀ and de, so
-//! that a cycle of N points costs N products of small matrices and one small decomposition.
+//! Each dxᵢ is an affine function of dx₀ and de, so N points cost N products of small matrices and
+//! one small decomposition.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 use super::unit::InUnits;
 
-/// The equations of one cycle.
 pub(super) struct Condensed {
-    /// dxᵢ as a function of (dx₀, de, 1), for each i.
+    /// For each i the matrix that maps (dx₀, de, 1) to dxᵢ.
     affine: Vec<DMatrix<f64>>,
-    /// φ's image of the last of them, less dx₀: what has to vanish.
+    /// The closing condition dx_N − dx₀ = 0 as a matrix for (dx₀, de, 1).
     closing: DMatrix<f64>,
 }
 
-/// A solution: the points' part, one behind the other, and behind them de.
+/// A solution: all dxᵢ, then de.
 pub(super) struct Solution {
     pub(super) step: DVector<f64>,
-    /// The ratio of the smallest singular value of the equations to the largest: 0 where they have
-    /// several solutions.
+    /// The ratio of the smallest to the largest singular value: 0 for a singular system.
     pub(super) rank: f64,
 }
 
 impl Condensed {
-    /// Returns the equations at these points. `rates` are the derivatives of the map by each of
-    /// `others` further unknowns; `gaps` are the gᵢ, 0 where there are none.
+    /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map by further
+    /// unknown k; `gaps` holds all gᵢ, `None` for zeros.
     pub(super) fn of<M: Differentiable>(
         map: &InUnits<M>,
         points: &[f64],
@@ -54,16 +52,14 @@ impl Condensed {
             }
             affine.push(std::mem::replace(&mut rows, next));
         }
-        // After the last step dx₀ comes again.
         for k in 0..n {
             rows[(k, k)] -= 1.0;
         }
         Condensed { affine, closing: rows }
     }
 
-    /// Solves them together with conditions r·(dx, de) = s.
     pub(super) fn solve(&self, conditions: &[(&DVector<f64>, f64)]) -> Option<Solution> {
-        /// A singular value that is 0 but for rounding, relative to the largest one.
+        /// Singular values below this fraction of the largest count as 0.
         const ZERO: f64 = 1e-13;
 
         let (n, columns) = (self.closing.nrows(), self.closing.ncols() - 1);
@@ -79,7 +75,7 @@ impl Condensed {
             let others = row.rows(self.affine.len() * n, columns - n);
             let mut last = sum.rows_mut(n, columns - n);
             last += others;
-            // Of length 1, as its length is no part of the condition.
+            // Normalized: the norm of a condition carries no information.
             let length = sum.rows(0, columns).norm();
             matrix.row_mut(place).copy_from(&(sum.rows(0, columns) / length).transpose());
             right[place] = (value - sum[columns]) / length;
@@ -98,8 +94,7 @@ impl Condensed {
     }
 }
 
-/// The direction along the cycle, of length 1, in which its points may slide; 0 for `others`
-/// further unknowns.
+/// Returns the unit vector along the cycle (central differences), padded by `others` zeros.
 pub(super) fn along(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };

@@ -1,4 +1,4 @@
-//! One cycle: found from a point near it, and judged.
+//! Periodic points of a map: Newton's method from a nearby start, multipliers and stability.
 
 use std::fmt;
 
@@ -8,42 +8,40 @@ use super::Differentiable;
 use super::newton::closed;
 use super::unit::{self, InUnits, Unit};
 
-/// The points of a cycle, x, φ(x), …, and what the map does near it.
+/// A cycle x, φ(x), … of a map φ, with its multipliers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PeriodicPoint {
-    /// As many points as the smallest period.
+    /// The points of the cycle; their number is its smallest period.
     pub points: Vec<Vec<f64>>,
-    /// The largest |φ(xᵢ) − xᵢ₊₁| in any variable.
+    /// The largest component of |φ(xᵢ) − xᵢ₊₁|.
     pub residual: f64,
-    /// The multipliers: eigenvalues of ∂φᵖ/∂x, p the smallest period, the largest first.
+    /// The eigenvalues of ∂φᵖ/∂x, p the smallest period, by decreasing modulus.
     pub multipliers: Vec<Complex<f64>>,
-    /// The dimension of the family of cycles of this period that it belongs to, 0 where it stands
-    /// alone: how many directions ∂φᵖ/∂x leaves as they are.
+    /// The dimension of the family of cycles of period p around this one, 0 for an isolated cycle:
+    /// the dimension of the null space of ∂φᵖ/∂x − 1.
     pub family: usize,
-    /// About the largest coordinate of its points, or of the point that it was found from where
-    /// that is larger, as the cycle may be a point whose coordinates are all 0: what lengths are
-    /// compared with.
+    /// The scale for comparing lengths: the largest coordinate of the points, or about that of the
+    /// starting point, if larger (the cycle may be the origin).
     pub(super) size: f64,
-    /// How far each multiplier may be from the circle by rounding, if it is one of size 1.
+    /// For each multiplier, the distance from the unit circle that rounding can explain.
     margins: Vec<f64>,
 }
 
-/// How orbits near a cycle behave, as its multipliers say it to first order.
+/// The linear stability of a cycle, from its multipliers μ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Stability {
-    /// All multipliers are smaller than 1 in size.
+    /// All |μ| < 1.
     Attracting,
-    /// Some are larger than 1, and none is smaller.
+    /// Some |μ| > 1, no |μ| < 1.
     Repelling,
-    /// Some are larger than 1, and some smaller.
+    /// Some |μ| > 1, some |μ| < 1.
     Saddle,
-    /// None is larger than 1, and not all are smaller.
+    /// No |μ| > 1, at least one |μ| = 1.
     Neutral,
 }
 
-/// One word.
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -55,26 +53,25 @@ impl fmt::Display for Stability {
     }
 }
 
-/// Why there is no periodic point.
+/// The reason why no cycle was found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPeriodicPoint {
-    /// The period is 0, or the point has not a number a variable.
+    /// The period is 0, or the length of the start differs from the number of variables.
     Unfit,
-    /// The orbit of the point meets a pole, or numbers beyond the range of doubles.
+    /// The orbit of the start meets a pole, or leaves the range of doubles.
     NotFinite,
-    /// Newton's method came no nearer than this.
+    /// Newton's method did not converge.
     NotFound {
-        /// The largest |φ(xᵢ) − xᵢ₊₁| that was left.
+        /// The largest component of |φ(xᵢ) − xᵢ₊₁| that remained.
         residual: f64,
     },
-    /// Cycles of the flow form a family here, so that ε does not follow from the number of steps.
+    /// Cycles of the flow form a family, so the number of steps does not determine ε.
     Family,
-    /// The search for a cycle of the flow came to a point that stands still.
+    /// The search for a cycle of the flow ended at a steady state.
     Still,
-    /// A cycle is found, and none near it of twice as many steps.
+    /// A cycle was found, but no nearby cycle with twice the number of steps.
     Coarse,
-    /// No orbit was found that comes back close to itself, and leads to a cycle of about the period
-    /// that was asked for.
+    /// No close return of the orbit led to a cycle of about the requested period.
     NoReturn,
 }
 
@@ -110,15 +107,13 @@ impl fmt::Display for NoPeriodicPoint {
 
 impl std::error::Error for NoPeriodicPoint {}
 
-/// What is left where a cycle is closed, relative to its size, or that of the point it was found
-/// from.
+/// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const CLOSED: f64 = 1e-11;
-/// How far a multiplier of size 1 may be from it where the derivative is not large, as a double
-/// eigenvalue loses half the digits.
+/// The least tolerance for |μ| = 1: a double eigenvalue loses half of the digits.
 const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
-    /// What the multipliers say.
+    /// Classifies the cycle by its multipliers.
     #[must_use]
     pub fn stability(&self) -> Stability {
         let is_larger = self.outside() > 0;
@@ -132,11 +127,11 @@ impl PeriodicPoint {
         }
     }
 
-    /// Whether a multiplier counts as one of size 1 whose digits say otherwise, as its error is
-    /// large.
+    /// Returns whether a multiplier counts as |μ| = 1 within its error bound although its printed
+    /// digits differ from 1.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
-        /// A distance from 1 that printed digits do not show.
+        /// A distance from 1 below the printed digits.
         const SHOWN: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {
@@ -146,33 +141,32 @@ impl PeriodicPoint {
         self.multipliers.iter().zip(&self.margins).any(off)
     }
 
-    /// How many multipliers are larger than 1 in size; they come first.
+    /// Returns the number of multipliers outside the unit circle; they come first.
     pub(super) fn outside(&self) -> usize {
         let with_margins = self.multipliers.iter().zip(&self.margins);
         with_margins.take_while(|(one, margin)| size(one) > 1.0 + **margin).count()
     }
 
-    /// How far the multiplier with this index may be from the circle by rounding, if its size is 1.
+    /// Returns the distance from the unit circle that rounding can explain for this multiplier.
     pub(super) fn margin(&self, index: usize) -> f64 {
         self.margins[index]
     }
 
-    /// What lengths near it are compared with: the largest coordinate of its points, or about that
-    /// of the point it was found from, where that is larger.
+    /// Returns the scale for comparing lengths: the largest coordinate of the points, or about that
+    /// of the starting point, if larger.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// Returns the cycle of these points with the smallest period, in units in which the point that
-    /// it was found from has a size of about 1.
+    /// Makes a `PeriodicPoint` with the smallest period from points in the units of `map`.
     pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
         Self::of_period(map, cycle, period, residual)
     }
 
-    /// Returns the cycle of the first `period` points, in the units of [`judged`](Self::judged).
+    /// Makes a `PeriodicPoint` of the first `period` points.
     pub(super) fn of_period<M: Differentiable>(
         map: &InUnits<M>,
         cycle: &[f64],
@@ -188,7 +182,7 @@ impl PeriodicPoint {
         PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 
-    /// A cycle of a flow without the multiplier of the flow's own direction, that nearest to 1.
+    /// Removes the trivial multiplier of a cycle of a flow, the one nearest to 1.
     pub(super) fn of_flow(mut self) -> Self {
         let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
         let distances = self.multipliers.iter().map(distance).enumerate();
@@ -201,8 +195,8 @@ impl PeriodicPoint {
     }
 }
 
-/// What the derivative of the map along a cycle says. A function of its own, so that the
-/// decompositions are compiled here, once, and not anew for each type of map.
+/// Multipliers, family dimension and error margins of a cycle. Not generic, so that the
+/// decompositions are compiled once and not for each type of map.
 struct Linearized {
     multipliers: Vec<Complex<f64>>,
     family: usize,
@@ -210,11 +204,11 @@ struct Linearized {
 }
 
 impl Linearized {
-    /// Of the derivatives at the points, in their order.
+    /// Linearizes from the derivatives at the points, in the order of the orbit.
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
         if !derivative.iter().all(|entry| entry.is_finite()) {
-            // Decompositions of such a matrix do not end.
+            // The decompositions would not terminate on NaN or infinity.
             let n = derivative.nrows();
             let multipliers = vec![Complex::new(f64::NAN, f64::NAN); n];
             return Linearized { multipliers, family: 0, margins: vec![f64::INFINITY; n] };
@@ -239,13 +233,11 @@ impl Linearized {
     }
 }
 
-/// The product P of the derivatives Jₚ…J₁, and a bound on the norm of what is wrong with it, to
-/// first order in the unit u of rounding.
+/// Returns P = Jₚ…J₁ and a first-order bound on the norm of its error, u the unit roundoff.
 ///
-/// Each Jₖ is known to some roundings, and its product with Jₖ₋₁…J₁ is rounded. That is an error of
-/// (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖, which the later factors multiply by ‖Jₚ…Jₖ₊₁‖ at most.
-///
-/// The eigenvalues of P are those of a matrix that is 10 n u ‖P‖ away from it.
+/// Each Jₖ is known to a few roundings, and its product with Jₖ₋₁…J₁ is rounded. The error
+/// (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖ grows by a factor of at most ‖Jₚ…Jₖ₊₁‖.
+/// Another 10 n u ‖P‖ is the backward error of the eigenvalues.
 fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     const UNIT: f64 = f64::EPSILON / 2.0;
 
@@ -265,9 +257,8 @@ fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     (product, error)
 }
 
-/// The eigenvalues of a matrix, each with its condition ‖x‖‖y‖/|yᴴx| of right and left eigenvectors
-/// x and y: how far it moves, to first order, where the matrix changes by one of norm 1. Infinite,
-/// or not a number, where there are no such eigenvectors.
+/// Returns the eigenvalues of a matrix with their condition numbers ‖x‖‖y‖/|yᴴx|, x and y the right
+/// and left eigenvectors; infinite or NaN without eigenvectors.
 fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     const MOST_ROUNDS: usize = 10_000;
 
@@ -276,7 +267,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // A multiple eigenvalue counts as several that are a rounding apart.
+    // Separate multiple eigenvalues by a rounding error.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -291,7 +282,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
-        // Both are 1 at i, and elsewhere one of them is 0.
+        // yᴴx = 1: each vector is 1 at i, and at other indices one of the two is 0.
         let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, f64::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
@@ -303,17 +294,16 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
     multiplier.re.hypot(multiplier.im)
 }
 
-/// The periodic point of a map near `start`, whose period divides `period`.
+/// Finds a periodic point of a map near `start`, whose period divides `period`.
 ///
-/// How near is near enough is relative to the size of `start`, or of the cycle where that is
-/// larger, or of the next point of the orbit where `start` is 0: the answer does not depend on the
-/// unit of length.
+/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger, or of the
+/// next point of the orbit if `start` is 0. The result is independent of the unit of length.
 ///
-/// Cost: some rounds of Newton's method, each a decomposition of a matrix of `period` times the
+/// Cost: some iterations of Newton's method, each a decomposition of a matrix of `period` times the
 /// number of variables.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`] where the start does not fit, the orbit is not finite, or none is found.
+/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or none found.
 pub fn periodic_point<M: Differentiable>(
     map: &M,
     start: &[f64],
@@ -342,9 +332,8 @@ pub fn periodic_point<M: Differentiable>(
     Ok(PeriodicPoint::judged(&map, cycle.as_slice(), residual))
 }
 
-/// The smallest divisor of the number of points after which they come again.
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// Points that are nearer than this, relative to their size, are one.
+    /// Points closer than this, relative to their size, are equal.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

@@ -1,9 +1,8 @@
-//! Cycles of the flow: as many steps close up as are asked for, and ε is found with the points.
+//! Cycles of a flow as N-step cycles of the map, with ε as an unknown.
 //!
 //! In: the map at each ε, and a point and an ε near a cycle of the flow. Out: N points that the map
-//! closes, their ε, and the period 2εN. At fixed ε a map of a flow has hardly any cycles: near a
-//! hyperbolic cycle of the flow it has an invariant curve, on which it turns by an angle that
-//! depends on ε. The points close up at the ε whose angle is a full turn in N steps.
+//! closes, their ε, and the period 2εN. At fixed ε, the map near a hyperbolic cycle of the flow has
+//! an invariant curve with an ε-dependent rotation number; N steps close where it is 1/N.
 
 use kahan_core::nalgebra::{Complex, DVector};
 
@@ -14,13 +13,13 @@ use super::newton::defect;
 use super::returns::across;
 use super::unit::{self, InUnits, Unit};
 
-/// A cycle of the flow, followed by N steps of the map.
+/// A cycle of a flow, represented by N steps of the map.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlowCycle {
-    /// The points, and their multipliers but for that of the direction of the flow, which is 1.
+    /// The points, and the multipliers without the trivial one of the flow direction.
     pub cycle: PeriodicPoint,
-    /// Half the time step at which N steps close up.
+    /// Half the time step at which N steps close the cycle.
     pub eps: f64,
 }
 
@@ -31,12 +30,12 @@ impl FlowCycle {
         2.0 * self.eps * self.cycle.points.len() as f64
     }
 
-    /// Finds the same cycle with twice as many steps. A quarter of the error of the period is left:
-    /// with the periods T and T₂ of both, T₂ + (T₂ − T)/3 has an error of order ε⁴.
+    /// Refines the cycle to twice the number of steps, which quarters the error of the period.
+    /// Periods T and T₂ before and after combine to T₂ + (T₂ − T)/3, with an error of order ε⁴.
     ///
     /// # Errors
-    /// [`NoPeriodicPoint::Coarse`] where no such cycle of about this period is found, and other
-    /// errors as of [`flow_cycle`].
+    /// [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors as of
+    /// [`flow_cycle`].
     pub fn doubled<M: Parametric>(&self, map: impl Fn(f64) -> M) -> Result<Self, NoPeriodicPoint> {
         let eps = 0.5 * self.eps;
         let half = map(eps);
@@ -51,13 +50,13 @@ impl FlowCycle {
     /// Returns whether the cycle has this number of steps and about this ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// A change of ε that leads to another cycle.
+        /// A larger relative change of ε belongs to another cycle.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
     }
 
-    /// The cycle that is run once, where this one runs along it several times.
+    /// Returns the cycle of a single round if this one winds several times around it.
     fn once<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
         let steps = self.cycle.points.len();
         let dimension = self.cycle.points[0].len();
@@ -73,10 +72,10 @@ impl FlowCycle {
     }
 }
 
-/// Returns whether the points run `rounds` times along a closed curve: whether each lies near the
-/// parabola through three points one round later, compared with the bend of the curve in a step.
+/// Returns whether the points wind `rounds` times around a closed curve: each must lie near the
+/// parabola through three points one round later, relative to the largest second difference.
 pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
-    /// A distance, in second differences, that a third difference makes.
+    /// Tolerance in units of the largest second difference: room for third differences.
     const NEAR: f64 = 0.25;
 
     let steps = points.len() / dimension;
@@ -94,8 +93,8 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
     })
 }
 
-/// Finds a cycle of the flow near the orbit of `start` at `eps`, which comes back after about
-/// `steps` steps. `map` makes the map at each ε, with its derivative by ε.
+/// Finds a cycle of the flow near the orbit of `start` at `eps` that returns after about `steps`
+/// steps. `map` makes the map at an ε, with its derivative with respect to ε.
 ///
 /// ```
 /// use kahan_core::Dual;
@@ -117,13 +116,12 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
 /// assert!((period - 1.558652210716).abs() < 1e-6);
 /// ```
 ///
-/// Cost: some rounds of Newton's method, each of N derivatives of the map and one decomposition of
-/// a matrix with a row for each variable.
+/// Cost: a few Newton steps, each of N Jacobians and one decomposition with a row for each
+/// variable.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`] where the start does not fit, the orbit is not finite, none is found, or the
-/// cycles of the flow form a family, as those of conservative fields do: their periods vary along
-/// the family, and ε does not follow from the number of steps.
+/// [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or a family
+/// of cycles, as in conservative fields: their periods vary, so N does not determine ε.
 pub fn flow_cycle<M: Parametric>(
     map: impl Fn(f64) -> M,
     start: &[f64],
@@ -136,8 +134,7 @@ pub fn flow_cycle<M: Parametric>(
     Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.once(&map))
 }
 
-/// Newton's method for the points, in units of their size, and behind them ε, in units of the
-/// first.
+/// The state of Newton's method: the points in units of their size, then ε relative to the first ε.
 struct Search<'a, F> {
     map: &'a F,
     unit: Unit,
@@ -146,7 +143,6 @@ struct Search<'a, F> {
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
-    /// A search that begins with an orbit.
     fn of_orbit<'a>(
         map: &'a F,
         start: &[f64],
@@ -178,15 +174,16 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn gaps(&self, place: &DVector<f64>) -> Option<DVector<f64>> {
-        // A step backwards would be another search.
+        // ε must keep its sign.
         let is_ahead = place[place.len() - 1] > 0.0;
         is_ahead.then(|| defect(&self.map_at(place), Self::points(place)))?
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The most rounds of Newton's method, which doubles the digits in each.
+        /// The most Newton steps; convergence is quadratic.
         const ROUNDS: usize = 60;
-        /// A defect, in units of the cycle's size, that one more step reduces to roundings.
+        /// A defect, in units of the cycle's size, after which one more step reaches rounding
+        /// level.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -195,7 +192,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
             let is_near = gaps.amax() <= NEAR;
             let Some(correction) = self.correction(&gaps) else { break };
             rank = correction.rank;
-            // Half the step, and half of that, until it is nearer.
+            // Halve the step until the defect decreases.
             let nearer = (0..if is_near { 1 } else { 24 }).find_map(|halvings| {
                 let place = &self.place + &correction.step * 0.5f64.powi(halvings);
                 let gaps_there = self.gaps(&place)?;
@@ -210,7 +207,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         self.judged(gaps.amax(), rank)
     }
 
-    /// Newton's step, which does not slide along the cycle.
+    /// Returns the Newton step, without a component along the cycle.
     fn correction(&self, gaps: &DVector<f64>) -> Option<Solution> {
         let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
         let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
@@ -218,14 +215,13 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         equations.solve(&[(&along(points, map.dimension(), 1), 0.0)])
     }
 
-    /// The cycle that the search came to.
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// A smaller ratio of singular values, with a second multiplier this near to 1, is a family
-        /// of cycles; where the map has none of its own, the ratio is a power of ε.
+        /// A family of cycles: the singular values have a smaller ratio, and a second multiplier is
+        /// near 1. If only the flow, and not the map, has a family, the ratio is a power of ε.
         const FAMILY: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
-        /// Points no further apart, in units of their size, stand still.
+        /// Points closer together, in units of their size, are a steady state.
         const STILL: f64 = 1e-6;
 
         let map = self.map_at(&self.place);
@@ -248,28 +244,27 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 }
 
-/// A number that depends on the number of steps N = 1/h, at infinitely many.
+/// A limit for h → 0 of a number that depends on h = 1/N, N the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extrapolated {
     /// The limit.
     pub value: f64,
-    /// About how far it may be from the limit.
+    /// The estimated error.
     pub error: f64,
 }
 
 impl Extrapolated {
-    /// The powers of h that the errors of a map have which is its own inverse at −ε, as that of
-    /// Kahan's method.
+    /// Powers of h in the error of a symmetric method of order 2, Kahan's among them.
     pub const EVEN: &'static [i32] = &[2, 4];
-    /// The powers of h that the errors of other maps of order 2 have, as of lifted fields.
+    /// Powers of h in the error of other methods of order 2, as for lifted fields.
     pub const ALL: &'static [i32] = &[2, 3, 4];
 
-    /// Extrapolates from the values at N, 2N, 4N, … steps, one more than there are powers of h that
-    /// their errors begin with.
+    /// Applies Richardson extrapolation to the values at N, 2N, 4N, … steps, one more than
+    /// `powers`.
     ///
     /// # Panics
-    /// If there are not as many values.
+    /// If the numbers of values and powers do not fit.
     #[must_use]
     pub fn of(values: &[f64], powers: &[i32]) -> Self {
         assert_eq!(values.len(), powers.len() + 1, "each power is eliminated by one more value");
@@ -280,7 +275,7 @@ impl Extrapolated {
             let factor = f64::from(*power).exp2() - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
-        // The extrapolation gains nothing where the error is not of order 2.
+        // Without an observed order of about 2, extrapolation gains nothing.
         let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
         let ratio = first / second;
         let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;

@@ -1,5 +1,7 @@
-//! Cycles of the flow as a parameter changes: ε is found with the points, as many steps always
-//! close up.
+//! Continuation of a cycle of a flow in a parameter, with a fixed number of steps.
+//!
+//! In: a cycle of a flow and a range of the parameter. Out: the branch of cycles. ε is an unknown
+//! beside the points, since the period varies along the branch.
 
 use std::ops::ControlFlow;
 
@@ -14,11 +16,11 @@ use super::newton::defect;
 use super::turns::Change;
 use super::unit::{self, InUnits, Unit};
 
-/// Follows a cycle of the flow from the value `from` of a parameter towards `to`, like
-/// [`branch`](super::branch()); each point of the branch has an ε of its own.
+/// Follows a cycle of a flow from the parameter value `from` towards `to`, like
+/// [`branch`](super::branch()); each point of the branch has its own ε.
 ///
-/// `map` makes the map at a value of the parameter and an ε twice: with its derivative by ε, and
-/// with that by the parameter.
+/// `map` takes a parameter value and an ε and returns the map twice: with its derivative with
+/// respect to ε, and with respect to the parameter.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -46,8 +48,8 @@ use super::unit::{self, InUnits, Unit};
 /// assert!((branch.turns[0].parameter - 2.83).abs() < 0.01);
 /// ```
 ///
-/// Cost: each step some rounds as those of [`flow_cycle`](super::flow_cycle), each change some
-/// hundred.
+/// Cost: a step takes a few Newton steps like those of [`flow_cycle`](super::flow_cycle), a change
+/// a few hundred.
 pub fn flow_branch<M: Parametric>(
     map: impl Fn(f64, f64) -> [M; 2],
     cycle: &FlowCycle,
@@ -64,8 +66,8 @@ pub fn flow_branch<M: Parametric>(
     follow(&arc, place, steps, see)
 }
 
-/// The curve of cycles of a flow. A place has the points, of which all together have a size of
-/// about 1, then ε in units of the first one, then the parameter in units of the range.
+/// The solution curve of cycles of a flow. A position holds the points, scaled to a norm of about
+/// 1, then ε relative to the first ε, then the parameter in units of the range.
 struct FlowArc<F> {
     map: F,
     unit: Unit,
@@ -84,13 +86,12 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         self.maps(place)[0].dimension()
     }
 
-    /// Returns whether the cycle runs twice along one of half the period.
+    /// Returns whether the cycle winds twice around a cycle of half the period.
     fn runs_twice(&self, place: &Place) -> bool {
         runs(Self::points(place), self.dimension(place), 2)
     }
 
-    /// Returns the distances of all points from the first one together; the points of the first
-    /// cycle have a size of about 1.
+    /// Returns the root of the summed squared distances of the points from the first point.
     fn extent(&self, place: &Place) -> f64 {
         let (points, n) = (Self::points(place), self.dimension(place));
         (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()
@@ -109,7 +110,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         (place[place.len() - 2] > 0.0).then(|| defect(&by_eps, Self::points(place)))?
     }
 
-    /// The equations at a place, and the direction along the cycle.
+    /// Linearizes the equations at a position; also returns the direction along the cycle.
     fn equations(&self, place: &Place, gaps: Option<&DVector<f64>>) -> (Condensed, Place) {
         let (maps, points) = (self.maps(place), Self::points(place));
         let units = [self.eps, self.length];
@@ -142,7 +143,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     }
 
     fn turning_back(&self, place: &Place) -> Change {
-        /// Nearer to a steady state the equations are almost singular.
+        /// The extent below which the cycle counts as a steady state; the equations are almost
+        /// singular.
         const SMALL: f64 = 0.02;
 
         match (self.extent(place) < SMALL, self.runs_twice(place)) {
@@ -153,13 +155,13 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     }
 
     fn has_jumped(&self, place: &Place, tangent: &Place) -> bool {
-        /// Newton's method ends nearer to a steady state.
+        /// The extent below which Newton's method has converged to a steady state.
         const SAME: f64 = 1e-6;
 
         if self.extent(place) < SAME {
             return true;
         }
-        // The two rounds move together.
+        // On a cycle of half the period both rounds have equal tangents.
         let (moves, n) = (Self::points(tangent), self.dimension(place));
         let half = moves.len() / n / 2 * n;
         let apart = (0..half).map(|k| (moves[k] - moves[k + half]).abs()).fold(0.0, f64::max);
@@ -172,7 +174,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
 
         let mut gaps = self.gaps(&next)?;
         for _ in 0..ROUNDS {
-            // Across the direction, so that it does not slide back, nor along the cycle.
+            // Two conditions: perpendicular to the tangent of the branch, and no shift along the
+            // cycle.
             let (equations, along) = self.equations(&next, Some(&gaps));
             let nearer = &next + equations.solve(&[(&along, 0.0), (across, 0.0)])?.step;
             let gaps_there = self.gaps(&nearer)?;

@@ -1,36 +1,35 @@
-//! A map on a common level of linear integrals, in the variables that are free there.
+//! A map restricted to a level set of linear integrals, in fewer variables.
 //!
-//! In: a point, linear integrals, and a map that keeps them. Out: the same map in fewer variables.
-//! Its cycles have the integrals of the point, and its multipliers are those along the level.
+//! In: a point, linear integrals, and a map that preserves them. Out: the map in the free
+//! variables. Its cycles have the integrals' values at the point; its multipliers are those along
+//! the level set.
 
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::{Scalar, Step, Stopped, Workspace};
 
 use super::{Differentiable, Parametric};
 
-/// The points at which linear integrals have their values at one point. Its coordinates are the
-/// free variables: those that are determined by no integral.
+/// The level set of linear integrals through one point. Its coordinates are the free variables,
+/// those that no integral determines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leaf {
     free: Vec<usize>,
     determined: Vec<Determined>,
 }
 
-/// A variable as an affine function of the free ones.
 #[derive(Clone, Debug, PartialEq)]
 struct Determined {
     index: usize,
-    /// The value where all free variables are 0.
     constant: f64,
     slopes: Vec<f64>,
 }
 
 impl Leaf {
-    /// Makes the leaf through a point. Each integral is Σ cₖ xₖ, given by pairs (k, cₖ), and
-    /// determines the variable of its last pair, which no other integral has.
+    /// Makes the level set through a point. Each integral Σ cₖ xₖ is given by pairs (k, cₖ). Its
+    /// last pair names the variable that it determines, which must occur in no other integral.
     ///
     /// # Panics
-    /// If an integral has no pair, or names a variable that the point has not.
+    /// If an integral has no pair, or an index is out of range.
     #[must_use]
     pub fn through(point: &[f64], integrals: &[Vec<(usize, f64)>]) -> Self {
         let last = |integral: &Vec<(usize, f64)>| *integral.last().expect("an integral has a coefficient");
@@ -46,10 +45,10 @@ impl Leaf {
         Leaf { determined: determined.collect(), free }
     }
 
-    /// Returns the point of the leaf with these coordinates.
+    /// Returns the point with these coordinates.
     ///
     /// # Panics
-    /// If there is not a coordinate for each free variable.
+    /// If the number of coordinates differs from that of the free variables.
     #[must_use]
     pub fn point<T: Scalar + From<f64>>(&self, coordinates: &[T]) -> Vec<T> {
         assert_eq!(coordinates.len(), self.free.len(), "a leaf has a coordinate for each free variable");
@@ -65,16 +64,16 @@ impl Leaf {
         point
     }
 
-    /// Returns the coordinates of a point of the leaf.
+    /// Returns the coordinates of a point: its free variables.
     ///
     /// # Panics
-    /// If the point has fewer numbers than there are variables.
+    /// If the point has too few entries.
     #[must_use]
     pub fn coordinates<T: Clone>(&self, point: &[T]) -> Vec<T> {
         self.free.iter().map(|k| point[*k].clone()).collect()
     }
 
-    /// The derivative in coordinates of a map with the derivative `full` in all variables.
+    /// Returns the derivative in the free variables, from that in all variables, by the chain rule.
     fn derivative(&self, full: &DMatrix<f64>) -> DMatrix<f64> {
         let m = self.free.len();
         DMatrix::from_fn(m, m, |i, j| {
@@ -85,7 +84,7 @@ impl Leaf {
     }
 }
 
-/// A map on a leaf that it maps to itself, in the coordinates of the leaf.
+/// A map restricted to a level set that it preserves, in the coordinates of the level set.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -112,12 +111,12 @@ impl Leaf {
 pub struct OnLeaf<'a, M> {
     /// The map in all variables.
     pub map: M,
-    /// The leaf.
+    /// The level set.
     pub leaf: &'a Leaf,
 }
 
 impl<M: Step<Scalar: From<f64>>> OnLeaf<'_, M> {
-    /// Replaces coordinates by those of the image of their point.
+    /// Applies a map of all variables to a point given by its coordinates.
     fn by(
         &self,
         coordinates: &mut [M::Scalar],

@@ -1,9 +1,8 @@
-//! Periodic points: found, judged by their multipliers, and followed as ε or a parameter changes.
+//! Periodic points of maps, their stability, and continuation in ε or a parameter.
 //!
-//! In: a map with its derivative, and a point near a periodic one. Out: the points of the cycle,
-//! how nearly the map closes it, and the eigenvalues of its derivative. Newton's method takes all
-//! points of the cycle as unknowns, so that long cycles of unstable maps are found as well as short
-//! ones.
+//! In: a map with its derivative, and a point near a cycle. Out: the points of the cycle, the
+//! residual, and the multipliers. Newton's method treats all points as unknowns (multiple
+//! shooting), so long cycles of unstable maps are found as well as short ones.
 //!
 //! ```
 //! use kahan_dynamics::periodic::{Stability, periodic_point};
@@ -47,22 +46,22 @@ pub use leaf::{Leaf, OnLeaf};
 pub use returns::{CloseReturn, close_returns};
 pub use turns::{Change, Turn};
 
-/// A map with its derivative.
+/// A map with its Jacobian.
 pub trait Differentiable: Step<Scalar: From<f64>> {
-    /// x̃; not finite at a pole.
+    /// Returns the image of x; not finite at a pole.
     fn image(&self, x: &[f64]) -> Vec<f64> {
         let mut image: Vec<Self::Scalar> = x.iter().map(|entry| (*entry).into()).collect();
-        // Floats go on at poles.
+        // At a pole floats become infinite or NaN, which callers test for.
         let _ = self.advance(&mut image, 1, &mut Workspace::new());
         image.iter().map(Scalar::approximate).collect()
     }
 
-    /// ∂x̃/∂x; not finite at a pole.
+    /// Returns ∂x̃/∂x at `x`; not finite at a pole.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64>;
 }
 
-/// A map that depends on a number p, at one value of p.
+/// A map that depends on a parameter p, at one value of p.
 pub trait Parametric: Differentiable {
-    /// ∂x̃/∂p; not finite at a pole.
+    /// Returns ∂x̃/∂p at `x`; not finite at a pole.
     fn by_parameter(&self, x: &[f64]) -> Vec<f64>;
 }

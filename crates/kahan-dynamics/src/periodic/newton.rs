@@ -1,16 +1,15 @@
-//! Newton's method on all points of a cycle, by least norm where a whole family of cycles is near.
+//! Newton's method for all points of a cycle at once; least-norm steps handle families of cycles.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 use super::unit::InUnits;
 
-/// A defect that is smaller than this, in units of the cycle's size, counts as none: the square of
-/// a rounding. Newton's method would take a cycle at 0 to the end of the range, where numbers have
-/// few digits.
+/// The square of the unit roundoff. Newton's method stops at this residual, in units of the cycle's
+/// size: near a cycle at 0 it would otherwise run into subnormal numbers.
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
-/// φ(xᵢ) − xᵢ₊₁, one behind the other, the last back to the first; `None` where it is not finite.
+/// Returns all φ(xᵢ) − xᵢ₊₁, the last point followed by the first; `None` if not finite.
 pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Option<DVector<f64>> {
     let n = map.dimension();
     let points = cycle.chunks(n);
@@ -23,7 +22,6 @@ pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Opti
     gaps.iter().all(|gap| gap.is_finite()).then_some(gaps)
 }
 
-/// The derivative of the defect with respect to all points.
 pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> DMatrix<f64> {
     let n = map.dimension();
     let period = cycle.len() / n;
@@ -39,10 +37,9 @@ pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -
     slope
 }
 
-/// The shortest solution of least squares; singular values that are zero but for rounding count as
-/// zero.
+/// Solves a least-squares problem by SVD and returns the solution of least norm.
 pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    /// A singular value that is 0 but for rounding, relative to the largest one.
+    /// Singular values below this fraction of the largest count as 0.
     const ZERO: f64 = 1e-10;
 
     if !matrix.iter().all(|entry| entry.is_finite()) {
@@ -53,14 +50,14 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
     svd.solve(right, ZERO * largest).ok()
 }
 
-/// A cycle near the given one, with the size of its defect.
+/// Runs damped Newton steps from a guess and returns the cycle with the norm of its defect.
 ///
-/// `None` where the map is not finite on the way.
+/// `None` if the defect at the guess is not finite.
 pub(super) fn closed<M: Differentiable>(
     map: &InUnits<M>,
     cycle: DVector<f64>,
 ) -> Option<(DVector<f64>, f64)> {
-    /// Newton's method doubles digits: what does not converge in so many does not converge.
+    /// Convergence is quadratic, so a convergent search ends long before.
     const ROUNDS: usize = 60;
 
     let mut cycle = cycle;
@@ -70,7 +67,7 @@ pub(super) fn closed<M: Differentiable>(
             break;
         }
         let Some(step) = least_norm(slope(map, &cycle), &gaps) else { break };
-        // Half the step, and half of that, until it is nearer.
+        // Halve the step until the defect decreases.
         let nearer = (0..30).find_map(|halvings| {
             let trial = &cycle - &step * 0.5f64.powi(halvings);
             let gaps_there = defect(map, trial.as_slice())?;

@@ -1,36 +1,35 @@
-//! Places where an orbit comes back close to itself, from which cycles are looked for.
+//! Close returns of an orbit: starting points for the search for cycles.
 
-/// A return of an orbit.
+/// A close return of an orbit to an earlier point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CloseReturn {
-    /// The place on the orbit that the orbit comes back to.
+    /// The index of the earlier point.
     pub at: usize,
-    /// The steps until it is back.
+    /// The number of steps until the return.
     pub steps: usize,
-    /// The distance at which it passes its earlier point, across its direction, in units of the
-    /// orbit's extent.
+    /// The distance of the returning point from the orbit near the earlier point, perpendicular to
+    /// the orbit, in units of its extent.
     pub distance: f64,
 }
 
-/// Finds the returns of an orbit that pass closest, after at least `least` and at most `most`
-/// steps, the closest and shortest first. Coordinates are measured by their ranges on the orbit.
+/// Finds close returns after `least` to `most` steps, the closest and shortest first. Coordinates
+/// are scaled by their ranges on the orbit.
 ///
-/// A return after more steps counts besides one after fewer only where it is ten times as close: of
-/// an orbit that is near a cycle it is not told that two rounds lead back, too.
+/// After a shorter return, a longer one counts only if it is ten times closer; otherwise two rounds
+/// of a cycle would be reported too.
 ///
-/// Cost: about a thousand starts on the orbit are compared with `most` points each.
+/// Cost: up to about 2000 points of the orbit, each compared with `most` successors.
 ///
 /// # Panics
-/// If the points have not all as many coordinates.
+/// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// The most starts, and the most returns.
+    /// The number of starting points (up to a factor of two), and the largest number of returns.
     const STARTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// A return comes nearer than this, in units of the extent, after it was further away than
-    /// this.
+    /// In units of the extent: a return leaves this neighbourhood and enters it again.
     const NEAR: f64 = 0.1;
-    /// Returns that pass closer are equally close: steps are straight, and the orbit is not.
+    /// Below this distance returns rank equal: interpolation is no more accurate.
     const ALIKE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -74,10 +73,11 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
     returns
 }
 
-/// The distance of a point from the parabola through three points of an orbit, near the middle one.
+/// Returns the distance of a point from the parabola through three consecutive points, near the
+/// middle one.
 pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
-    // Off the tangent at a place of the parabola.
+    // The vector from the tangent line to the point, corrected for the bend of the parabola.
     let off = |k: usize, at: f64| {
         let bend = behind[k] - 2.0 * x[k] + before[k];
         there[k] - x[k] - 0.5 * at * at * bend

@@ -1,4 +1,4 @@
-//! Cycles that are known in closed form.
+//! Periodic points with known closed forms.
 
 mod flow;
 
@@ -10,7 +10,6 @@ use kahan_core::{Dual, Step, Stopped, Workspace};
 
 use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
-/// A map that has no ε.
 trait ByHand {
     const DIMENSION: usize;
 
@@ -85,7 +84,7 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
     let over_eps = Roots { a: Dual::from_value(a) }.at(Dual::coordinate(eps, 0));
     let by_eps = (2.0 * a - 2.0 * x * next) / below;
     for (map, expected) in [(over_a, 2.0 * eps / below), (over_eps, by_eps)] {
-        // Three numbers of some roundings each.
+        // Three numbers with a few roundings each.
         assert!((map.image(&[x])[0] - next).abs() < 1e-15);
         assert!((map.derivative(&[x])[(0, 0)] - (1.0 - 2.0 * eps * next) / below).abs() < 1e-15);
         assert!((map.by_parameter(&[x])[0] - expected).abs() < 1e-15);
@@ -109,7 +108,6 @@ impl Differentiable for Henon {
     }
 }
 
-/// a changes.
 impl Parametric for Henon {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![-x[0] * x[0], 0.0]
@@ -139,7 +137,7 @@ impl Parametric for SaddleNode {
     }
 }
 
-/// A turn by a fifth of a circle.
+/// A rotation by a fifth of a circle.
 struct Fifth;
 
 impl ByHand for Fifth {
@@ -165,13 +163,13 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
     let cycle = periodic_point(&Logistic(r), &[0.8], 2).unwrap();
     let mut points: Vec<f64> = cycle.points.concat();
     points.sort_by(f64::total_cmp);
-    // The bound is that of a residual of 1e-15 over the distance of the multiplier from 1.
+    // The bound is a residual of 1e-15 divided by the distance of the multiplier from 1.
     assert!((points[0] - (r + 1.0 - root) / (2.0 * r)).abs() < 1e-13);
     assert!((points[1] - (r + 1.0 + root) / (2.0 * r)).abs() < 1e-13);
     let multiplier = 1.0 - (r + 1.0) * (r - 3.0);
     assert!((cycle.multipliers[0].re - multiplier).abs() < 1e-12 && cycle.family == 0);
     assert_eq!(cycle.stability(), Stability::Attracting);
-    // A point of period 1 is one of period 4, too, and the smallest period is told.
+    // A point of period 1 also has period 4; the smallest period is reported.
     let fixed = periodic_point(&Logistic(r), &[1.0 - 1.0 / r + 1e-6], 4).unwrap();
     assert_eq!((fixed.points.len(), fixed.stability()), (1, Stability::Repelling));
 }
@@ -180,7 +178,7 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
 fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     let cycle = periodic_point(&Fifth, &[1.0, 0.3], 5).unwrap();
     assert_eq!((cycle.points.len(), cycle.family, cycle.stability()), (5, 2, Stability::Neutral));
-    // Of the cycles of the family it is the one that begins where it was looked for.
+    // Newton's method stays near the start within the family.
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
@@ -220,7 +218,7 @@ fn a_multiplier_is_off_the_circle_only_beyond_its_error() {
         assert_eq!(verdict([0.99, shear, 0.0, 0.98]), Stability::Attracting, "{shear}");
         assert_eq!(verdict([1.02, shear, 0.0, 1.01]), Stability::Repelling, "{shear}");
     }
-    // A large multiplier says nothing against another one.
+    // A large multiplier must not hide a small one.
     assert_eq!(verdict([1e9, 1.0, 0.0, 1e-9]), Stability::Saddle);
 }
 
@@ -235,27 +233,27 @@ fn a_cycle_is_the_same_in_every_unit() {
         assert_eq!((cycle.points, cycle.residual), (scaled, ordinary.residual * unit));
         assert_eq!((cycle.family, cycle.multipliers), (2, ordinary.multipliers.clone()));
     }
-    // A point that is nearer to 0 than any tolerance in ordinary units still moves.
+    // Tolerances are relative: a tiny orbit still moves.
     assert_eq!(periodic_point(&Fifth, &[1e-9, 0.0], 5).unwrap().points.len(), 5);
 }
 
 #[test]
 fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
-    // Newton's method does not go on to the end of the range.
+    // Newton's method must not run into subnormal or infinite numbers.
     for exponent in [-900, 0, 900] {
         let start = f64::from(exponent).exp2();
         let cycle = periodic_point(&Meeting(0.125), &[start, 0.5 * start], 4).unwrap();
         assert_eq!((cycle.points.len(), cycle.size()), (1, start));
         assert!(cycle.points[0].iter().all(|x| x.abs() < 1e-15 * start), "{cycle:?}");
     }
-    // Nothing has a size there.
+    // All lengths are 0.
     let cycle = periodic_point(&Meeting(0.125), &[0.0, 0.0], 4).unwrap();
     assert_eq!((cycle.points, cycle.residual, cycle.size), (vec![vec![0.0, 0.0]], 0.0, 0.0));
 }
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // Fixed points of x̃ = x + a − x²/unit, which begins at 0 for a = 0, in units of `unit`.
+    // Fixed points of x̃ = x + a − x²/unit, starting from 0 at a = 0, in units of `unit`.
     struct Root(f64, f64);
 
     impl ByHand for Root {
@@ -312,7 +310,7 @@ impl Differentiable for Arctangent {
 
 #[test]
 fn steps_that_lead_away_are_halved() {
-    // Newton's method leaves the root of the arctangent for good from 1.4 on.
+    // Undamped Newton iteration for arctan x = 0 diverges from |x| ≥ 1.4.
     let fixed = periodic_point(&Arctangent, &[3.0], 1).unwrap();
     assert!(fixed.points[0][0].abs() < 1e-11);
 }
@@ -322,7 +320,7 @@ fn what_is_no_cycle_is_told() {
     assert_eq!(periodic_point(&Logistic(3.0), &[0.5], 0), Err(NoPeriodicPoint::Unfit));
     assert_eq!(periodic_point(&Logistic(3.0), &[0.5, 0.5], 1), Err(NoPeriodicPoint::Unfit));
     assert_eq!(periodic_point(&Logistic(3.0), &[f64::NAN], 1), Err(NoPeriodicPoint::NotFinite));
-    // Hénon's map has no fixed point where a is below −(1 − b)²/4.
+    // Hénon's map has no fixed point for a < −(1 − b)²/4.
     let none = periodic_point(&Henon(-0.2, 0.3), &[0.0, 0.0], 1);
     assert!(matches!(none, Err(NoPeriodicPoint::NotFound { residual }) if residual > 1e-3), "{none:?}");
 }
@@ -332,10 +330,9 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
     for steps in [1, 3, 40] {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
         let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
-        // Halving stops where the direction is known to the rounding of a cycle, whose root is the
-        // error.
+        // At a fold, the tangent has an error of about √u, and the parameter the square of it.
         assert!(has_turns(&branch, &[(Change::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
-        // It comes back to the value that it began with, at the other fixed point.
+        // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();
         assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut, "{steps}");
         for point in &branch.points {
@@ -357,20 +354,20 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
 
 #[test]
 fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
-    // Area is kept; the fixed point x = 1/3 of a = 3 has the double multiplier −1.
+    // An area-preserving map; the fixed point x = 1/3 at a = 3 has the double multiplier −1.
     let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
     assert_eq!(start.stability(), Stability::Neutral);
     let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
-    // |μ| is 1 + 10⁻⁶ at a distance of about its square.
+    // |μ| reaches 1 + 10⁻⁶ at a distance of about 10⁻¹².
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
 }
 
 /// (x, y) ↦ (x + p − x², (x/2 − 9/8)·y)
 ///
-/// A fixed point of p = x², y = 0 has the multipliers 1 − 2x and x/2 − 9/8: one goes through 1 at
-/// x = 0, where the branch turns back, and the other one through −1 at x = 1/4.
+/// The fixed point p = x², y = 0 has multipliers 1 − 2x and x/2 − 9/8. They pass through 1 at x =
+/// 0, a fold, and through −1 at x = 1/4.
 struct Turning(f64);
 
 impl ByHand for Turning {
@@ -393,8 +390,8 @@ impl Parametric for Turning {
     }
 }
 
-/// A linear map with the multipliers p, −(p + 1/4), and (p − 1/4)·e^{±i}, which go through the
-/// circle at p = 1, 3/4 and 5/4.
+/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}, which cross the unit circle at
+/// p = 1, 3/4 and 5/4.
 struct Several(f64);
 
 impl ByHand for Several {
@@ -417,13 +414,12 @@ impl Differentiable for Several {
 }
 
 impl Parametric for Several {
-    /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 4]
     }
 }
 
-/// Whether a branch has these changes, each within a bound of its parameter.
+/// Returns whether a branch has these bifurcations, with parameters within a bound.
 fn has_turns(branch: &Branch, expected: &[(Change, f64)], bound: f64) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     branch.turns.len() == expected.len()
@@ -440,7 +436,7 @@ fn all_changes_of_one_stride_are_told_in_order() {
         let start = periodic_point(&Several(0.5), &[0.0; 4], 1).unwrap();
         let there = branch(Several, &start, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         let mut expected = [(ThroughMinusOne, 0.75), (ThroughOne, 1.0), (ThroughCircle, 1.25)];
-        // The multipliers are known to some roundings, and so is where they pass.
+        // The multipliers, and so their crossings, have a few rounding errors.
         assert!(has_turns(&there, &expected, 1e-13), "{steps}: {:?}", there.turns);
         let start = periodic_point(&Several(1.5), &[0.0; 4], 1).unwrap();
         let back = branch(Several, &start, [1.5, 0.5], steps, |_| ControlFlow::Continue(()));
@@ -449,7 +445,7 @@ fn all_changes_of_one_stride_are_told_in_order() {
     }
 }
 
-/// A linear map with the multipliers 3/2 ± √p.
+/// A linear map with multipliers 3/2 ± √p.
 struct Meeting(f64);
 
 impl ByHand for Meeting {
@@ -467,7 +463,6 @@ impl Differentiable for Meeting {
 }
 
 impl Parametric for Meeting {
-    /// The fixed point is the origin.
     fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
         vec![0.0; 2]
     }
@@ -494,13 +489,13 @@ fn a_fold_hides_no_other_change() {
             seen.push((point.cycle.points[0][0], point.change()));
             ControlFlow::Continue(())
         });
-        // From far away 1 − 2x goes through −1 before.
+        // From far away, 1 − 2x passes through −1 first.
         let first = [(Change::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
-        // A fold is known to the root of what a direction is known to.
+        // The position of a fold is accurate to about half of the digits.
         assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);
         assert_eq!(seen.len(), branch.points.len());
-        // The last one has both in one stride.
+        // The last case has two bifurcations in one step.
         let ends = seen.iter().filter(|(_, change)| change.is_none()).map(|(x, _)| *x);
         let is_over_both = |pair: &[f64]| pair[0] > 0.25 && pair[1] < 0.0;
         let is_any = ends.collect::<Vec<_>>().windows(2).any(is_over_both);
@@ -508,7 +503,7 @@ fn a_fold_hides_no_other_change() {
     }
 }
 
-/// x ↦ (x + 1 − px)/2, whose fixed point 1/(1 + p) goes to infinity as p goes to −1.
+/// x ↦ (x + 1 − px)/2, whose fixed point 1/(1 + p) diverges for p → −1.
 struct Far(f64);
 
 impl ByHand for Far {
@@ -531,7 +526,7 @@ impl Parametric for Far {
     }
 }
 
-/// Strides are parts of how far away a point is: a thousand times as far is a few times as many.
+/// The step length grows with the distance of the points from 0.
 #[test]
 fn a_branch_goes_far_in_few_strides() {
     let start = periodic_point(&Far(0.0), &[0.9], 1).unwrap();

@@ -1,5 +1,5 @@
-//! What happens within a stride along a branch: where it turns back, and which multipliers go
-//! through the unit circle.
+//! Bifurcations within one step of a continuation: folds, and multipliers that cross the unit
+//! circle.
 
 use std::fmt;
 use std::iter::repeat_n;
@@ -7,34 +7,33 @@ use std::iter::repeat_n;
 use super::branch::{Curve, Place};
 use super::cycle::{PeriodicPoint, size};
 
-/// What happens between two cycles of a branch.
+/// A bifurcation on a branch of cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Change {
-    /// The branch turns back: two cycles meet, and a real multiplier goes through 1.
+    /// A fold: the parameter reverses, and a real multiplier passes through 1.
     Fold,
-    /// The points of a cycle of the flow come together in pairs: the branch ends on a cycle of half
-    /// the period, where that one's period doubles.
+    /// A cycle of a flow merges with one of half the period, at whose period doubling the branch
+    /// ends.
     Halved,
-    /// A cycle of the flow shrinks to a steady state, where the branch ends.
+    /// A cycle of a flow shrinks to a steady state at a Hopf point, where the branch ends.
     Hopf,
-    /// A real multiplier goes through 1, and the branch does not turn back.
+    /// A real multiplier passes through 1 without a fold.
     ThroughOne,
-    /// A real multiplier goes through −1: cycles of twice the period may begin.
+    /// A real multiplier passes through −1: period doubling.
     ThroughMinusOne,
-    /// A pair of complex multipliers goes through the unit circle.
+    /// A pair of complex multipliers crosses the unit circle.
     ThroughCircle,
 }
 
 impl Change {
-    /// Returns whether a branch ends there.
+    /// Returns whether a branch ends at this bifurcation.
     #[must_use]
     pub fn is_end(self) -> bool {
         matches!(self, Self::Halved | Self::Hopf)
     }
 }
 
-/// What it means, in words.
 impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -50,17 +49,17 @@ impl fmt::Display for Change {
     }
 }
 
-/// A change, and where.
+/// A bifurcation and its parameter value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Turn {
-    /// What happens.
+    /// The kind of bifurcation.
     pub change: Change,
-    /// The parameter there.
+    /// The parameter value.
     pub parameter: f64,
 }
 
-/// A way along the branch, ahead from a place.
+/// One continuation step: positions on the solution curve up to `length` ahead of `place`.
 pub(super) struct Stride<'a, C> {
     pub(super) arc: &'a C,
     pub(super) place: &'a Place,
@@ -68,11 +67,10 @@ pub(super) struct Stride<'a, C> {
     pub(super) length: f64,
 }
 
-/// What is known of a cycle on a stride.
+/// A sample within a step: direction of the parameter, and cycle.
 struct Post {
-    /// How far along the stride.
     at: f64,
-    /// Whether the parameter goes on towards the end of its range.
+    /// Whether the parameter moves towards the end of its range.
     goes_ahead: bool,
     cycle: PeriodicPoint,
 }
@@ -82,9 +80,9 @@ impl Post {
         Post { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, cycle }
     }
 
-    /// How many multipliers outside the circle are real and above 1, real and below −1, complex.
+    /// Counts the multipliers outside the unit circle: real above 1, real below −1, complex.
     fn outside_by_kind(&self) -> [isize; 3] {
-        /// Two that are nearly one may be complex by rounding.
+        /// Rounding can make two nearly equal real multipliers complex.
         const REAL: f64 = 1e-3;
 
         let mut counts = [0; 3];
@@ -100,8 +98,8 @@ impl Post {
 }
 
 impl<C: Curve> Stride<'_, C> {
-    /// Returns the changes between the first cycle and the last one in order, each with its distance
-    /// along the stride.
+    /// Returns the bifurcations between the first cycle and the last, in order, with their
+    /// distances along the step.
     pub(super) fn turns(
         &self,
         first: &PeriodicPoint,
@@ -110,16 +108,15 @@ impl<C: Curve> Stride<'_, C> {
         let ends =
             [Post::new(0.0, self.tangent, first.clone()), Post::new(self.length, tangent, last.clone())];
         let mut turns = Vec::new();
-        // A change takes some forty; more would look for order in rounding.
+        // One bifurcation takes about 40 bisections; the bound ends searches among rounding errors.
         let mut halvings = 400;
         self.search([&ends[0], &ends[1]], &mut halvings, &mut turns);
         turns
     }
 
-    /// Halves what lies between two posts, so many times at most, until each part holds one change
-    /// at most.
+    /// Bisects between two samples until each interval holds at most one bifurcation.
     fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<(f64, Turn)>) {
-        /// Of the stride: what is nearer to each other happens at once.
+        /// Relative to the step: closer bifurcations count as simultaneous.
         const AT_ONCE: f64 = 1e-12;
 
         let turns_back = low.goes_ahead != high.goes_ahead;
@@ -145,7 +142,8 @@ impl<C: Curve> Stride<'_, C> {
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n((high.at, Turn { change, parameter }), times.unsigned_abs()));
         };
-        // Where real multipliers meet outside the circle and become complex, none goes through it.
+        // Two real multipliers that meet outside the circle become a complex pair without crossing
+        // it.
         let met = |real: isize| if real.signum() == -pairs.signum() { real } else { 0 };
         tell(self.turning_back(there.as_ref()), isize::from(turns_back));
         tell(Change::ThroughOne, ((one - met(one)).abs() - isize::from(turns_back)).max(0));
@@ -153,17 +151,17 @@ impl<C: Curve> Stride<'_, C> {
         tell(Change::ThroughCircle, (pairs + met(one) + met(minus_one)) / 2);
     }
 
-    /// The place so far along, back if less than 0.
+    /// Returns the position at a distance along the step, negative for backwards.
     pub(super) fn at(&self, along: f64) -> Option<Place> {
         self.arc.step(self.place, self.tangent, along)
     }
 
-    /// The place with this value of the parameter, in units of the range, between two others.
+    /// Finds the position with this (scaled) parameter value between two positions.
     pub(super) fn place_with(&self, value: f64, ends: [(f64, &Place); 2]) -> Option<Place> {
         let parameter = |place: &Place| place[place.len() - 1];
         let [mut low, mut high] = ends.map(|(at, place)| (at, parameter(place)));
         let mut near = ends[0].1.clone();
-        // Newton's method ends the search.
+        // Three secant steps suffice, since Newton's method ends the search.
         for _ in 0..3 {
             let at = low.0 + (high.0 - low.0) * (value - low.1) / (high.1 - low.1);
             near = self.at(at)?;
@@ -183,7 +181,7 @@ impl<C: Curve> Stride<'_, C> {
         Some(Post::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
     }
 
-    /// Where the branch turns back between two posts.
+    /// Locates the parameter's reversal between two samples.
     fn fold(&self, [low, high]: [&Post; 2]) -> (f64, Turn) {
         let is_before = |there: &Place| {
             let tangent = self.arc.tangent(there, self.tangent);
@@ -193,35 +191,35 @@ impl<C: Curve> Stride<'_, C> {
         (at, Turn { change: self.turning_back(self.at(at).as_ref()), parameter })
     }
 
-    /// Returns the change at a place where the branch turns back.
     fn turning_back(&self, there: Option<&Place>) -> Change {
         there.map_or(Change::Fold, |there| self.arc.turning_back(there))
     }
 
-    /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.
+    /// Locates the crossing of the unit circle by a multiplier or a complex pair.
     fn crossing(&self, change: Change, [low, high]: [&Post; 2]) -> (f64, Turn) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // It is the smallest of those that lie outside.
+        // The crossing multiplier is the smallest of those outside.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &Place| size_of(&self.arc.judged(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // One that goes through the circle may be at it where it does not count as outside yet.
+        // Within its error margin, the multiplier may have crossed just before this interval.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // It stayed on the circle but for rounding, and leaves it with a root of the distance.
+            // The multiplier stays on the circle within rounding, then leaves it like a square root
+            // of the distance.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
         (at, Turn { change, parameter })
     }
 
-    /// How far along a condition holds, of two parts of the stride, and the parameter there.
+    /// Bisects for the end of a condition; returns the distance along the step and the parameter.
     fn halved(&self, [mut before, mut behind]: [f64; 2], is_before: impl Fn(&Place) -> bool) -> (f64, f64) {
         let mut found = (before, self.arc.parameter(self.place));
         for _ in 0..48 {

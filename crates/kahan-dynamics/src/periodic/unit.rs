@@ -1,24 +1,23 @@
-//! A map in a unit of length of its own, so that no tolerance depends on that of its caller.
+//! A map in a unit of length of its own, so that tolerances do not depend on the caller's unit.
 //!
-//! In: a map, and a power of two. Out: the same map of points that are divided by that power, which
-//! rounds nothing. Where the power is about the size of a cycle, the cycle's size is about 1, and
-//! its points can be measured together with a parameter.
+//! In: a map and a power of two. Out: the map of points divided by that power, without rounding. A
+//! power near the size of a cycle makes the scaled cycle about 1 in size, comparable with a scaled
+//! parameter.
 
 use kahan_core::nalgebra::DMatrix;
 
 use super::{Differentiable, Parametric};
 
-/// A unit of length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
     /// A power of two.
     pub(super) length: f64,
-    /// The size that lengths are compared with, in this unit: 1, or 0 where there was none.
+    /// The scale for comparing lengths, in this unit: 1, or 0 if the size was 0 or not finite.
     pub(super) size: f64,
 }
 
 impl Unit {
-    /// The largest power of two that is no larger than a size.
+    /// Returns the largest power of two up to `size` as the unit.
     pub(super) fn of(size: f64) -> Self {
         if size > 0.0 && size.is_finite() {
             Unit { length: libm::ldexp(1.0, libm::ilogb(size)), size: 1.0 }
@@ -28,7 +27,7 @@ impl Unit {
     }
 }
 
-/// A map of points in units of `unit`.
+/// A map of points measured in units of `unit.length`.
 #[derive(Clone, Debug)]
 pub(super) struct InUnits<M> {
     pub(super) map: M,
@@ -36,7 +35,7 @@ pub(super) struct InUnits<M> {
 }
 
 impl<M> InUnits<M> {
-    /// A point in the units of the map itself.
+    /// Converts a point into the units of the inner map.
     pub(super) fn outside(&self, x: &[f64]) -> Vec<f64> {
         x.iter().map(|x| x * self.unit.length).collect()
     }
@@ -47,24 +46,20 @@ impl<M> InUnits<M> {
 }
 
 impl<M: Differentiable> InUnits<M> {
-    /// The number of variables.
     pub(super) fn dimension(&self) -> usize {
         self.map.dimension()
     }
 
-    /// x̃
     pub(super) fn image(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.image(&self.outside(x)))
     }
 
-    /// ∂x̃/∂x
     pub(super) fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         self.map.derivative(&self.outside(x))
     }
 }
 
 impl<M: Parametric> InUnits<M> {
-    /// ∂x̃/∂p
     pub(super) fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.by_parameter(&self.outside(x)))
     }
@@ -76,7 +71,7 @@ impl<M: Differentiable> Differentiable for &M {
     }
 }
 
-/// The largest coordinate in size.
+/// Returns the maximum norm of `x`.
 pub(super) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
 }

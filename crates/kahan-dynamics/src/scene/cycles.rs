@@ -1,8 +1,7 @@
-//! The modelled cost of a step, without a clock.
+//! The modelled cost of a step, in cycles.
 //!
-//! In: the cost of a step by its plan. Out: cycles. The factors are rounded from measurements of
-//! the steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`). They decide
-//! between scalars; the number of stages decides between orders and values of ε.
+//! In: the operations of a step, counted by its plan. Out: cycles. The factors are rounded from
+//! measured steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`).
 
 use kahan_core::StepCost;
 
@@ -14,11 +13,10 @@ const SINGLE: f64 = 1.0;
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
 /// The factor of compensation: seven operations for a component, off the critical path.
 const COMPENSATED: f64 = 1.1;
-/// The factor of `Dd` with fused multiply-adds, where an exact product takes two operations.
+/// The factor of `Dd` with fused multiply-adds (two operations for an exact product).
 #[cfg(target_feature = "fma")]
 const DOUBLE_DOUBLE: f64 = 6.0;
-/// The factor of `Dd` without fused multiply-adds, where an exact product takes seventeen
-/// operations.
+/// The factor of `Dd` without fused multiply-adds (seventeen operations for an exact product).
 #[cfg(not(target_feature = "fma"))]
 const DOUBLE_DOUBLE: f64 = 10.0;
 

@@ -1,8 +1,8 @@
-//! Reasons for which no setting serves a scene.
+//! Errors of the choice of a setting.
 
 use std::fmt;
 
-/// The reason for which no setting serves a scene.
+/// The reason why no setting was chosen for a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSetting {
@@ -33,7 +33,7 @@ pub enum NoSetting {
     /// No setting meets the tolerance, or none could be found and confirmed within the 10⁶ steps
     /// that a choice may cost.
     OutOfReach {
-        /// A tolerance that should be attainable.
+        /// A tolerance that is probably attainable.
         best: f64,
     },
 }

@@ -1,8 +1,8 @@
 //! The cheapest setting that preserves the map's own integrals.
 //!
 //! In: a map, a first point. Out: Kahan's map at the largest suitable ε, in a scalar with small
-//! enough rounding errors. The map preserves these integrals exactly. Rounding in each step moves
-//! the point off its level set by u times the condition, and n steps by √n times as much.
+//! enough rounding errors. In exact arithmetic the map preserves these integrals. One rounding of
+//! the state changes an integral by about u × condition; n steps by √n times that (random walk).
 
 use kahan_core::nalgebra::SVector;
 
@@ -15,11 +15,11 @@ use super::{NoSetting, Scene, Setting};
 /// The safety factor on rounding errors: the end of a random walk is within a factor of 2 of the
 /// typical one 19 times in 20.
 const SAFETY: f64 = 2.0;
-/// The most steps, within the integers of `f64`.
+/// The most steps, exactly representable in `f64`.
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT: f64 = 4096.0;
-/// The factor by which the largest coordinate of an orbit may exceed that of a finer orbit.
+/// The accepted ratio of the largest coordinates of an orbit and of a finer orbit.
 const LARGER: f64 = 2.0;
 const HALVINGS: i32 = 16;
 
@@ -66,7 +66,7 @@ where
     best.ok_or(NoSetting::OutOfReach { best: least_error })
 }
 
-/// Returns whether the start of the orbit is finite and not much larger than with ε/4.
+/// Returns whether the first steps stay finite and not much larger than with ε/4.
 fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,
@@ -78,12 +78,11 @@ where
     fine.is_finite() && coarse <= LARGER * fine
 }
 
-/// Returns the largest coordinate along an orbit.
 fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
     orbit.fold(0.0, |size, x| norm(&x).max(size))
 }
 
-/// Returns the rate of the motion at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
+/// Returns max(‖f′‖∞, ‖f‖∞/‖x‖∞) at a point.
 fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
 where
     M: ExtendScalars<f64, N>,

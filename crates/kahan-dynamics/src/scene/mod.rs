@@ -1,11 +1,9 @@
-//! Chooses the integrator for a scene: scalar, order, compensation and ε.
+//! The choice of an integrator for a scene: scalar, order, compensation and ε.
 //!
-//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the
-//! [`Setting`] that serves at the least modelled cost. Without a clock the answer is reproducible
-//! on machines of one kind: settings are compared with the flow ([`trajectory`]) one by one
-//! ([`search`]), and the plan's count of operations gives the price ([`cycles`]). `kahan trade`
-//! uses the search with measured prices. Extrapolation is deliberately absent: for trajectories,
-//! the chosen setting was run over the whole horizon.
+//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the cheapest
+//! accurate [`Setting`], by a cost model of counted operations ([`cycles`]). Settings are run over
+//! the whole horizon and compared with the flow ([`trajectory`], [`search`]). No clock is used, so
+//! the choice is reproducible; `kahan trade` runs the search with measured prices.
 
 mod cycles;
 mod error;
@@ -78,8 +76,8 @@ pub struct Scene {
 
 impl Scene {
     /// Describes a scene: `horizon` is the time to be simulated, and `tolerance` the largest
-    /// accepted error as defined by [`Need`]. Both must be finite and positive, as
-    /// [`choose`](Self::choose) checks.
+    /// accepted error as defined by [`Need`]. [`choose`](Self::choose) checks that both are finite
+    /// and positive.
     #[must_use]
     pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
         Self { horizon, need, tolerance, condition: 4.0 }
@@ -97,16 +95,16 @@ impl Scene {
         Self::new(horizon, Need::Integrals, tolerance)
     }
 
-    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, the factor by which they amplify a
-    /// relative change of the state. The default is 4: a polynomial of degree 2 whose terms cancel
-    /// to a half. The condition is much larger near zeros of H. Only [`Need::Integrals`] uses it.
+    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`]: the
+    /// amplification of a relative change of the state. The default 4 fits a polynomial of degree 2
+    /// whose terms cancel to a half; near zeros of H the condition is much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;
         self
     }
 
-    /// Returns the cheapest setting, by the model of cost, that meets the tolerance. The setting is
+    /// Returns the setting of least modelled cost that meets the tolerance. The setting is
     /// never in `f32`, because a step of a single orbit takes as long as in `f64`; `f32` saves
     /// memory, and time in an [`Ensemble`](kahan_core::Ensemble).
     ///
@@ -119,18 +117,18 @@ impl Scene {
     /// Other starts and later times are not covered.
     ///
     /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
-    /// start, and less if the beginning of the orbit would otherwise become too large. The rounding
-    /// errors of n steps are modelled as a random walk.
+    /// start, and less if the first steps would otherwise become too large. The rounding errors of
+    /// n steps are modelled as a random walk.
     ///
     /// # How good
     /// `cargo test --release -p kahan-study --test scenes -- --ignored` tests choices in seeded
-    /// scenes of many fields: chaotic, stiff, escaping and near equilibria. No accepted choice may
-    /// exceed its tolerance, and few scenes may be refused that some setting serves. In `benches/`,
-    /// the package `kahan-bench-trade` times choices against all other settings.
+    /// scenes of chaotic, stiff and escaping fields. No choice may exceed its tolerance, and few
+    /// scenes that have a setting may be refused. The package `kahan-bench-trade` times choices
+    /// against all other settings.
     ///
     /// # Cost
-    /// At most the time of 10⁶ steps of the map, and usually of some 10⁴; part of the steps is in
-    /// `Dd` and slower. The choice pays off for long orbits and for many orbits.
+    /// At most the time of 10⁶ steps of the map, usually of some 10⁴; the steps in `Dd` are slower.
+    /// The choice pays off for long orbits and for many orbits.
     ///
     /// # Errors
     /// [`NoSetting`]: numbers that are not positive or not finite, a trajectory that cannot be

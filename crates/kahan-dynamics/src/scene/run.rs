@@ -6,17 +6,15 @@ use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF
 
 use super::{Precision, Scheme, Setting};
 
-/// A task for an orbit of any type; `widen` converts its points without rounding.
+/// A computation on an orbit of any type; `widen` converts its points to `Dd` without rounding.
 trait Task<const N: usize> {
     type Output;
 
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
-/// The task of returning the point after this number of steps.
 struct Last(usize);
 
-/// The task of showing every point, up to this number of steps, while the visitor returns `true`.
 struct While<F>(u64, F);
 
 impl<const N: usize> Task<N> for Last {
@@ -49,8 +47,7 @@ impl Setting {
     /// finite if the orbit met a pole.
     ///
     /// Rounds the parameters and `x0` to the setting's precision, and the result to `f64`. Runs the
-    /// orbit that the printed setting describes. Costs these steps, without allocation or decisions
-    /// along the orbit.
+    /// orbit of the printed setting, without allocation or decisions along the orbit.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
     where
         M: ExtendScalars<f64, N>,
@@ -63,8 +60,8 @@ impl Setting {
         }
     }
 
-    /// Shows each point of the orbit to `visit` with its number n: the rounded x₀ with 0, the last
-    /// point with [`steps`](Self::steps). Point n belongs to the time 2ε·n.
+    /// Shows each point of the orbit, from the rounded x₀ to the last one, to `visit` with its
+    /// index n. Point n belongs to the time 2ε·n.
     pub fn visit<M, const N: usize>(
         &self,
         map: &M,
@@ -79,7 +76,7 @@ impl Setting {
         });
     }
 
-    /// Shows each point of the orbit with all its digits, while `go_on` returns `true`.
+    /// Shows each point of the orbit in full precision, while `go_on` returns `true`.
     pub(super) fn follow<M, const N: usize>(
         &self,
         map: &M,

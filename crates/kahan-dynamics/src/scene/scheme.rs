@@ -52,9 +52,9 @@ impl Precision {
         }
     }
 
-    /// Returns an ε near `eps` for this precision. Integrals get the nearest
-    /// [short](nearest_short_eps) ε, for `Dd` one that is short for `f64`. A trajectory, which must
-    /// end at its horizon, gets the nearest number.
+    /// Returns an ε near `eps` in this precision. [`Need::Integrals`] gets the nearest
+    /// [short](nearest_short_eps) ε, in `Dd` one that is short for `f64`. [`Need::Trajectory`],
+    /// whose steps must end at the horizon, gets the nearest representable number.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {
@@ -74,7 +74,7 @@ pub struct Scheme {
     pub precision: Precision,
     /// The composition; [`Composition::KAHAN`] is the map itself.
     pub composition: Composition,
-    /// Whether the state carries its rounding error.
+    /// Whether the sum of increments is compensated (Kahan summation).
     pub compensated: bool,
 }
 
@@ -91,7 +91,7 @@ impl Scheme {
         Self { composition, ..self }
     }
 
-    /// Adds compensation: the state carries its rounding error.
+    /// Adds compensated summation of the increments.
     #[must_use]
     pub const fn compensated(self) -> Self {
         Self { compensated: true, ..self }

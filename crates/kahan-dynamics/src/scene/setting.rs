@@ -6,12 +6,11 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// The tolerance below which the rounding of ε, which shifts the end by that part of the horizon,
-/// matters.
+/// The tolerance below which the rounding of ε matters: the end time is off by its relative error.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A [`Scheme`] with ε and a number of steps, for the horizon of a [`Scene`](crate::Scene).
-/// [`Scene::choose`](crate::Scene::choose) returns the cheapest setting that serves.
+/// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate one.
 ///
 /// Its display is a line of Rust, with `map` for the map and `x` for the first point, both in its
 /// precision.
@@ -65,21 +64,21 @@ impl Setting {
     }
 
     /// Returns the number of steps n. The horizon is 2εn, up to the rounding of ε; for
-    /// [`Need::Integrals`] with its short ε, up to half a step.
+    /// [`Need::Integrals`], whose ε is short, up to half a step.
     #[must_use]
     pub const fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Returns the expected error, including safety factors. For a chosen setting, the error is at
+    /// Returns the expected error, including safety factors; for a chosen setting at
     /// most the scene's tolerance.
     #[must_use]
     pub const fn error(&self) -> f64 {
         self.error
     }
 
-    /// Returns the line of Rust that runs the setting, from the texts of a map and a first point in
-    /// its precision.
+    /// Returns the line of Rust that runs the setting; `map` and `start` are expressions in its
+    /// precision.
     #[must_use]
     pub fn in_rust(&self, map: &str, start: &str) -> String {
         let Self { scheme: Scheme { precision, composition, compensated }, eps, steps, .. } = *self;
@@ -105,7 +104,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// Stores the error of a setting; an unknown one is `None`, because JSON has no infinity.
+/// Stores an infinite (unknown) error as `None`, because JSON has no infinity.
 #[cfg(feature = "serde")]
 mod expected {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -1,9 +1,8 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! In: a map, a first point, a scene. Out: the cheapest of the settings whose observed error over
-//! the whole horizon is small enough. The solution is computed once ([`Flow`]). Candidates are run
-//! and compared with it, and one that is ten times as accurate as requested confirms the solution.
-//! The computation begins in `f64`, and is repeated in [`Dd`] if rounding errors matter.
+//! In: a map, a first point, a scene. Out: the cheapest setting whose observed error over the whole
+//! horizon is small enough. The solution is computed once ([`Flow`]), in `f64` or, if rounding
+//! errors matter, in [`Dd`]. An orbit ten times as accurate as requested confirms it.
 
 use kahan_core::nalgebra::SVector;
 
@@ -13,18 +12,16 @@ use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
 use super::{NoSetting, Scene, Scheme, Setting};
 
-/// The most steps of the map for a choice, including all trials.
+/// The work bound of a choice, all trials included, in steps of the map.
 const MOST_WORK: f64 = 1e6;
 /// The tolerance below which the computation begins in `Dd`.
 const FINE: f64 = 1e-12;
-/// A bound on the accumulated rounding errors of a flow in `f64`, before amplification: one error
-/// in each piece, and in each step of an orbit, with a margin below the tolerance.
+/// A bound on the accumulated rounding errors of a flow in `f64`, before amplification.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two starts for measuring growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
-/// The part of the remaining budget that the solution may take.
 const SHARE: f64 = 0.4;
-/// The relative error, or four tolerances if these are larger, beyond which a trial ends.
+/// A trial ends at this relative error, or at four tolerances if these are larger.
 const LOST: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
@@ -52,13 +49,11 @@ where
     choice.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
-/// The remaining budget of steps of the map.
 struct Budget {
     left: f64,
 }
 
 impl Budget {
-    /// Computes the solution from `start` over the horizon, in the scalar T of the field.
     fn flow<T, F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -82,8 +77,8 @@ impl Budget {
         })
     }
 
-    /// Computes the solution in `f64`, if its amplified rounding errors stay below the tolerance.
-    /// The distance from the solution of a nearby start measures the amplification.
+    /// Computes the solution in `f64`, or `None` if amplified rounding errors exceed the tolerance.
+    /// A second solution from a nearby start measures the amplification.
     fn sure_flow<F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -94,8 +89,7 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        // Components differ by different factors, because rounding errors are relative and
-        // independent.
+        // Factors differ between components, like independent relative rounding errors.
         let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
         let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
@@ -112,13 +106,13 @@ struct Choice<'a, T, M, const N: usize> {
     map: &'a M,
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
-    /// The schemes that may be chosen besides plain `f64`.
+    /// The schemes to choose from besides plain `f64`.
     others: &'static [Scheme],
 }
 
 struct Refusal {
     why: NoSetting,
-    /// Whether rounding errors caused it, so that a wider precision may succeed.
+    /// Whether rounding errors were the cause, so that a wider precision may succeed.
     is_rough: bool,
 }
 
@@ -128,8 +122,8 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
-        // The first ε has a mean product of ε and rate of 4. Compositions, with their shorter
-        // stages, may be that coarse.
+        // The coarsest ε has a mean product of ε and rate of 4, suitable for compositions with
+        // their shorter stages.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);

@@ -1,6 +1,6 @@
-//! Verdicts by balls around x̃, for maps whose closed form exceeds the budget of terms.
+//! Verdicts by balls around x̃, for maps with too many terms to be expanded.
 //!
-//! A question that balls leave open is asked again with twice the bits, and at last of exact
+//! A question that balls do not decide is asked again with twice the bits, and finally of exact
 //! quotients.
 
 use std::cmp::Ordering;
@@ -35,7 +35,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Answers by balls of growing precision, and by exact quotients if no precision suffices.
+    /// Answers by balls of growing precision, then by exact quotients.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -89,7 +89,6 @@ impl Exact for Balls {
     }
 }
 
-/// Elimination in balls.
 impl Judge for Equation {
     fn equation(&self) -> &Equation {
         self
@@ -109,7 +108,7 @@ fn range(balls: &[Ball]) -> (Dyadic, Dyadic) {
     (largest(balls.iter().map(Ball::least)), largest(balls.iter().map(Ball::most)))
 }
 
-/// Tells whether the format holds every component with full precision; `None` if undecided.
+/// Returns whether the format holds every component with full precision; `None` if undecided.
 pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     let (least, greatest) = (Dyadic::new(1, format.least_binade), greatest(format));
     let verdict = |ball: &Ball| {
@@ -134,10 +133,11 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// Expands det A as a polynomial in a random state or in ε. Adds rows one at a time; each set of
-/// columns has one minor. An entry of A is linear in each variable.
+/// Expands det A as a polynomial in a random state or in ε, row by row, with a minor for each set
+/// of columns. An entry of A is linear in each variable.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zeros {
-    /// Enough for a root to the bits of the longest scalar, unless much cancels.
+    /// Enough bits for a root with the precision of the longest scalar, unless cancellation is
+    /// severe.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;
@@ -155,7 +155,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zero
         let mut entries: Vec<(usize, [Dyadic; 2])> = Vec::new();
         let mut slopes = one.row(i);
         for (j, constant) in zero.row(i) {
-            // Both points have entries in equal columns.
+            // Both points have entries in the same columns.
             let at_one = slopes.iter().position(|(k, _)| *k == j).map(|k| slopes.swap_remove(k).1);
             let slope = &at_one.unwrap_or_else(Dyadic::zero) - &constant;
             entries.push((j, [constant, slope]));

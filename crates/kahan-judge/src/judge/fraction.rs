@@ -14,7 +14,7 @@ use crate::elimination::largest;
 use crate::equation::AtPoint;
 use crate::float::Format;
 
-/// The promise of the stable tier: ‖error‖∞ ≤ 64 u ‖exact‖∞.
+/// The error bound of the stable tier: ‖error‖∞ ≤ 64 u ‖exact‖∞.
 pub(crate) const PROMISE: i64 = 64;
 
 /// The numerators Nᵢ and the denominator d ≠ 0.

@@ -1,8 +1,8 @@
 //! Verdicts on float results, by comparison with the exact step from the given floats.
 //!
-//! Fields of up to eight variables are judged by the reduced map if its closed form is within the
-//! budget of terms, and otherwise by elimination in balls of growing precision. Every verdict is
-//! exact; only printed values are rounded.
+//! Fields of up to eight variables are tested against the expanded reduced map, or, if that has too
+//! many terms, by elimination in balls of growing precision. Every verdict is exact; only printed
+//! values are rounded.
 
 pub(crate) mod balls;
 pub(crate) mod fraction;
@@ -32,25 +32,25 @@ pub(crate) trait Judge: Debug + Send + Sync {
         balls::condition(self.equation(), point)
     }
 
-    /// Tells whether det A vanishes at some points where the reduced map has a value.
+    /// Returns whether det A vanishes at some points where the reduced map has a value.
     fn has_removable_poles(&self) -> bool {
         false
     }
 
-    /// Tells whether the map may have poles.
     fn has_poles(&self) -> bool {
         true
     }
 
-    /// Returns the denominator, or the factor divided out of it, in one variable that is drawn.
+    /// Returns the denominator, or the factor divided out of it, as a polynomial in a random
+    /// variable.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros>;
 }
 
 pub(crate) trait Exact {
-    /// Judges a finite result.
+    /// Compares a finite result with the exact step.
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict;
 
-    /// Tells whether the format holds every component with full precision: each is 0 or normal.
+    /// Returns whether the format holds every component with full precision: each is 0 or normal.
     fn fits(&self, format: &Format) -> bool;
 }
 
@@ -59,13 +59,12 @@ pub(crate) trait Exact {
 pub(crate) struct Verdict {
     /// ‖error‖∞/‖exact‖∞, or the backward error, in units u; infinite if the exact step is 0.
     pub(crate) error_u: f64,
-    /// Whether the promise holds, by exact comparison.
+    /// Whether the error bound of the stable tier holds, by exact comparison.
     pub(crate) keeps_promise: bool,
     /// Whether the relative error is at most 1e-3.
     pub(crate) is_rough: bool,
 }
 
-/// A polynomial in one variable of a point; its zeros are poles.
 pub(crate) struct Zeros {
     pub(crate) variable: usize,
     /// Coefficients from the constant term upwards; rounded if they come from elimination.

@@ -1,4 +1,4 @@
-//! Verdicts by the written-out polynomials of the reduced map, within the budget of terms.
+//! Verdicts by the expanded polynomials of the reduced map.
 //!
 //! In lowest terms x̃ᵢ = xᵢ + 2ε nᵢ/d = Nᵢ/d with Nᵢ = xᵢd + 2ε nᵢ. The map may have a value where
 //! det A = 0.
@@ -53,7 +53,7 @@ impl Reduced {
         });
         let univariates = |polynomial: &Polynomial| {
             let all = Univariate::all(polynomial, &common_denominator([polynomial]));
-            // Parameters are given, so poles are sought by moving states or ε.
+            // Parameters are given, so states or ε are varied to find poles.
             let is_parameter = |v: usize| v >= symbols.dimension() && v != usize::from(symbols.epsilon().0);
             all.into_iter().filter(|one| !is_parameter(one.variable)).collect()
         };

@@ -1,4 +1,4 @@
-//! Tests of the judges against generated code over big rationals, and against each other.
+//! Tests of the exact steps against generated code over big rationals, and against each other.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::{lexer::lex, read};
@@ -140,7 +140,7 @@ fn beyond_the_budget() -> Equation {
 const REGIMES: [Regime; 4] =
     [Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole, Regime::LargeSteps];
 
-/// Checks that two judges agree on results on both sides of the promise.
+/// Checks that two judges agree on results within and beyond the error bound.
 fn agree(one: &dyn Exact, other: &dyn Exact, next: &[f64]) {
     for off in [0.0, 3e-15, 2e-14, 1e-2] {
         let moved: Vec<f64> = next.iter().map(|y| y + y * off).collect();

@@ -1,7 +1,7 @@
 //! Seeded random fields as trees, for `kahan extremes` and for tests of the back ends.
 //!
-//! In: seeds. Out: fields as trees and as text: sparse and dense ones, fields with linear and
-//! constant terms, with parameters as factors and divisors, and in awkward spellings.
+//! In: seeds. Out: fields as trees and as text: sparse and dense ones, with linear and constant
+//! terms, with parameters as factors and divisors, and in awkward spellings.
 
 mod draw;
 pub(crate) mod odd;
@@ -36,10 +36,9 @@ pub type Maker = fn(usize, &mut Draw) -> RandomField;
 /// The kinds of [`numbered`]. `coupled` occurs twice, with other random choices.
 const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
-/// Draws the field with this number, of 2 to 6 variables; dimensions and kinds take turns.
+/// Draws the field with this number, of 2 to 6 variables, cycling through dimensions and kinds.
 ///
-/// The name ends in the number. The larger dense fields have no closed form within the budget of
-/// terms.
+/// The name ends in the number. The larger dense fields have too many terms for a closed form.
 #[must_use]
 pub fn numbered(seed: u64, number: usize) -> RandomField {
     let n = 2 + number % (DIMENSIONS - 1);
@@ -145,7 +144,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
-        // Spellings take turns, so each occurs in every dimension with enough equations.
+        // Cycles through the spellings, so each occurs in every dimension with enough equations.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
             1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),

@@ -2,7 +2,7 @@
 //!
 //! In: seeds. Out: the text of fields of 1 to 8 variables, and of more for tests. Literals lie
 //! between 2^-1070 and 2^1020, with few bits or with all; coefficients nearly cancel; parameters
-//! and their differences occur as divisors. Nothing here knows how a step is judged.
+//! and their differences occur as divisors. Tests of steps are deliberately absent.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -11,9 +11,7 @@ use super::header;
 #[derive(Clone, Debug)]
 pub(crate) struct OddField {
     pub(crate) name: String,
-    /// The equations, separated by spaces.
     pub(crate) equations: String,
-    /// The parameters that occur in the equations.
     pub(crate) parameters: Vec<String>,
 }
 
@@ -24,12 +22,11 @@ impl OddField {
     }
 }
 
-/// Draws the field with this number, of 1 to 8 variables in turn.
+/// Draws the field with this number, cycling through 1 to 8 variables.
 pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
 
-/// Draws the field with this number and title, of `variables` variables.
 pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     let mut draw = Draw::new(seed, title, number);
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
@@ -42,7 +39,6 @@ pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> 
     draw.finish(format!("{title}{number}"), equations.join(" "))
 }
 
-/// The special property of a field.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Literals,
@@ -89,7 +85,6 @@ impl Draw {
         self.parameters = names.iter().map(|name| (*name).to_owned()).collect();
     }
 
-    /// Writes an integer times a power of two.
     fn written((integer, exponent): (u64, i64)) -> String {
         match exponent {
             0 => integer.to_string(),

@@ -1,11 +1,11 @@
-//! Random fields with extreme coefficients as a user compiles them, judged by exact arithmetic.
+//! Random fields with extreme coefficients as a user compiles them, tested by exact arithmetic.
 //!
 //! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes a crate
-//! of forty fields of 1 to 8 variables, twelve of 9 to 40, and eight chains into the target folder,
-//! builds and runs it, and judges its results. Points and results pass through files as bits.
-//! `KAHAN_ODD=0,200,100` sets the numbers of fields (two hours), `KAHAN_ODD_TRIALS` the trials of
-//! each (300, for every twentieth field 3000), and `KAHAN_ODD_NAMED=Chain74` selects one field, a
-//! ring of 2 271 unknowns (half an hour).
+//! of forty fields of 1 to 8 variables, twelve of 9 to 40, and eight chains, builds and runs it,
+//! and checks its results. Points and results pass through files as bits. `KAHAN_ODD=0,200,100`
+//! sets the numbers of fields (two hours), `KAHAN_ODD_TRIALS` the trials of each (300, for every
+//! twentieth field 3000), and `KAHAN_ODD_NAMED=Chain74` selects one field, a ring of 2 271 unknowns
+//! (half an hour).
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,6 @@ use crate::random_fields::odd::OddField;
 use crate::tally::{Broken, Cell, Tally};
 
 const SEED: u64 = 1;
-/// The number of fields in one crate.
 const IN_ONE_CRATE: usize = 50;
 
 struct Tried {
@@ -216,7 +215,6 @@ impl Tried {
         tally
     }
 
-    /// Runs the program for this field, and judges its results.
     fn tally(&self, program: &Path) -> Tally {
         let name = &self.field.field.name;
         let [from, to] = ["inputs", "results"].map(|end| program.with_file_name(format!("{name}.{end}")));

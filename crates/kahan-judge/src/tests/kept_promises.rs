@@ -1,6 +1,6 @@
-//! The promise of the stable tier at the extremes, on a seeded sample.
+//! The guarantee of the stable tier at the extremes, on a seeded sample.
 //!
-//! Judged exactly: an `Ok` of `try_step` lies within 64 u of the exact step's largest component. A
+//! Tested exactly: an `Ok` of `try_step` lies within 64 u of the exact step's largest component. A
 //! flag requires a condition number of at least 1e12 (f32: 1e4) or a result that the format cannot
 //! hold. `kahan extremes --trials 1000000` takes a large sample.
 
@@ -57,7 +57,7 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// z̃ = z + 2ε(…) overflows in its last multiply-add, after every error bound.
+/// z̃ = z + 2ε(…) overflows in its last multiply-add, after all error bounds are computed.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -67,7 +67,7 @@ fn a_result_beyond_the_largest_float_is_flagged() {
     assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
-/// The points are hard enough to expose a step without a promise, except at ordinary points.
+/// The points are hard enough to expose a step without an error bound, except at ordinary points.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
     let tally = judged(TRIALS, 21);

@@ -1,4 +1,4 @@
-//! Tests of the promise at the extremes, on samples, and of steps made by another program.
+//! Tests of the stable tier at the extremes, on samples, and of steps made by another program.
 
 mod as_compiled;
 pub(crate) mod compiled;

@@ -1,6 +1,6 @@
 //! Verdicts by the residual of the defining equation, for steps of many variables.
 //!
-//! With b = A·x + 2εf, a result y keeps its promise if in every row i
+//! With b = A·x + 2εf, a result y is within its error bound if in every row i
 //!
 //! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ.
 
@@ -19,9 +19,9 @@ use crate::judge::{Exact, Judge, Verdict, Zeros};
 /// The definition of k: a number of entries.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rows {
-    /// The entries of the widest row: the promise of a field of many variables.
+    /// The entries of the widest row: the error bound of a field of many variables.
     Widest,
-    /// The entries of row i: the promise of a chain.
+    /// The entries of row i: the error bound of a chain.
     Own,
 }
 
@@ -78,7 +78,7 @@ impl Exact for Residual {
         verdict
     }
 
-    /// Tells whether x̃ exists and the format holds it; false if no precision decides.
+    /// Returns whether x̃ exists and the format holds it; `false` if no precision decides.
     fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {
@@ -98,7 +98,6 @@ impl Exact for Residual {
 /// Expands det A in a state that few rows depend on, and each linearly.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
     const MOST_ROWS: usize = 3;
-    /// Bounds the time of elimination.
     const MOST_VARIABLES: usize = 64;
     const BITS: u64 = 256;
     let variable = random.below(equation.dimension() as u64) as usize;

@@ -339,10 +339,11 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
         orbit: Some((start.to_vec(), parameters.to_vec())),
         ..Options::default()
     };
-    // Van der Pol's relation is kept along every orbit.
+    // The map preserves Van der Pol's relation along every orbit.
     let van_der_pol = lifted("x' = y; y' = mu*(1 - x^2)*y - x", &Options::default()).expect("a lift");
     assert_eq!(van_der_pol.relations[0].formula.as_deref(), Some("x2 - x^2 + eps^2*y^2"));
-    // FitzHugh–Nagumo: errors of u = v² grow if its equation holds 2u, and decay if it holds 2v².
+    // FitzHugh–Nagumo: errors of u = v² grow if its equation contains 2u, and decay if it contains
+    // 2v².
     let text = "v' = v - v^3/3 - w + 1/2; w' = 2/25*(v + 7/10 - 4/5*w)";
     let nagumo = lifted(text, &at(&[0.0, 0.0], &[])).expect("a lift");
     assert!(nagumo.text().contains("v2dot = v + 2*v^2"), "{}", nagumo.text());

@@ -1,7 +1,7 @@
-//! Many trajectories as columns, one for each variable.
+//! Many trajectories in columns, one column for each variable.
 //!
 //! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
-//! some steps later, and the end of each trajectory. Trajectories do not influence one another.
+//! after some steps, and how each trajectory ended. Trajectories are independent.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -18,15 +18,15 @@ use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Advances many trajectories; column c holds variable c of all trajectories, in one order.
+    /// Advances many trajectories; column c holds variable c of all trajectories.
     ///
     /// `eps` holds ε for each trajectory, or one for all, or nothing for the map's own ε.
     /// `parameters` holds for each parameter a list of values, one for each trajectory or one for
-    /// all; an empty `parameters` stands for the map's own. The bits of a trajectory are those of
-    /// an ensemble at its ε and parameters, and do not depend on its neighbours.
+    /// all; an empty `parameters` stands for the map's own. A trajectory has the bits of an
+    /// ensemble at its ε and parameters, independent of the other trajectories.
     ///
-    /// Trajectories that become NaN stay NaN. If the field divides by zero at a trajectory's
-    /// parameters, the trajectory becomes NaN.
+    /// Trajectories that become NaN stay NaN. A trajectory at whose parameters the field divides by
+    /// zero becomes NaN.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -87,7 +87,6 @@ impl<T: MachineFloat> MapAt<T> {
 
     fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, steps: u64) {
         let Columns { columns, eps, parameters } = all;
-        // Steps do not use this list of the scratch.
         let mut x = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.given));
         for k in 0..columns.first().map_or(0, |column| column.len()) {
             x.clear();
@@ -101,7 +100,8 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Sets trajectories to NaN where the field divides by zero: code would still give numbers.
+    /// Sets trajectories to NaN at whose parameters the field divides by zero; machine code does
+    /// not check.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
@@ -117,9 +117,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and returns
     /// how each ended. A trajectory that ended early becomes NaN in the columns.
     ///
-    /// Bits and ends are those of single orbits. Cost: that of the steps in the form of single
-    /// orbits, a copy and a test of the columns every thousand steps, and up to two thousand
-    /// further steps for each trajectory that leaves the range of floats.
+    /// Bits and ends are those of single orbits. Cost: the steps of single orbits, a copy and a
+    /// test of the columns every thousand steps, and up to two thousand further steps for each
+    /// trajectory that leaves the range of floats.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -194,7 +194,6 @@ impl<T: MachineFloat> MapAt<T> {
                 let finite = self.finite_steps(kind, starts, &of(eps), &own, now);
                 for (&k, steps) in lost.iter().zip(finite) {
                     ends[k] = End::Range(made + steps);
-                    // A state stays nonfinite once it is.
                     columns.iter_mut().for_each(|column| column[k] = nothing());
                 }
             }
@@ -205,7 +204,7 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns the numbers of steps to last finite points, which all come within `steps` steps.
+    /// Returns for each trajectory the number of steps to its last finite point, below `steps`.
     fn finite_steps(
         &self,
         kind: StepKind,
@@ -215,7 +214,7 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
     ) -> Vec<u64> {
         let mut taken = vec![0; starts.first().map_or(0, Vec::len)];
-        // Points stay nonfinite, so that the wanted number of steps is a sum of powers of 2.
+        // Binary search for the last finite point: nonfinite points stay nonfinite.
         for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
             let mut ahead = starts.clone();
             let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
@@ -230,7 +229,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, where some ε near zero takes another form of the step.
+    /// Follows trajectories one at a time, for an ε near zero that needs another formula of the
+    /// step.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],
@@ -307,7 +307,6 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Checks that ε and parameters are empty, shared, or one for each trajectory.
     fn check_constants(
         &self,
         eps: &[T],
@@ -335,7 +334,6 @@ fn nothing<T: MachineFloat>() -> T {
     T::zero() / T::zero()
 }
 
-/// Returns the trajectories that have become nonfinite.
 fn lost<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
     if columns.iter().all(|column| is_finite(column)) {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! The drift of the integrals that a field claims, along an orbit of a map read at run time.
+//! The drift of the claimed integrals along an orbit.
 
 use kahan_core::observe::{Burst, Drift, Drifted, GROUP, Grouped, Observer, Observers};
 
@@ -8,7 +8,7 @@ use crate::engine::{Abreast, Scratch, with_scratch};
 
 const MOST_INTEGRALS: usize = 8;
 
-/// An observer of the integrals of a field, with a report on the drift of each.
+/// An observer of the integrals of a field, which reports the drift of each.
 #[derive(Clone, Debug)]
 pub struct IntegralDrift<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
@@ -41,7 +41,7 @@ impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     const MAY_END: bool = false;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        // Lengths fit in every orbit of this map; otherwise the values stay unchanged.
+        // The lengths always fit.
         let _ = self.at.integrals(x, &mut self.values);
         self.look(step);
     }
@@ -92,7 +92,7 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns code that writes the integrals of these maps behind their points, side by side.
+    /// Returns code that writes the integrals of a group of maps after their points, in SIMD lanes.
     fn integrals_abreast(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

@@ -1,4 +1,4 @@
-//! The points of a group of orbits, for a number of variables known at run time.
+//! The points of a group of orbits, for a dimension known at run time.
 
 use core::array::from_fn;
 
@@ -6,7 +6,7 @@ use kahan_core::observe::{GROUP, Group, Grouped};
 
 use super::{MachineFloat, RuntimePoint};
 
-/// Groups of numbers aligned to cache lines, so that no register is loaded across two lines.
+/// Groups of numbers aligned to cache lines, so that no load crosses two lines.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Aligned<T, const N: usize>(pub(crate) [Group<T>; N]);
@@ -26,7 +26,7 @@ pub(crate) struct RuntimeGroup<T> {
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
-    /// Gathers a group, filled up with its last orbit; `None` beyond [`MOST`] variables.
+    /// Gathers the points of a group, padded with its last orbit; `None` beyond [`MOST`] variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
@@ -50,7 +50,7 @@ impl<T: Copy> Clone for RuntimeGroup<T> {
     #[inline]
     fn clone_from(&mut self, other: &Self) {
         self.variables = other.variables;
-        // Copies whole columns, whose length is a constant.
+        // Columns have constant length, so each copy is a few instructions.
         self.as_mut().iter_mut().zip(other.as_ref()).for_each(|(own, other)| *own = *other);
     }
 }

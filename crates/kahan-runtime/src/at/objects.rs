@@ -1,4 +1,4 @@
-//! The objects of a map at a state.
+//! Field, Jacobians, integrals and brackets of a map at a state.
 
 use crate::engine::Object;
 use crate::{ClaimError, DimensionError};
@@ -38,7 +38,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// Returns ∂x̃/∂p for the parameter p of index `place`; the number of parameters stands for ε.
+    /// Returns ∂x̃/∂p for the parameter with this index; the index after the last one stands for ε.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension.
@@ -93,7 +93,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        // Orbits ask for integrals at each row, and most fields claim none.
+        // Most fields claim no integrals; skip the evaluation for them.
         if entries > 0 {
             let is_integral = matches!(object, Object::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
@@ -103,10 +103,10 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Expands the entries above the diagonal of an antisymmetric matrix, row by row, in place.
+/// Expands the entries above the diagonal into an antisymmetric matrix, row by row, in place.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
-    // Backwards, so that no entry is overwritten before it has been moved.
+    // Backwards, so that no entry is overwritten before it is read.
     for i in (0..n).rev() {
         for j in (i + 1..n).rev() {
             above -= 1;

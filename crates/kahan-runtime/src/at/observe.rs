@@ -1,7 +1,7 @@
-//! Observation of many orbits, side by side where compiled code allows it.
+//! Observation of many orbits, in SIMD lanes where machine code allows it.
 //!
-//! In: a map for all orbits or one for each, first points, and observers. Out: reports. Points and
-//! report of an orbit have the bits of a single orbit.
+//! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
+//! and reports have the bits of single orbits.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -18,11 +18,11 @@ use crate::follow::{is_within, pause};
 use crate::{DimensionError, End, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Advances many orbits by `steps` steps, each shown to its own observers.
+    /// Advances many orbits by `steps` steps, each with its own observers.
     ///
-    /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each. The
-    /// function `observers` makes the observers of an orbit, which see its first point as step 0.
-    /// Points and reports have the bits of single orbits by [`advance`](Self::advance).
+    /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
+    /// `observers` makes the observers of the orbit with a given index; they see its first point as
+    /// step 0. Points and reports have the bits of single orbits by [`advance`](Self::advance).
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -47,9 +47,9 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_columns_while(maps, columns, steps, observers, &|_| ControlFlow::Continue(()))
     }
 
-    /// Observes like [`observe_columns`](Self::observe_columns), and tells `tell` after some
-    /// thousand steps of each orbit how many steps were made since. If `tell` breaks, the work
-    /// stops, and the reports cover the points seen so far.
+    /// Observes like [`observe_columns`](Self::observe_columns). Every few thousand steps, `tell`
+    /// receives the number of steps made since its last call. If `tell` breaks, the work stops, and
+    /// the reports cover the points seen so far.
     ///
     /// # Errors
     /// [`DimensionError`], like [`observe_columns`](Self::observe_columns).
@@ -63,7 +63,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits; groups for which `has_observed` returns `false` take the usual way.
+    /// Observes orbits in groups; groups that `has_observed` declines are observed in the default
+    /// way.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -162,9 +163,9 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns the code that steps orbits with tangent vectors behind each point, and with the
-    /// squared lengths last if asked for. Points have the bits of orbits without vectors. `None`
-    /// also for maps without a line for vectors.
+    /// Returns machine code that steps orbits with tangent vectors after each point, and with their
+    /// squared lengths last if `lengths` is set. Points have the bits of orbits without vectors.
+    /// `None` also for maps without a straight-line program for tangent vectors.
     pub(crate) fn abreast_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -176,7 +177,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().abreast_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns the code of the maps of the variational field, with the squared lengths last.
+    /// Returns machine code for the maps of the variational field, with squared lengths last.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -202,11 +203,11 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Observers of one orbit among many, which see its finite points; the report says how the orbit
-/// ended. With [`MapAt::observe_columns`] they do what
-/// [`Follow::observe`](crate::Follow::observe) does for one orbit.
+/// Observers of one orbit among many, restricted to its finite points; the report says how the
+/// orbit ended. With [`MapAt::observe_columns`], equivalent to
+/// [`Follow::observe`](crate::Follow::observe) for one orbit.
 ///
-/// The start is always seen. Columns continue unobserved after the end.
+/// The start is always observed. After the end, the columns advance unobserved.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,
@@ -215,14 +216,14 @@ pub struct WhileFinite<O> {
 }
 
 impl<O> WhileFinite<O> {
-    /// Shows the finite points to these observers.
+    /// Restricts `observers` to finite points.
     #[must_use]
     pub fn new(observers: O) -> Self {
         Self::within(f64::MAX, observers)
     }
 
-    /// Shows the finite points to these observers, up to and including the first with a variable
-    /// larger than `bound`: there the orbit has [escaped](End::Escaped).
+    /// Restricts `observers` to points up to and including the first with a variable larger than
+    /// `bound`, at which the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }
@@ -256,8 +257,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Observes side by side while all orbits continue. Points stay nonfinite once they are, so
-    /// that the last points tell about a whole burst; an escaped orbit may come back.
+    /// Observes in lanes while all orbits continue. Nonfinite points stay nonfinite, so the last
+    /// points decide for a whole burst; with a bound every point must be tested.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

@@ -1,8 +1,7 @@
 //! The number of steps that pass over a pole of the map.
 //!
 //! In: the points of an orbit. Out: a count. As ε grows from 0 to its value, x̃ moves along a curve
-//! from x. If the denominator of x̃ vanishes on the way, the curve passes through infinity, and x̃
-//! lies beyond the pole.
+//! from x. A zero of the denominator of x̃ on the way puts x̃ beyond a pole.
 
 use kahan_core::observe::Observer;
 use kahan_core::{Composition, Scalar};
@@ -16,8 +15,8 @@ use crate::engine::{split, stage_constants};
 pub struct Passed {
     /// The number of steps.
     pub steps: u64,
-    /// Whether more steps may pass: the sign of det A, used for want of a denominator,
-    /// distinguishes only odd from even numbers of roots.
+    /// Whether the count is a lower bound: without a denominator, the sign of det A decides, which
+    /// shows only the parity of the number of roots.
     pub is_lower_bound: bool,
 }
 
@@ -27,13 +26,13 @@ pub struct Passed {
 /// ε], or for ε < 0 in [ε, 0). A stage of a [composition](MapAt::composed) is a step of Kahan's map
 /// from its own point at its own ε; a step passes if one of its stages does.
 ///
-/// Roots are those of exact arithmetic on the given numbers. If the map has too many terms to be
-/// written out, a step counts where det A(x,ε) < 0, since det A = 1 at ε = 0. The count is then a
+/// Roots are those in exact arithmetic on the given numbers. Without an expanded denominator (too
+/// many terms), a step counts where det A(x,ε) < 0, since det A = 1 at ε = 0. The count is then a
 /// lower bound, and includes removable zeros of det A.
 ///
-/// Cost for each step: the terms of d in floats, and where these cannot decide, as near double
-/// roots, much slower exact numbers; or else one elimination. The stages of a composition are
-/// computed a second time. The first count of a map substitutes the parameters into d.
+/// Cost for each step: the terms of d in floats, and much slower exact numbers near double roots;
+/// without d one elimination. The stages of a composition are computed a second time. The first
+/// count of a map substitutes the parameters into d.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -85,13 +84,12 @@ impl<T: MachineFloat> Observer<T> for PassedPoles<'_, T> {
 #[derive(Clone, Debug)]
 pub(super) struct StagePoles<T: RuntimeFloat> {
     map: MapAt<T>,
-    /// The reduced denominator; `None` where the map is not written out.
     denominator: Option<Denominator>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns whether the step from `x`, which is overwritten, passes over a pole. The flag
-    /// `is_lower_bound` is set if the sign of det A decided.
+    /// Returns whether the step from `x` passes over a pole; overwrites `x`. Sets `is_lower_bound`
+    /// if the sign of det A decided.
     fn passes_a_pole(&self, x: &mut [T], is_lower_bound: &mut bool) -> bool {
         let stages = self.poles.get_or_init(|| self.stage_poles());
         let last = 2 * stages.len() - 2;

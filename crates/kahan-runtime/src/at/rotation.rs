@@ -1,7 +1,7 @@
-//! The rotation of each variable of an orbit, in two passes.
+//! Rotation numbers of the variables of an orbit, in two passes.
 //!
-//! In: a map. Out: an observer of the extremes of each variable and of its rate of change, for the
-//! first pass, and one of the rotation about their middle, for the second.
+//! In: a map. Out: for the first pass an observer of the extremes of each variable and of its rate
+//! of change, for the second one of the rotation around the middle of these extremes.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, Turns};
 
@@ -36,7 +36,7 @@ impl<T: MachineFloat, O: Observer<T>> Observer<T> for WithRates<'_, T, O> {
 
 impl<T: MachineFloat + PartialOrd> MapAt<T> {
     /// Observes the extremes of each variable and of each rate of change, the input of
-    /// [`rotations`](Self::rotations); `None` where all values were NaN.
+    /// [`rotations`](Self::rotations); `None` if all values were NaN.
     pub fn extremes(&self) -> impl Observer<T, Report = [Vec<Option<Extremes<T>>>; 2]> + use<'_, T> {
         let n = self.dimension();
         let of = |first: usize| (first..first + n).map(|k| Extrema::of(move |both: &[T]| both[k])).collect();
@@ -45,9 +45,9 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
 
     /// Observes the rotation of each variable over `steps` steps, in turns per step.
     ///
-    /// A variable turns in the plane of its value and its rate of change, about the middle of their
-    /// extremes, which a first pass along the orbit finds by [`extremes`](Self::extremes). The
-    /// result is NaN without extremes or without steps.
+    /// A variable rotates in the plane of its value and its rate of change, around the middle of
+    /// their extremes, which a first pass finds by [`extremes`](Self::extremes). The result is NaN
+    /// without extremes or without steps.
     ///
     /// # Panics
     /// If there are more extremes than variables.

@@ -1,7 +1,8 @@
-//! Tangent vectors of a map read at run time.
+//! Tangent vectors of a map.
 //!
-//! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, by a line for a known x̃, or by Kahan's map of the
-//! variational field, which has twice the variables. Both run as machine code where possible.
+//! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, by a straight-line program for known x̃, or by Kahan's
+//! map of the variational field, which has twice the variables. Both run as machine code where
+//! possible.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use kahan_dynamics::Precision;
@@ -20,7 +21,7 @@ impl<T: MachineFloat> MapAt<T> {
         Tangent::new(self.clone(), 1)
     }
 
-    /// Returns whether the line for a known x̃ carries vectors, not the variational field's map.
+    /// Returns whether a straight-line program for known x̃ propagates tangent vectors.
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;
@@ -45,14 +46,14 @@ impl<T: MachineFloat> MapAt<T> {
 impl<T: RuntimeFloat> MapAt<T> {
     /// Returns the map of a point and its derivatives.
     ///
-    /// A state has the entries of x, then a vector for each entry of `by`. Start a vector at 0, or
-    /// for [`By::Start`] at the unit vector of a coordinate. Vectors along composed and compensated
+    /// A state holds x, then a vector for each entry of `by`. Start a vector at 0, or for
+    /// [`By::Start`] at the unit vector of a coordinate. Vectors along composed and compensated
     /// orbits are derivatives of these orbits. With [`By::Epsilon`], 1/ε is a further parameter,
     /// the last one in [columns](Self::advance_columns).
     ///
     /// The entries of x may differ from those of this map in their last bits, since the larger
-    /// field has a plan of its own. For a compiled map, [`Tangent`] carries derivatives by the
-    /// start, and parameters that are [`Dual`](kahan_core::Dual)s carry the others.
+    /// field has its own plan. For a compiled map, use [`Tangent`] for derivatives with respect to
+    /// the start, and parameters of type [`Dual`](kahan_core::Dual) for others.
     ///
     /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
     ///
@@ -117,7 +118,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
     }
 
-    /// Carries one or two vectors by code; `None` without code.
+    /// Propagates one or two vectors by machine code; `None` without code.
     fn carry_side_by_side<P: Grouped<T>>(
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,

@@ -1,4 +1,4 @@
-//! Orbits by code against those of the macro's maps and of the interpreter, in every scheme.
+//! Orbits by machine code against compiled maps and the interpreter, in every scheme.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -25,15 +25,12 @@ fn same(a: &[Dd], b: &[Dd]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a.is_nan() && b.is_nan()) || bits(a) == bits(b))
 }
 
-/// An orbit that is at some point.
 trait Steps {
-    /// So many steps further.
     fn advance(&mut self, steps: u64);
-    /// The coordinates of the point.
     fn point(&self, point: &mut [Dd]);
 }
 
-/// An iterator over points, and the one that it is at.
+/// An iterator over points, with its last point.
 struct At<O, T, const N: usize> {
     orbit: O,
     point: SVector<T, N>,
@@ -47,7 +44,7 @@ where
 {
     fn advance(&mut self, steps: u64) {
         if let Some(further) = steps.checked_sub(1)
-            // Orbits over floats have no end.
+            // Orbits over floats are infinite.
             && let Some(point) = self.orbit.nth(usize::try_from(further).unwrap_or(usize::MAX))
         {
             self.point = point;
@@ -59,7 +56,7 @@ where
     }
 }
 
-/// An orbit of a map that is read at run time, and what its point lacks.
+/// An orbit of a run-time map, with the rounding errors of its point.
 struct Read<T: RuntimeFloat> {
     at: MapAt<T>,
     x: Vec<T>,
@@ -84,7 +81,7 @@ where
     }
 }
 
-/// The orbits of a map in a scheme, by code where there is some, and interpreted.
+/// Returns the orbits of a map in a scheme, by machine code where available, and interpreted.
 fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<dyn Steps>; 2] {
     fn both<T: RuntimeFloat>(at: MapAt<T>, scheme: Scheme, x: Vec<T>) -> [Box<dyn Steps>; 2]
     where
@@ -107,7 +104,7 @@ fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<d
     }
 }
 
-/// The orbit of any map over ℚ in a scheme, at its first point. Coordinates that lack are 0.
+/// Returns the orbit of a compiled map in a scheme; missing coordinates are 0.
 fn of_map<M, const N: usize>(exact: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
@@ -147,7 +144,6 @@ where
     }
 }
 
-/// An orbit after its first point.
 fn at<O, T, const N: usize>(mut orbit: O, point: SVector<T, N>) -> Box<dyn Steps>
 where
     O: Iterator<Item = SVector<T, N>> + 'static,
@@ -158,7 +154,7 @@ where
     Box::new(At { orbit, point })
 }
 
-/// Every scheme from several points and ε, ordinary ones, one beyond those that are divided by, and
+/// Compares all schemes from several points, at ordinary ε, at one too large to divide by, and at
 /// 0.
 fn agree<M, const N: usize>(command: &str, parameters: &[&str], exact: &M)
 where
@@ -211,13 +207,13 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
 }
 
-/// A sum that rounds to the largest float goes beyond it with its lower parts: code sees it, too.
+/// A sum that rounds to the largest float may still overflow through its low parts.
 #[test]
 fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
     let exact = |value: f64| Rational::from_f64(value).expect("finite");
     let half = 2_f64.powi(969);
-    // Half a unit of the largest float, in two parts that it does not show by itself.
+    // Half a unit in the last place of the largest float, in two parts too small for it.
     for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
         let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
         for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
@@ -232,8 +228,7 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     }
 }
 
-/// The end of an orbit in double-double, whose code stops before it, is where single steps come to
-/// it.
+/// Code in double-double stops before the end of an orbit; single steps find the end.
 #[test]
 fn an_orbit_ends_after_its_last_finite_point() {
     let end_of = |text: &str, eps: f64, scheme: Scheme| {
@@ -252,7 +247,7 @@ fn an_orbit_ends_after_its_last_finite_point() {
         let (steps, is_pole) = end_of("xdot = 1000*x;", 1.0 / 2000.0, scheme);
         assert!(steps > 0 && !is_pole, "{scheme}: {steps}");
         if scheme.order() == 2 {
-            // A step of x' = x² goes from x to x/(1 - 2εx): from 1 to 2, and from 2 nowhere.
+            // A step of x' = x² takes x to x/(1 − 2εx): 1 to 2, and 2 to a pole.
             assert_eq!(end_of("xdot = x^2;", 0.25, scheme), (1, true), "{scheme}");
         }
     }
@@ -281,9 +276,9 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// A field of n variables, in which each product of two occurs with the probability `percent`.
-/// The equation of x1 is x1' = x0·x1, so that a zero in x1 remains one. Coefficients are multiples
-/// of `unit`, and p is a parameter or a number.
+/// Returns a field of n variables; each product of two variables occurs with probability `percent`.
+/// The equation x1' = x0·x1 preserves a zero in x1. Coefficients are multiples of `unit`; `p` is a
+/// parameter or a number.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {
@@ -304,8 +299,8 @@ fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) 
     Field::parse(&(0..n).map(component).collect::<String>()).expect("a field")
 }
 
-/// Loops over packed coefficients have the bits of the interpreter: at ordinary ε, where pivots of
-/// the static order are refused, at zeros of both signs, and where numbers leave the range.
+/// Compares loops over packed coefficients with the interpreter: at ordinary ε, with rejected
+/// pivots, at zeros of both signs, and at overflow.
 #[test]
 fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     fn agree<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], steps: u64)
@@ -357,8 +352,8 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// Columns of fields that are eliminated have the bits of orbits, at ε and parameters of their own,
-/// where the guard of their code refuses steps, and where numbers leave the range.
+/// Compares columns of fields with elimination with orbits, at individual ε and parameters, with
+/// rejected steps and overflow.
 #[test]
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
@@ -396,7 +391,7 @@ fn columns_of_eliminated_fields_are_their_orbits() {
     }
 }
 
-/// Logistic growth at side × side sites, each coupled to those beside it.
+/// Logistic growth at side × side sites, each coupled to its neighbours.
 fn lattice(side: usize) -> Field {
     let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
     let equation = |i: usize, j: usize| {
@@ -409,9 +404,8 @@ fn lattice(side: usize) -> Field {
     Field::parse(&equations.collect::<String>()).expect("a field")
 }
 
-/// Steps over floats, which are eliminated by panels of rows and flush, beside those in
-/// double-double, which are eliminated entry by entry: the state is at most 1, and each step adds a
-/// few rounding errors to it.
+/// Compares elimination by panels of rows in floats with elimination by entries in double-double.
+/// The state is at most 1, and each step adds a few rounding errors.
 #[test]
 fn steps_of_large_lattices_are_those_in_double_double() {
     let map = lattice(28).map().expect("no parameters");

@@ -1,8 +1,8 @@
 //! Roots of the reduced denominator d(x, ε′) of a map for ε′ between 0 and ε.
 //!
 //! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root in (0, ε],
-//! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats decide where their
-//! error bound allows it. Exact numbers decide the rest, such as double roots.
+//! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats with an error bound
+//! decide most cases, exact numbers the others, such as double roots.
 
 mod roots;
 
@@ -10,7 +10,7 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// The size below which a factor counts as unknown, anywhere in [−TINY, TINY]. Products of larger
+/// A factor below this size counts as unknown, anywhere in [−TINY, TINY]. Products of larger
 /// factors do not underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
@@ -73,7 +73,7 @@ impl Denominator {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
 
-    /// Decides by floats; `None` where their error bound leaves the answer open.
+    /// Decides in floats; `None` if the error bound permits both answers.
     fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
         let mut coefficients = [0.0; roots::MOST];
         let coefficients = coefficients.get_mut(..=self.degree)?;
@@ -98,7 +98,8 @@ impl Denominator {
             }
         }
         // Rounding errors: at most nine for the factors of a term, one for each term of the sum,
-        // some two hundred for the Bernstein form and its halves. EPSILON is two roundings.
+        // and about two hundred for the Bernstein form and its bisections. EPSILON is two
+        // roundings.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

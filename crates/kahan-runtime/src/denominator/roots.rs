@@ -1,7 +1,7 @@
-//! Whether a polynomial in one variable has a root in (0, 1]; double roots count.
+//! Existence of a root of a univariate polynomial in (0, 1], double roots included.
 //!
-//! In: coefficients, lowest first, the first of them nonzero. Out: yes or no. Floats with an error
-//! bound decide what they can; exact numbers decide everything.
+//! In: coefficients, lowest first, the first one nonzero. Out: yes or no. Floats with an error
+//! bound decide most cases, and a Sturm sequence the others.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
@@ -9,13 +9,14 @@ use kahan_algebra::rational::Rational;
 /// The largest number of coefficients: the degree in ε is at most the number of variables.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// The most halvings of the interval before the answer is left open.
+/// The most bisections of the interval before floats give up.
 const HALVINGS: u32 = 12;
 
-/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of this size leave that open.
+/// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both
+/// answers.
 ///
-/// The first and last Bernstein coefficients are the values at the ends; all values lie between the
-/// least and the greatest Bernstein coefficient.
+/// Bernstein coefficients bound all values on the interval; the first and last are the values at
+/// the ends.
 pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     let mut form = [0.0; MOST];
     let form = form.get_mut(..coefficients.len())?;
@@ -34,7 +35,6 @@ pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     of_form(form, error, HALVINGS)
 }
 
-/// Returns whether a polynomial in Bernstein form has a root in (0, 1].
 fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     let sign = |value: f64| i8::from(value > error) - i8::from(value < -error);
     let first = sign(form[0]);
@@ -45,7 +45,8 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
         return (first != 0).then_some(false);
     }
     let halvings = halvings.checked_sub(1)?;
-    // De Casteljau: the diagonal is the form on the left half; the rest is that on the right half.
+    // De Casteljau's algorithm: the diagonal is the left half's form, and the last row the right
+    // half's.
     let mut left = [0.0; MOST];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {
@@ -145,7 +146,7 @@ mod tests {
         }
     }
 
-    /// For δ > 0, (t − 1/3)² + δ has no root; floats leave that open where δ is small.
+    /// For δ > 0, (t − 1/3)² + δ has no root; small δ is undecidable in floats.
     #[test]
     fn a_near_miss_is_no_root() {
         for (bits, is_open) in [(10, false), (70, true)] {

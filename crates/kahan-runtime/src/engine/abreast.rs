@@ -1,7 +1,7 @@
-//! Compiled steps of a group of orbits, in lanes of registers.
+//! Compiled steps of a group of orbits, one orbit in each SIMD lane.
 //!
-//! In: the coded stages of each orbit. Out: points, with tangent vectors if asked for, some steps
-//! later, with the bits of single orbits.
+//! In: the machine code of each orbit's stages. Out: points, with tangent vectors on request, after
+//! some steps, with the bits of single orbits.
 
 use std::sync::{Arc, OnceLock};
 
@@ -13,20 +13,20 @@ use super::coded::CodedStages;
 use super::floats::MachineFloat;
 use super::{Engine, in_turn};
 
-/// The code of a group's steps, compiled at its first use; `None` inside where that fails.
+/// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type AbreastOnce<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
 /// Code over the columns of a group, with its constants.
 #[derive(Debug)]
 pub(crate) struct Abreast<T> {
     code: Arc<Sweep<T>>,
-    /// Constants by stage, then by register of lanes, then by place.
+    /// Constants, ordered by stage, then by register of lanes, then by index.
     constants: Vec<T>,
     stages: usize,
 }
 
 impl Engine {
-    /// Returns the steps of orbits, if they share code; `workspace` gives memory to constants.
+    /// Returns the steps of orbits that share code; `workspace` is reused for constants.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -41,10 +41,10 @@ impl Engine {
         Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// Returns the steps of orbits with tangent vectors behind each point.
+    /// Returns the steps of orbits with tangent vectors after each point.
     ///
-    /// If `constants` (the parameters and ε of each orbit) are given, the line of
-    /// [`Object::Tangent`](super::Object) carries the vectors, and there is one stage. If they are
+    /// With `constants` (the parameters and ε of each orbit), the straight-line program of
+    /// [`Object::Tangent`](super::Object) propagates the vectors, and there is one stage. With
     /// `None`, the stages are steps of the variational field.
     pub(crate) fn abreast_with_vectors<T: MachineFloat>(
         &self,
@@ -66,7 +66,7 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes integrals behind points, from the parameters and ε of each orbit.
+    /// Returns code that writes integrals after points, given the parameters and ε of each orbit.
     pub(crate) fn integrals_abreast<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],
@@ -79,7 +79,7 @@ impl Engine {
 }
 
 impl<T: MachineFloat> Abreast<T> {
-    /// Gathers constants; `constant` takes a stage, a lane and a place.
+    /// Gathers constants; `constant` maps a stage, a lane and an index to a number.
     fn of(
         code: Arc<Sweep<T>>,
         stages: usize,

@@ -1,7 +1,7 @@
 //! Steps of single states by machine code.
 //!
-//! In: a kind of step, with the parameters and ε of each stage. Out: states some steps later. Where
-//! a guard refuses the result of code, the caller's interpreter repeats the steps.
+//! In: a kind of step, with the parameters and ε of each stage. Out: states after some steps. The
+//! caller's interpreter repeats steps whose guard rejects the result.
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,13 +21,13 @@ use super::scratch::{Scratch, with_scratch};
 
 pub(super) const GUARDED: u64 = 64;
 
-/// Code, compiled at its first use; `None` inside if it cannot be compiled.
+/// Code, compiled at first use; `Some(None)` if it cannot be compiled.
 type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a step as code, with the constants of the distinct ones, the middle one last.
+/// The stages of a step as code, with constants for each distinct stage, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
-    /// The code of plain states, and that of states with rounding errors.
+    /// The code of plain states, then of states with rounding errors.
     codes: [Arc<CodeOnce<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
@@ -40,7 +40,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages if all of `all` have this kind and number.
+    /// Returns the number of distinct stages, if all of `all` share kind and number.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -55,7 +55,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field; `alone` makes steps that the loops refuse.
+    /// Advances columns by the loops of a dense field; `alone` makes the steps that the loops
+    /// reject.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],
@@ -65,8 +66,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Returns the code of `steps` further steps, with rounding errors if `carries`. `None` where
-    /// it cannot be compiled, or where compiling does not pay yet.
+    /// Returns the code for `steps` further steps, with rounding errors if `carries`. `None` if it
+    /// cannot be compiled, or if compiling does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         if once.get().is_none() && !engine.codes.pay_after(steps, engine) {
@@ -81,7 +82,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 
     /// Advances a state by `steps` steps of `code`. A nonempty `carry` holds the rounding errors of
-    /// the state, and is advanced too. `interpret` repeats refused steps.
+    /// the state, which are updated. `interpret` repeats rejected steps.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -100,9 +101,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         }
     }
 
-    /// Replaces a state by the next one at another ε, without allocating once the thread's scratch
-    /// has grown. Returns `false`, with nothing changed, where the code is not compiled, has a
-    /// guard, or has another form than the step at this ε.
+    /// Replaces a state by the next one at another ε, without allocation. Returns `false`, with
+    /// nothing changed, if the code is not compiled, has a guard, or does not apply at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,
@@ -142,7 +142,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The loops of dense fields borrow the thread's scratch too.
+        // Take the scratch, since the loops of dense fields borrow it too.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));

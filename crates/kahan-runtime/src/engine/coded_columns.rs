@@ -1,8 +1,8 @@
 //! Many trajectories by machine code, in tiles of whole registers.
 //!
-//! In: columns, with ε and parameters. Out: the columns some steps later. A tile stays in the
-//! nearest cache while all of its steps run. The last register of trajectories is filled up with
-//! copies. The operations of a trajectory do not depend on the division into tiles.
+//! In: columns, with ε and parameters. Out: the columns after some steps. All steps of a tile run
+//! while it is in the L1 cache. Copies pad the last register. The operations on a trajectory do not
+//! depend on the tiles.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -20,12 +20,12 @@ const TILE: usize = 512;
 /// Bytes in a cache line; a load across two lines takes two accesses.
 const LINE: usize = 64;
 const PAGE: usize = 4096;
-/// The number of steps from which copying a tile to aligned memory pays.
+/// From this number of steps on, copying a tile to aligned memory pays.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
-    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` where
-    /// there is no code. `set` chooses the instructions; `None` means the processor's largest set.
+    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` without
+    /// code. `set` chooses the instructions; `None` means the processor's largest set.
     pub(crate) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -149,8 +149,9 @@ fn run_in_lines<T: MachineFloat>(
 ) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
-    // Addresses with equal offsets in a page seem equal to a processor at first: a load would wait
-    // for a store to the other. Columns therefore begin at offsets spread over a page.
+    // Addresses with equal offsets in a page look equal to the processor's store buffer: a load
+    // would wait for an unrelated store (4K aliasing). So columns begin at offsets spread over a
+    // page.
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;
@@ -177,7 +178,7 @@ struct Prepared<'a, T> {
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Prepares the constants of registers of trajectories from `first` on.
+    /// Prepares the constants of registers of trajectories, starting with trajectory `first`.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

@@ -1,8 +1,8 @@
-//! Many trajectories side by side, one column for each variable.
+//! Many trajectories, one column for each variable.
 //!
 //! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
-//! some steps later. Trajectories share registers, one lane each; a step that eliminates compares
-//! numbers, and advances one trajectory after the other.
+//! after some steps. Each SIMD lane holds one trajectory. A step that eliminates branches on
+//! pivots, and advances one trajectory after the other.
 
 use core::ops::Range;
 
@@ -22,9 +22,7 @@ use super::{Engine, distinct, in_turn};
 pub(crate) struct Columns<'a, 'b, T> {
     /// Column c: variable c of all trajectories.
     pub(crate) columns: &'a mut [&'b mut [T]],
-    /// One value, or one for each trajectory.
     pub(crate) eps: &'a [T],
-    /// For each parameter one value, or one for each trajectory.
     pub(crate) parameters: &'a [&'a [T]],
 }
 
@@ -48,7 +46,6 @@ impl<T> Columns<'_, '_, T> {
     }
 }
 
-/// Returns the values of these trajectories, or the shared value.
 pub(crate) fn given<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a [T] {
     if values.len() > 1 { &values[trajectories.clone()] } else { values }
 }
@@ -87,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns the kind of step of single orbits; `None` where they need different forms.
+    /// Returns the kind of step of single orbits; `None` if they differ.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,
@@ -101,7 +98,7 @@ impl Engine {
         self.kind_at(kind, eps.iter().flat_map(each))
     }
 
-    /// Returns the kind of step at these ε; `None` where they need different forms.
+    /// Returns the kind of step at these ε; `None` if they differ.
     pub(super) fn kind_at<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -114,7 +111,7 @@ impl Engine {
     }
 }
 
-/// Advances the trajectories in groups of `V::WIDTH`; copies of the last one fill the last group.
+/// Advances the trajectories in groups of `V::WIDTH`; copies of the last one pad the last group.
 pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),
     local: Local<V>,

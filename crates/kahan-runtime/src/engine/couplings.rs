@@ -1,7 +1,8 @@
-//! The elimination of `kahan-core` for fields of many variables, over slices.
+//! Sparse elimination for fields of many variables, over slices.
 //!
-//! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) along the couplings, and
-//! solutions. Where a pivot is too small, another elimination chooses pivots among sparse rows.
+//! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) in `kahan-core`'s
+//! elimination order, and solutions. If a pivot is too small, a second elimination chooses pivots
+//! among sparse rows.
 
 use std::sync::OnceLock;
 
@@ -12,7 +13,8 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The entries of A(x,ε) from which panels of rows are eliminated; compiled code has fewer.
+/// The number of entries of A(x,ε) from which rows are eliminated in panels; compiled code has
+/// fewer.
 const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
@@ -71,7 +73,7 @@ impl Tables {
         couplings
     }
 
-    /// Factors A(x,ε) from the entries of f′; returns `false` where a pivot is too small.
+    /// Factors A(x,ε) from the entries of f′; returns `false` if a pivot is too small.
     pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
         let couplings = self.filled(slopes, eps, factors);
         couplings.factor(&mut factors.values, &mut factors.row)
@@ -81,9 +83,9 @@ impl Tables {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether the matrix is sparse and large: entries of A that are negligible in their
-    /// row count as 0, and pivots are chosen among sparse rows. No generated code has as many
-    /// variables; entries of dense fields do not decay.
+    /// Returns whether the matrix is large and sparse: entries that are negligible in their row
+    /// count as 0, and pivots are chosen among sparse rows. Generated code never has that many
+    /// variables.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -103,13 +105,13 @@ impl Tables {
         supernodes.factor(&couplings, self.are_sparse(), &mut factors.values, &mut factors.panels)
     }
 
-    /// Factors A(x,ε) without a test of its pivots. Returns a number larger than [`LARGEST_FACTOR`]
-    /// where [`factor`](Self::factor) refuses a pivot; `None` where nothing is eliminated.
+    /// Factors A(x,ε) without testing pivots. Returns a number larger than [`LARGEST_FACTOR`] if
+    /// [`factor`](Self::factor) rejects a pivot; `None` if nothing is eliminated.
     ///
-    /// Each pivot has two numbers: its largest factor, and the largest quotient of an entry of its
-    /// row by the pivot. The result is the maximum over the pivots of the smaller number. A pivot
-    /// of 0 leads to a solution that is not finite. `size` gives a magnitude; `larger` and
-    /// `smaller` choose one of two.
+    /// For each pivot, take the smaller of its largest factor and the largest quotient of an entry
+    /// of its row by the pivot. The result is the maximum over the pivots. A zero pivot gives a
+    /// solution that is not finite. `size` returns a magnitude; `larger` and `smaller` choose one
+    /// of two.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -142,7 +144,7 @@ impl Tables {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces a column of b, a matrix with `width` columns by rows, by A⁻¹b.
+    /// Replaces a column of b, a row-major matrix with `width` columns, by A⁻¹b.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,
@@ -157,7 +159,7 @@ impl Tables {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Lets `solve` replace a column of b, brought into the order of elimination.
+    /// Permutes a column of b into the elimination order, and applies `solve` to it.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,
@@ -180,8 +182,8 @@ impl Tables {
         self.couplings().pairs().collect()
     }
 
-    /// Replaces b by A⁻¹b, or by A⁻ᵀb if `is_transposed`. Columns are eliminated in the usual
-    /// order, with a pivot chosen for each. Returns whether A is singular.
+    /// Replaces b by A⁻¹b, or by A⁻ᵀb if `is_transposed`, with partial pivoting. Returns whether A
+    /// is singular.
     pub(super) fn solve_by_pivoting<V: Scalar + Copy>(
         &self,
         slopes: &[V],

@@ -1,4 +1,4 @@
-//! The floats of maps read at run time, and the words by which machine code computes them.
+//! The float types of run-time maps, and the machine floats that represent them.
 
 use core::cell::Cell;
 
@@ -14,11 +14,11 @@ use super::{Engine, Object};
 
 /// A float of states: `f32`, `f64`, or [`Dd`].
 pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Send + Sync {
-    /// The precision of states that hold all digits of the float.
+    /// The precision of the state.
     #[doc(hidden)]
     const PRECISION: Precision;
 
-    /// The float by which machine code computes this one.
+    /// The machine float of compiled code: `f64` for `Dd`, else the type itself.
     #[doc(hidden)]
     type Word: MachineFloat;
 
@@ -28,11 +28,11 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn from_words(words: &[Self::Word]) -> Self;
 
-    /// Returns the numbers as words without a copy, if each is one word.
+    /// Reinterprets the numbers as machine floats without a copy, unless a number has two of them.
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates an object by code; returns `false` where the object has no code.
+    /// Evaluates an object by code; returns `false` if the object has no code.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -44,7 +44,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) by [`Tables::factor`], or in lanes.
+    /// Factors A(x,ε) by [`Tables::factor`], or by an equivalent in SIMD lanes.
     #[doc(hidden)]
     fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
@@ -63,7 +63,7 @@ type EightLanes<T> = Twice<Twice<Twice<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// Several states side by side as one scalar; each instruction is decoded once for all.
+    /// Several states as one scalar, so that each instruction is decoded once for all.
     #[doc(hidden)]
     type Abreast: Lanes<Self>;
 
@@ -71,7 +71,7 @@ pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &CodesOf<Self>;
 
-    /// Returns the scratch for several states side by side.
+    /// Returns the scratch for several states.
     #[doc(hidden)]
     fn lanes() -> Local<Self::Abreast>;
 }

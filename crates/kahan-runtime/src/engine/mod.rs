@@ -1,7 +1,7 @@
-//! Evaluation of every object of a field at a state, by the field's plans.
+//! Evaluation of the objects of a field at a state, by the field's plans.
 //!
 //! In: plans, and slices whose lengths the callers have checked. Out: numbers with the bits of
-//! generated code. Each plan is prepared at its first use, and kept for all maps of the field.
+//! generated code. Each plan is prepared at first use, and shared by all maps of the field.
 
 mod abreast;
 mod coded;
@@ -70,19 +70,19 @@ pub enum Object {
     Bilinear,
     /// Q(x,y) + ½B(x+y) + c
     Polarized,
-    /// det A(x,ε), within the budget of terms.
+    /// det A(x,ε), if it has few enough terms.
     DetMatrix,
-    /// The numerators, then the denominator of x̃, within the budget of terms.
+    /// The numerators and the denominator of x̃, if they have few enough terms.
     RationalMap,
     /// Numerators and denominator of x̃ without a common factor that depends on states.
     ReducedMap,
-    /// (∂x̃/∂x)·v for a known x̃. The state is x, v, x̃, and n further numbers that are not read.
+    /// (∂x̃/∂x)·v for known x̃. The state is x, v, x̃, and n further numbers that are not read.
     Tangent,
 }
 
 impl Object {
-    /// Returns the index among the objects of a field (brackets are last) and the plan. The plan is
-    /// `None` where the field lacks the object, and for objects computed from others.
+    /// Returns the object's index within a field (brackets are last) and its plan. The plan is
+    /// `None` for a missing object, and for objects computed from others.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
             Object::Field => (0, Some(derived.at_eps_zero().field())),
@@ -111,7 +111,7 @@ pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
     lines: Vec<OnceLock<Option<Line>>>,
-    /// A line for each integral, in which a division by zero has no value.
+    /// A straight-line program for each integral; a division by zero yields no value.
     single_integrals: OnceLock<Vec<Line>>,
     sensitivities: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
     coefficients: OnceLock<Option<Line>>,
@@ -127,7 +127,7 @@ pub(crate) struct Stage<T> {
     given: Vec<T>,
 }
 
-/// Returns γ₁, …, γₘ of a palindromic composition up to its middle.
+/// Iterates over γ₁, …, γₘ of a palindromic composition up to its middle.
 fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
     composition.coefficients().take(composition.stages() / 2 + 1)
 }
@@ -183,7 +183,7 @@ impl Engine {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// Returns the line of an object; `None` if missing in the field, or computed from others.
+    /// Returns the straight-line program of an object; `None` if missing, or computed from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
@@ -273,7 +273,7 @@ impl Engine {
     }
 
     /// Evaluates an object at a state; `constants` are the parameters and ε. Results beyond the
-    /// length of `out` are dropped; an object that the field lacks leaves `out` unchanged.
+    /// length of `out` are dropped; a missing object leaves `out` unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,
@@ -298,8 +298,8 @@ impl Engine {
         }
     }
 
-    /// Writes ∂x̃/∂x of a step, row by row, from its parameters and ε. A straight line runs over
-    /// dual numbers; otherwise ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).
+    /// Writes ∂x̃/∂x of a step, row by row, from its parameters and ε: by dual numbers through a
+    /// straight-line step, or as A(x,ε)⁻¹·A(x̃,−ε).
     fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();
@@ -350,15 +350,14 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
-/// Returns the constants of integrals: the parameters and ε. Compositions preserve no stage's
-/// integrals exactly, but nearly preserve those of the flow, at ε = 0.
+/// Returns the constants of integrals: the parameters and ε. For compositions ε is 0, since they
+/// nearly preserve the integrals of the flow, but not those of a single stage.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };
     parameters.iter().copied().chain([eps]).collect()
 }
 
-/// Returns for each distinct stage the parameters and the stage's ε.
 pub(crate) fn stage_constants<T: RuntimeFloat>(
     kind: StepKind,
     constants: &[T],

@@ -1,7 +1,7 @@
 //! The workspace of each thread, reused from step to step.
 //!
-//! In: work as a closure. Out: its result. Vectors keep their capacity, so that steps allocate
-//! nothing after a thread's first one.
+//! In: work as a closure. Out: its result. Vectors keep their capacity, so that steps do not
+//! allocate after a thread's first one.
 
 use core::cell::Cell;
 use std::thread::LocalKey;
@@ -18,10 +18,10 @@ pub struct Scratch<V> {
     pub(super) constants: Vec<V>,
     /// The registers of a step that do not depend on the state.
     pub(crate) given: Vec<V>,
-    /// The state, where it is not the caller's.
+    /// A copy of the caller's state.
     pub(super) state: Vec<V>,
     pub(super) stages: Vec<Vec<V>>,
-    /// Columns before steps that a guard may refuse, followed by the guard.
+    /// Copies of columns before steps that a guard may reject, followed by the guard.
     pub(super) guarded: Vec<V>,
     pub(super) dense: dense::Workspace<V>,
 }
@@ -31,10 +31,8 @@ pub struct Scratch<V> {
 pub(crate) struct Workspace<V> {
     pub(super) outcome: Vec<V>,
     pub(super) matrix: Vec<V>,
-    /// The entries of f′ in many variables.
     pub(super) slopes: Vec<V>,
     pub(super) factors: Factors<V>,
-    /// Whether A(x,ε) was singular in the last step.
     pub(super) is_singular: bool,
 }
 
@@ -55,12 +53,12 @@ impl<V> Default for Scratch<V> {
     }
 }
 
-/// The scratch of a thread; `None` while it is lent, and before its first use.
+/// The scratch of a thread; `None` while in use, and before first use.
 pub(super) type Kept<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type Local<V> = &'static LocalKey<Kept<V>>;
 
-/// Runs `work` with the scratch of this thread; in a thread that is ending, with a new one.
+/// Runs `work` with this thread's scratch, or with a new one while the thread is ending.
 pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
     let mut scratch = local.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let result = work(&mut scratch);

@@ -1,7 +1,7 @@
-//! The step of a field at any ε, by a straight line or by elimination.
+//! The step of a field at any ε, by a straight-line program or by elimination.
 //!
-//! In: a state, and registers opened with the constants of the step. Out: the next state. Whether
-//! compiled code does this work is decided elsewhere.
+//! In: a state, and registers that begin with the constants of the step. Out: the next state.
+//! Machine code is deliberately absent.
 
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::StepPlan;
@@ -20,7 +20,7 @@ use super::scratch::Workspace;
 #[derive(Debug)]
 pub(crate) struct Steps {
     first: Step,
-    /// The form for lanes, and for numbers or an ε that the division by ε in `first` excludes.
+    /// A second formula of the step, for numbers or an ε at which `first` would divide by ε badly.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -41,8 +41,8 @@ impl Steps {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code rounds the increments of a form over V before adding them.
-    /// The general form does, in scalars that rarely take it.
+    /// Returns whether generated code over V rounds increments before adding them, as the general
+    /// formula does in scalars that rarely use it.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -58,13 +58,13 @@ impl Steps {
 
 #[derive(Debug)]
 pub(crate) struct Step {
-    /// The line of a straight-line step's constants; `None` where the step eliminates.
+    /// The program that prepares constants; `None` for a step that eliminates.
     prepared: Option<Line>,
-    /// The lines that read the state: the kernel, or else the entries of f′ and the field.
+    /// The programs that read the state: the step's kernel, or for elimination f′ and the field.
     lines: Vec<Line>,
     couplings: Option<Tables>,
-    /// For each component the indices of its numerator and its reciprocal in the outcome.
-    /// Elimination gives increments, without reciprocals.
+    /// For each component the indices of numerator and reciprocal of the increment among the
+    /// results. Elimination yields increments, without reciprocals.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -101,12 +101,12 @@ impl Step {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
-    /// Returns whether several states can be stepped side by side: elimination compares numbers.
+    /// Returns whether states can be stepped in lanes: elimination cannot, as it compares numbers.
     pub(crate) fn has_lanes(&self) -> bool {
         self.prepared.is_some()
     }
 
-    /// Appends everything that is independent of the state to `given`, from the parameters and ε.
+    /// Appends the numbers that depend only on parameters and ε to `given`.
     pub(crate) fn prepare<V: Scalar + Copy>(
         &self,
         constants: &[V],
@@ -134,11 +134,11 @@ impl Step {
 
     /// Advances a state by one step.
     ///
-    /// A nonempty `carry` holds the rounding errors of the state; it is advanced as in
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). The function
-    /// `single` rounds numbers of states that have single precision but are computed in double. A
-    /// step that eliminates factors A(x,ε) by `factor`: [`Tables::factor`] except when tracing a
-    /// program. If `factor` returns `false`, partial pivoting takes over.
+    /// A nonempty `carry` holds the rounding errors of the state, updated as in
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
+    /// states of single precision that are computed in double. `factor` factors A(x,ε) in a step
+    /// that eliminates: [`Tables::factor`] except when tracing a program. If `factor` returns
+    /// `false`, partial pivoting takes over.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -167,20 +167,20 @@ impl Step {
         Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
-    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings; returns `false` where that fails.
+    /// Replaces B (row-major) by A(x,ε)⁻¹B with sparse elimination; returns `false` if that fails.
     pub(super) fn solves_columns<T: RuntimeFloat>(&self, constants: &[T], state: &[T], b: &mut [T]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
     }
 
-    /// Returns whether det A(x,ε) < 0; `None` without couplings, or where a pivot is too small.
+    /// Returns whether det A(x,ε) < 0; `None` without sparse elimination, or for a small pivot.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
     }
 
-    /// Factors A(x,ε) along the couplings; `None` without couplings, or where a pivot is too small.
+    /// Factors A(x,ε) by sparse elimination; `None` for a dense field, or for a small pivot.
     fn factors<T: RuntimeFloat>(&self, constants: &[T], state: &[T]) -> Option<(&Tables, Factors<T>)> {
         let (slopes, tables) = self.couplings()?;
         let entries: Vec<T> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
@@ -219,7 +219,7 @@ impl Step {
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
         if !tables.are_sparse() {
-            // Reserves memory for partial pivoting, since later steps must not allocate.
+            // Reserves memory for partial pivoting now, since later steps must not allocate.
             matrix.reserve(state.len() * state.len());
         }
         entries.clear();
@@ -264,7 +264,7 @@ fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
     }
 }
 
-/// Adds an increment to x, with the rounding error of x in `carry`.
+/// Adds an increment to x, with compensated summation.
 #[inline(always)]
 fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: &mut V) {
     let base = *x + *carry;
@@ -278,7 +278,7 @@ fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: 
     (*x, *carry) = (next, rest + lacks);
 }
 
-/// Adds an increment, computed in double, to a single-precision x; `carry` gets the rounding error.
+/// Adds an increment in double precision to x in single; `carry` receives the rounding error.
 #[inline(always)]
 fn add_through_double<V: Scalar + Copy>(
     quotient: (V, Option<V>),

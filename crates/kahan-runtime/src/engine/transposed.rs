@@ -10,7 +10,7 @@ use super::floats::RuntimeFloat;
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
-    /// `None` for fields whose step does not eliminate along couplings.
+    /// `None` for fields without sparse elimination.
     tables: Option<&'a Tables>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,
@@ -34,13 +34,13 @@ impl<T: RuntimeFloat> Transposed<'_, T> {
         &self.entries
     }
 
-    /// Returns a function from i and j to the index of ∂fᵢ/∂xⱼ among the entries.
+    /// Returns a function from (i, j) to the index of ∂fᵢ/∂xⱼ among the entries.
     pub(crate) fn places(&self) -> impl Fn(usize, usize) -> usize + use<T> {
         let places: HashMap<_, _> = self.entries.iter().copied().zip(0..).collect();
         move |i, j| places[&(i, j)]
     }
 
-    /// Replaces b by A⁻ᵀb, where A = I − εf′. For singular A, b has entries that are not finite.
+    /// Replaces b by A⁻ᵀb, A = I − εf′. For singular A, b is not finite.
     pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
         let n = self.variables;
         if let Some(tables) = self.tables {

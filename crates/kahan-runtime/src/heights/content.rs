@@ -1,11 +1,10 @@
-//! The content of a step, the greatest common divisor of X̃₁ … X̃_n and W̃, and its removal.
+//! The common factor of a step's result, its content gcd(X̃₁, …, X̃_n, W̃), and its removal.
 //!
-//! Steps of integrable maps have a large content: two thirds of the digits of dE4. A gcd of such
-//! long numbers costs more than the rest of the step, so that [`Content`] predicts the content from
-//! earlier steps. Exact divisions check each prediction; what is left is found by
-//! [`common_factors`](super::reduction::common_factors), on numbers that are shorter by then. Steps
-//! of other maps have almost no content: the search stops after [`PATIENCE`] negligible finds in a
-//! row, and resumes when the common factors that heights need amount to one per cent of the digits.
+//! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of numbers
+//! that long costs more than the step itself, so [`Content`] predicts it from earlier steps. Exact
+//! divisions check each prediction; [`common_factors`](super::reduction::common_factors) finds the
+//! common factors that remain. For other maps, the search stops after [`PATIENCE`] negligible
+//! contents in a row. It resumes when gcds computed for heights reach one per cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -16,11 +15,11 @@ use super::integers::{bits, greatest_common_divisor, short_gcd};
 use super::map::Image;
 use super::reduction::in_halves;
 
-/// A content of less than 1/NEGLIGIBLE of the digits is negligible.
+/// A content with less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
-/// The number of negligible finds in a row that ends the search.
+/// The number of negligible contents in a row that ends the search.
 const PATIENCE: u32 = 3;
-/// The number of bits from which a gcd costs clearly more than the division of a prediction.
+/// From this number of bits on, a gcd costs clearly more than the division that tests a prediction.
 const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;
@@ -28,35 +27,35 @@ const LAGS: usize = 4;
 #[derive(Clone, Debug)]
 pub(crate) struct Primitive {
     pub(crate) point: Vec<IBig>,
-    /// Factors of W, or none if they are unknown.
     pub(crate) weight_parts: Vec<IBig>,
 }
 
 /// The predictor of contents along an orbit.
 ///
-/// Let γ be the factor of the step back: F₋(X) = γX₋ for the inverse map F₋ and the point before,
-/// X₋. A prime divides a content where the orbit modulo that prime meets a base point of the map,
-/// after a contraction a few steps earlier (singularity confinement). In between, the orbit met a
-/// base point of the inverse map, so that the prime divides an earlier γ, always at one lag. For
-/// dE4 the content of a step from X_n is γ_{n−1} up to a few digits.
+/// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋ and the previous
+/// point X₋. A prime divides a content where the orbit modulo that prime meets a base point of the
+/// map, after a contraction a few steps earlier (singularity confinement). In between, the orbit
+/// met a base point of the inverse map, so that the prime divides an earlier γ, always at one lag.
+/// For dE4 the content of a step from X_n is γ_{n−1} up to a few digits.
 ///
-/// The lag is learnt while numbers are short. Later gcd(γ, W̃) is tried first: γ costs one
-/// division, and the gcd is fast where γ is little more than the content.
+/// The lag is learnt while numbers are short; later, gcd(γ, W̃) is tried first. γ costs one
+/// division, and the gcd is fast if γ is little longer than the content.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Content {
     misses: u32,
-    /// γ of the latest points, the latest first.
+    /// γ of the latest points, most recent first.
     behind: VecDeque<UBig>,
-    /// The lag that predicts, once known.
+    /// The lag of the prediction, once known.
     lag: Option<usize>,
-    /// Long steps still to pass without prediction, and their number after the next failure.
+    /// The number of long steps to make without prediction, now and after the next failure.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
 }
 
 impl Content {
-    /// Divides out what is predicted or found; the caller reports the rest to [`left`](Self::left).
+    /// Divides out the predicted or computed content. The caller reports the common factor that
+    /// remains to [`left`](Self::left).
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -95,7 +94,7 @@ impl Content {
         }
     }
 
-    /// Learns the lag whose γ shares more than half of a content of some size.
+    /// Learns the lag at which γ has more than half of the content's digits in common with it.
     fn learn(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));
@@ -121,8 +120,8 @@ impl Content {
     }
 }
 
-/// Returns γ, the last coordinate of the step back divided by the W of the point before. `None` if
-/// a remainder is left, because the point before had a content of its own.
+/// Returns γ, the last coordinate of the inverse step divided by the previous W. `None` if the
+/// division is not exact, because the previous point had a content of its own.
 fn factor_behind((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -136,7 +135,8 @@ pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// Returns the point divided by gcd(γ, W̃); `None` where the divisor is less than a quarter of γ.
+/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has less than a quarter of γ's
+/// digits.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
         return None;
@@ -151,7 +151,8 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients by a common divisor, or a remainder; long divisions use two threads.
+/// Returns the quotients by a common divisor, or a nonzero remainder; long divisions use two
+/// threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

@@ -2,9 +2,9 @@
 
 use dashu_int::IBig;
 
-/// Solves M x = r for the n×(n+1) rows of (M | r). Returns X₁ … X_n and W with xᵢ = Xᵢ/W and
-/// W = ± det M, or zeros where det M = 0. All intermediate numbers are minors of the rows, with at
-/// most n times the digits of an entry.
+/// Solves M x = r for the n×(n+1) rows of (M | r). Returns X₁ … X_n and W with xᵢ = Xᵢ/W and W = ±
+/// det M, or zeros if det M = 0. All intermediate numbers are minors of the rows, with at most n
+/// times the digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;
@@ -25,7 +25,7 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
                 }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
-            // Above the diagonal, the entries in earlier columns become this pivot.
+            // Above the diagonal, entries in earlier columns become this pivot.
             if i < k {
                 row[i] = pivot.clone();
             }

@@ -50,7 +50,8 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
-    /// Chooses between a line in n and a line in log n if one fits clearly better.
+    /// Compares least-squares lines in n and in log n, and chooses the one that fits clearly
+    /// better.
     fn of_lines(heights: &[f64]) -> Self {
         let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, f64::ln));
         if 2.0 * linear <= logarithmic {

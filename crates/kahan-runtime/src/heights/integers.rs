@@ -8,7 +8,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
-/// The arithmetic of ℤ. Constants that are not integers, and quotients, have no value.
+/// The arithmetic of ℤ; non-integer constants and quotients have no value.
 #[derive(Clone, Copy, Debug)]
 struct Integers;
 
@@ -28,7 +28,7 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// Squares if both operands are one number, at two thirds of the cost of a product.
+    /// Squares equal operands, at two thirds of the cost of a product.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }
@@ -78,8 +78,8 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
     })
 }
 
-/// Returns the greatest common divisor, 0 if all values are 0. Begins with the smallest two values:
-/// residues of the others are no larger than their divisor.
+/// Returns the greatest common divisor, 0 if all values are 0. Starts with the two smallest values,
+/// since the other values can then be reduced modulo their gcd.
 pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
     let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
     values.sort_by_key(|value| bits(value));
@@ -94,7 +94,7 @@ pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a I
     common
 }
 
-/// Returns gcd(a, b) for a ≠ 0, after one division if b is longer.
+/// Returns gcd(a, b) for a ≠ 0, after a division if b is longer.
 pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
     if a.is_one() {
         return UBig::ONE;

@@ -1,8 +1,8 @@
-//! Logarithms of big integers, accurate to the last digits of a double.
+//! Logarithms of big integers, accurate to the last digits of `f64`.
 //!
-//! log m = b·log 2 + log(m/2ᵇ) for the number of bits b, with m/2ᵇ from the top 128 bits. For
-//! m < 2⁵³ the logarithm of the double is taken, so that log 1 = 0. Otherwise
-//! b ≥ 54, and the second term, between −log 2 and 0, cancels almost nothing of the first.
+//! log m = b·log 2 + log(m/2ᵇ) for the number of bits b, with m/2ᵇ from the top 128 bits. For m <
+//! 2⁵³ the logarithm of m as `f64` is taken, so that log 1 = 0. Otherwise b ≥ 54, and the second
+//! term, in [−log 2, 0], cancels almost nothing of the first.
 
 use std::f64::consts::{LN_2, LN_10};
 
@@ -34,7 +34,7 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
 /// Returns the number of decimal digits of m > 0, from the logarithm of m.
 pub(crate) fn decimal_digits(m: &UBig, logarithm: f64) -> u64 {
     let digits = logarithm / LN_10;
-    // If the logarithm is so near to an integer that rounding matters, the power of ten decides.
+    // Near an integer, rounding could decide; compare with the power of ten instead.
     let nearest = digits.round();
     if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
         return digits.floor() as u64 + 1;

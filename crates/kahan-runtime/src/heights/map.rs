@@ -1,9 +1,9 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W) for the point xᵢ = σXᵢ/W.
 //!
-//! In: a system, values of its parameters, and ε. Out: a step without fractions. A map that was
-//! reduced is homogenised with W and cleared of denominators once. Beyond the budget of terms,
-//! fraction-free elimination solves A x̃ = b over ℤ. For a homogeneous field the symmetry
-//! (x, ε) ↦ (λx, ε/λ) scales ε out with σ = 1/ε, so that no power of ε enters the numbers.
+//! In: a system, values of its parameters, and ε. Out: steps without fractions. The reduced map is
+//! homogenised with W and cleared of denominators once. If it has too many terms, fraction-free
+//! elimination solves A x̃ = b over ℤ. For a homogeneous field the symmetry (x, ε) ↦ (λx, ε/λ)
+//! scales ε out with σ = 1/ε, so that no power of ε enters the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -40,21 +40,20 @@ enum Formula {
     Elimination(Plan),
 }
 
-/// The result of a step before its content is divided out.
+/// The result of a step before division by its content.
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
-    /// Factors of W̃; none if they are unknown.
     pub(crate) weight_parts: Vec<IBig>,
-    /// The last coordinate of the inverse map at the stepped point, where the map is reduced.
+    /// The last coordinate of the inverse map at the new point, for a reduced map.
     pub(crate) weight_behind: Option<IBig>,
 }
 
 impl ProjectiveMap {
     /// Prepares the map of `system` at these parameters, in their order, and ε, half the time step.
     ///
-    /// The values are substituted *after* the reduction over ℚ(ε, parameters), as everywhere: a
-    /// factor that is common only at these values stays.
+    /// The values are substituted *after* the reduction over ℚ(ε, parameters): a factor that
+    /// becomes common only at these values remains.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
@@ -118,8 +117,8 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out at most part of the content; `factors` are the gcd(Xᵢ, W).
-    /// Cost: a few products of numbers as long as the coordinates.
+    /// Makes one step, and divides out a common factor; `factors` are the gcd(Xᵢ, W). Cost: a few
+    /// products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {

@@ -32,7 +32,7 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point; then its gcd(Xᵢ, W), and the point before.
+    /// The current point; then its gcd(Xᵢ, W), and the previous point.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
@@ -43,7 +43,7 @@ pub struct HeightsOrbit {
     bits: Bits,
 }
 
-/// The bits of the point before and of the current one; 0 before there are two points.
+/// The bits of the previous and the current point; 0 before the second point.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bits {
     before: usize,
@@ -95,7 +95,7 @@ impl HeightsOrbit {
         HeightsOrbit { max_digits: Some(max_digits), ..self }
     }
 
-    /// Returns why the orbit ended; `None` while it continues.
+    /// Returns the reason why the orbit ended; `None` while it continues.
     #[must_use]
     pub fn stopped(&self) -> Option<Stop> {
         self.stopped
@@ -107,8 +107,8 @@ impl HeightsOrbit {
         &self.map
     }
 
-    /// Returns the point whose heights were yielded last (at first x₀), in lowest terms. Cost: a
-    /// gcd and two divisions for each component, and a conversion to the integers of [`Rational`].
+    /// Returns the point of the last yielded heights (at first x₀), in lowest terms. Cost: for each
+    /// component a gcd, two divisions, and a conversion to [`Rational`].
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.map.coordinates(&self.point)
@@ -153,7 +153,7 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next step, growing like the last, would exceed the bound on digits.
+    /// Returns an error if the next step, with the last growth of digits, would exceed the bound.
     pub(super) fn foresee(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -162,7 +162,8 @@ impl HeightsOrbit {
         }
     }
 
-    /// Estimates the time of the next step relative to the last, as the squared growth of digits.
+    /// Estimates the duration of the next step relative to the last, as the squared growth of
+    /// digits.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)
     }
@@ -200,7 +201,7 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     Heights { step, logarithms, digits }
 }
 
-/// Returns the common divisor of the gcd(Xᵢ, W), beginning with the shortest.
+/// Returns the gcd of all gcd(Xᵢ, W), starting with the shortest.
 fn common_of(factors: &[UBig]) -> UBig {
     let mut factors: Vec<&UBig> = factors.iter().collect();
     factors.sort_by_key(|factor| factor.bit_len());

@@ -1,10 +1,10 @@
-//! The common factors gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
+//! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
 //!
-//! The factors are seldom large, and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P =
+//! These gcds are seldom large, and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P =
 //! gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P divides W. A coordinate that shares much
-//! of W would make P as long as W, and is left out of the product; the gcd with it is fast, since
-//! the quotients are short. A coordinate that does so at one step does so at every step. Long
-//! numbers are divided between two threads.
+//! of W would make P as long as W, and is left out of the product; its own gcd is fast, since the
+//! quotients are short. A coordinate that shares much at one step does so at every step. Long lists
+//! are divided between two threads.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -12,9 +12,9 @@ use dashu_int::{IBig, UBig};
 use super::integers::{bits, short_gcd};
 use crate::threads;
 
-/// The bits of W from which the gcds of several coordinates are worth a thread.
+/// From this number of bits of W on, gcds of several coordinates use two threads.
 const LONG: usize = 1 << 16;
-/// The number of bits of W from which long factors are guessed.
+/// From this number of bits of W on, large gcds are predicted.
 const WORTH_GUESSING: usize = 1 << 10;
 
 /// A factor with at least 1/MUCH of the digits of W shares much of W.
@@ -22,9 +22,9 @@ const MUCH: usize = 8;
 
 /// Returns gcd(Xᵢ, W) for each i, for W ≠ 0.
 ///
-/// `parts` are factors of W with product W, or none. `before` are the gcds of the last point, or
-/// none; from them it is guessed which gcds are long. Cost: one long gcd where all results are
-/// short, several shorter ones if there are parts, and a further one for each long result.
+/// `parts` are factors of W with product W, or empty. `before` are the gcds of the previous point,
+/// or empty; they predict the large gcds. Cost: one long gcd if all results are short, several
+/// shorter ones with `parts`, and another one for each long result.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {
@@ -36,7 +36,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     }
     let is_long = weight.bit_len() >= LONG && threads::available() > 1;
     if parts.len() > 1 && is_long {
-        // ∏ gcd(B, ∏Xᵢ) over the parts B divides W, and gcd(Xᵢ, W) divides the product.
+        // ∏ gcd(B, ∏Xᵢ) over the factors B divides W, and gcd(Xᵢ, W) divides the product.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
         let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());
@@ -48,7 +48,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     each_with(x, weight, &shared_with_product(x, weight))
 }
 
-/// Applies `work` to the two halves of a list, in two threads if the machine has them.
+/// Applies `work` to the two halves of a list, in two threads if available.
 pub(super) fn in_halves<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> Vec<R> {
     let (left, right) = items.split_at(items.len() / 2);
     threads::map(2, None, |half| work([left, right][half]))
@@ -63,7 +63,6 @@ fn shared_with_product(x: &[IBig], part: &UBig) -> UBig {
     }
 }
 
-/// Returns gcd(Xᵢ, W) for each i as gcd(Xᵢ, P), where `shared` is P.
 fn each_with(x: &[IBig], weight: &UBig, shared: &UBig) -> Vec<UBig> {
     x.iter().map(|x| factor_of(x, weight, shared)).collect()
 }

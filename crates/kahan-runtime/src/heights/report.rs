@@ -22,14 +22,14 @@ impl Heights {
 /// The reason why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole: W = 0 in the reduced map, or det A = 0 without one.
+    /// The last point is a pole: W = 0 in the reduced map, or else det A = 0.
     Pole,
     /// The next point exceeds the bound of [`within_digits`], or would have more than twice as many
     /// digits if it grew like the last.
     ///
     /// [`within_digits`]: super::HeightsOrbit::within_digits
     Digits,
-    /// The next point is expected after the time limit of
-    /// [`Survey::within`](super::Survey::within), or the callback ended the survey.
+    /// The next point would exceed the time limit of [`Survey::within`](super::Survey::within), or
+    /// the callback ended the survey.
     Seconds,
 }

@@ -1,9 +1,9 @@
-//! A faster step from points of which some coordinates share most of W.
+//! A faster step from points at which some coordinates share most of W.
 //!
-//! If a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand),
-//! its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of gʲ Nⱼ,
-//! with Nⱼ the part of degree j in the short coordinates. Few long products remain, and the least j
-//! of all forms is divided out at no cost. The gcd of g with the parts of degree 0 is content too:
+//! If a component is a fraction of few digits and others are long (x of dE7 has four digits, z ten
+//! thousand), its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of
+//! gʲ Nⱼ, with Nⱼ of degree j in these coordinates. Few long products remain, and g to the least j
+//! of all forms is divided out at no cost. The gcd of g with the terms N₀ divides the result too:
 //! for dE7 it is g up to a few digits, and fast to find, since the quotients are short.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
@@ -13,7 +13,7 @@ use kahan_algebra::poly::Polynomial;
 
 use super::integers::{bits, short_gcd, values};
 
-/// The number of bits of W from which a split pays.
+/// From this number of bits of W on, splitting pays.
 const LONG: usize = 1 << 12;
 
 #[derive(Clone, Debug)]
@@ -25,11 +25,11 @@ pub(crate) struct Splits {
 
 #[derive(Clone, Debug)]
 struct Split {
-    /// Which coordinates, including W, are short multiples of g.
+    /// For each coordinate, then W: whether it is a short multiple of g.
     is_short: Vec<bool>,
-    /// The nonzero parts of all forms, form by form.
+    /// The nonzero Nⱼ of all forms, form by form.
     plan: Plan,
-    /// The degree of each part in the short coordinates, minus the least degree; form by form.
+    /// The degree j of each Nⱼ minus the least degree; form by form.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -38,7 +38,7 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, partly without content; `None` without a short component.
+    /// Returns the image of a point, divided by a common factor; `None` without a short coordinate.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -81,7 +81,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // Quotients and remainders of the parts of degree 0 by g; other parts count as remainders.
+        // Quotients and remainders of all N₀ by g; all other Nⱼ count as remainders.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

@@ -15,7 +15,7 @@ pub struct Survey {
     /// The class of growth of the component that rises most.
     pub growth: Growth,
     /// log(h_n/h_{n−1}) at the last step of the largest component if growth is exponential, else 0.
-    /// The limit is the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
+    /// It tends to the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
     pub entropy: f64,
     /// The reason why the orbit ended before the last step; `None` if it did not.
     pub stopped: Option<Stop>,
@@ -29,9 +29,9 @@ impl Survey {
 
     /// Follows an orbit for `steps` steps, or until the clock shows `seconds`.
     ///
-    /// The time of each step is estimated from the last one, and a step that would probably end
+    /// The duration of each step is estimated from the last one, and a step that would probably end
     /// late is not begun. If `clock` returns `None`, no step counts as late. `each` receives the
-    /// heights as they come, h(x₀) first, and may end the orbit.
+    /// heights in order, h(x₀) first, and may end the orbit.
     pub fn within(
         orbit: &mut HeightsOrbit,
         steps: u64,
@@ -44,7 +44,7 @@ impl Survey {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // The bound on digits, equal on every machine, is tested before the time.
+            // The machine-independent bound on digits is tested before the time.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.foresee().is_ok();
             if step > 0 && (is_late || !goes_on) {
@@ -74,7 +74,7 @@ impl Survey {
         series(&self.heights, i)
     }
 
-    /// Returns the component with the greatest height at the last step, the first of equals.
+    /// Returns the component with the greatest height at the last step, the first one if several.
     #[must_use]
     pub fn largest(&self) -> usize {
         largest(&self.heights)
@@ -90,7 +90,7 @@ fn largest(heights: &[Heights]) -> usize {
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
 }
 
-/// Returns the component that rises most from h₁ on, for the class of growth.
+/// Returns the component whose height rises most from h₁ on.
 fn steepest(heights: &[Heights]) -> usize {
     let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
     let rise = |i: usize| last.logarithms[i] - first.logarithms[i];

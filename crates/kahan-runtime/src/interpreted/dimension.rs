@@ -1,18 +1,18 @@
-//! A system read at run time, in one type for up to [`LARGEST_DIMENSION`] variables.
+//! A run-time system in one type for up to [`LARGEST_DIMENSION`] variables.
 //!
-//! Generic code is compiled for the most variables; smaller systems are padded by variables that
-//! stay constant ([`Map::as_padded_kahan_map`]). One type for each number of variables would take
-//! eight times as long to compile. Interpreted steps are not slowed by the padding.
+//! Generic code is compiled for the most variables; smaller systems are padded with constant
+//! variables ([`Map::as_padded_kahan_map`]). One type for each dimension would take eight times as
+//! long to compile. Padding does not slow interpreted steps.
 
 use kahan_core::Scalar;
 
 use super::Interpreted;
 use crate::Map;
 
-/// The most variables of a system read at run time that is used as a [`Padded`] type.
+/// The most variables of a [`Padded`] system.
 pub const LARGEST_DIMENSION: usize = 8;
 
-/// A system read at run time, padded to [`LARGEST_DIMENSION`] variables; made by
+/// A run-time system padded to [`LARGEST_DIMENSION`] variables; made by
 /// [`Map::as_padded_kahan_map`].
 pub type Padded<T> = Interpreted<T, LARGEST_DIMENSION>;
 

@@ -1,7 +1,7 @@
 //! [`KahanMap`] for an interpreted system.
 //!
-//! In: a state, and ε. Out: every object of the map by its program, or by matrices computed from
-//! the field where the program is beyond the budget of terms.
+//! In: a state, and ε. Out: every object of the map by its straight-line program, or, where that
+//! has too many terms, by matrices computed from the field.
 
 use std::marker::PhantomData;
 use std::sync::Arc;

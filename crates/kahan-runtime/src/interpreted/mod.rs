@@ -1,9 +1,8 @@
-//! A system read at run time as a map over any scalar, with the traits of generated code.
+//! A run-time system as a map over any scalar, with the traits of generated code.
 //!
-//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of the code
-//! that the macro would generate for it. Everything generic over maps (orbits, compositions, the
-//! step with a promise) thereby takes fields from the command line. The plans are run in the
-//! generated code's order, several times as slowly.
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of generated
+//! code. Code generic over maps (orbits, compositions, the step with an error bound) thus accepts
+//! fields from the command line. Interpretation is several times slower than generated code.
 
 mod dimension;
 mod map;
@@ -26,7 +25,7 @@ pub use crate::literal::round;
 pub use dimension::{LARGEST_DIMENSION, Padded, UnsupportedDimension};
 pub use step::InterpretedStep;
 
-/// A system read at run time, over the scalar T in N variables; made by
+/// A run-time system over the scalar T in N variables; made by
 /// [`Map::as_kahan_map`](crate::Map::as_kahan_map).
 ///
 /// Clones share their field. Two systems are equal if they share it and have equal parameters.
@@ -60,7 +59,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// Wraps the map at parameters where the field is defined, in at least its number of variables.
+    /// Wraps the map at parameters at which the field is defined; N is at least its dimension.
     pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
@@ -116,7 +115,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.engine.single_integrals().iter().map(value).collect()
     }
 
-    /// Returns x̃ − x along the couplings; `None` without couplings, or where a pivot is too small.
+    /// Returns x̃ − x by sparse elimination; `None` for a dense field, or for a small pivot.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
         let mut velocity = self.list(self.engine.known_line(self.engine.at_eps(Object::Field)), state, eps);
@@ -139,7 +138,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.parameters.iter().chain([eps]).cloned()
     }
 
-    /// Runs a line and lets `see` read its results; ε may be anything if the line does not read it.
+    /// Runs a program and passes its results to `see`; `eps` is unused by programs without ε.
     ///
     /// # Panics
     /// For exact scalars, at a division by zero.
@@ -150,10 +149,9 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     }
 }
 
-/// The registers of a run: up to 64 are on the stack; a line that needs more allocates once.
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Resizes the registers, and returns a slice: the place of the memory is tested only here.
+/// Resizes the registers and returns them as a slice, so that stack or heap is decided once.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

@@ -11,14 +11,14 @@ use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε: its constants and its kernel.
 ///
-/// The associated `COST` is that of elimination, because a type cannot depend on the system;
-/// [`Interpreted::cost`] returns the cost of the system.
+/// The associated `COST` is that of elimination, because a type cannot depend on the system; use
+/// [`Interpreted::cost`] instead.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
     eps: T,
     is_general: bool,
-    /// The registers of the kernel that are independent of the state.
+    /// The kernel's registers that do not depend on the state.
     kept: Arc<[T]>,
 }
 
@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
-    /// Ensembles step an interpreted system one trajectory at a time.
+    /// Ensembles of an interpreted system advance one trajectory at a time.
     type Wide<L: Scalar> = InterpretedStep<L, N>;
 
     #[inline]

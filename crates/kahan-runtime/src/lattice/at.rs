@@ -1,7 +1,7 @@
 //! A family at one ε, for chains of one length.
 //!
-//! In: a state, site by site, with the arrays interleaved. Out: the next state in its place, linear
-//! integrals and the modified energy. Steps use memory allocated beforehand, or the caller's.
+//! In: a state, site by site, with the arrays interleaved. Out: the next state in place, linear
+//! integrals and the modified energy. Steps use preallocated memory, or the caller's workspace.
 
 use std::sync::Arc;
 
@@ -17,9 +17,9 @@ use crate::{DimensionError, ParameterError};
 use super::read::Read;
 use super::{Code, LatticeError};
 
-/// The map of a family at a fixed ε, half the time step, for chains with a fixed number of sites.
+/// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
 ///
-/// A state lists site by site the value of each array. [`step`](Self::step) allocates nothing.
+/// A state lists site by site the value of each array. [`step`](Self::step) does not allocate.
 #[derive(Debug)]
 pub struct ChainAt {
     code: Arc<Code>,
@@ -73,8 +73,8 @@ impl ChainAt {
         Ok(ChainAt { code: Arc::clone(&code), at })
     }
 
-    /// Returns the chain with steps on another level; `None` if the processor lacks the level.
-    /// Levels differ in the last bits of long chains.
+    /// Returns the chain with steps on another level; `None` if the processor lacks it. For long
+    /// chains, levels differ in the last bits.
     #[must_use]
     pub fn at_level(self, level: Level) -> Option<Self> {
         Some(ChainAt { at: self.at.at_level(level)?, ..self })
@@ -114,9 +114,9 @@ impl ChainAt {
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves for H of degree 3 at
-    /// most. `None` without a Hamiltonian. Cost: one step, since x̃ − x = 2ε A⁻¹ f, and a copy of
-    /// the state.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves for H of degree at most
+    /// 3. `None` without a Hamiltonian. Cost: one step, since x̃ − x = 2ε A⁻¹ f, and a copy of the
+    /// state.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.
@@ -130,7 +130,7 @@ impl ChainAt {
     }
 }
 
-/// Steps in the workspace's memory, for threads that share a chain; panics for a wrong length.
+/// Uses the workspace's memory, so that threads can share a chain; panics for a wrong length.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

@@ -1,4 +1,4 @@
-//! Errors for sites and parameters that a chain cannot have.
+//! Errors in the sites and parameters of a chain.
 
 use core::fmt;
 

@@ -1,9 +1,9 @@
-//! Families read at run time, as maps of chains of any number of sites.
+//! Families read at run time, as maps of chains with any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! and parameters. Out: steps in `f64`. The lines of a site are interpreted for many sites at once;
-//! the solver is that of compiled families. Bits are those of the macro's code, except for long
-//! chains of a shape that the solver's [`Menu`] lacks, which are not eliminated in parts.
+//! and parameters. Out: steps in `f64`. The program of a site is interpreted for many sites at
+//! once; the solver is that of compiled families. Bits are those of compiled families, except for
+//! long chains whose stencil is missing in the solver's [`Menu`]: they are eliminated as a whole.
 
 mod at;
 mod error;
@@ -37,13 +37,13 @@ pub struct Lattice {
 struct Code {
     family: Family,
     boundary: core::Boundary,
-    /// From the parameters of the chain and ε to the prepared constants.
+    /// The program from the parameters of the chain and ε to the prepared constants.
     constants: Line,
-    /// Numbers of the equations, placed behind the prepared constants.
+    /// Numbers in the equations, stored after the prepared constants.
     literals: Vec<Literal>,
-    /// The field, one result for each array, then the rows of A.
+    /// The program of the field, one result for each array, then of the rows of A.
     rows: Program,
-    /// The densities of the integrals, then that of the Hamiltonian.
+    /// The program of the densities of the integrals, then of the Hamiltonian.
     sums: Program,
     /// The structurally nonzero entries of A.
     entries: Vec<usize>,

@@ -1,8 +1,8 @@
-//! The straight-line program of a site, run over one scalar or for several gathered sites at once.
+//! The straight-line program of a site, run over one scalar or for several sites in SIMD lanes.
 //!
-//! In: the plan of a line. Out: its results, in the first registers. The operations and their order
-//! are the plan's, so that bits equal those of a compiled family. Over lanes an instruction is
-//! decoded once for [`ROOM`] numbers of consecutive sites.
+//! In: a plan. Out: its results, in the first registers. Operations and order are the plan's, so
+//! that bits equal those of a compiled family. Over lanes an instruction is decoded once for
+//! [`ROOM`] numbers of consecutive sites.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -12,16 +12,16 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The numbers for which an instruction is decoded once, a multiple of the lanes of every level.
+/// The numbers per decoded instruction, a multiple of every level's lanes.
 const ROOM: usize = 128;
 
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results, in the first registers; no other value is stored there.
+    /// The number of results, which occupy the first registers exclusively.
     results: usize,
     registers: usize,
-    /// The arrays of a site; `parameters` are those of a site.
+    /// The number of arrays; `parameters` counts those of a site.
     block: usize,
     parameters: usize,
     reach: usize,
@@ -30,15 +30,15 @@ pub(super) struct Program {
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     kind: Kind,
-    /// The register of the result, which differs from all operands.
+    /// The register of the result, different from all operands.
     to: usize,
-    /// The operands; a kind that takes fewer than three repeats its last one.
+    /// The operands; an instruction with fewer than three repeats its last one.
     operands: [Operand; 3],
     /// The operands' positions in the memory of gathered sites.
     places: [Place; 3],
 }
 
-/// The offset of an operand: `numbers`, plus `registers` times the width of the sites' lanes.
+/// The offset of an operand: `numbers`, plus `registers` times the width of the lanes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     numbers: usize,
@@ -58,7 +58,7 @@ enum Kind {
     SubtractProduct,
 }
 
-/// An operand; sites count from the first one that the stencil reads.
+/// An operand; sites are counted from the first one in the stencil.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Constant(usize),
@@ -72,7 +72,7 @@ pub(super) struct Numbering<'a> {
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// The number of prepared constants; literals follow them.
+    /// The number of prepared constants; the plan's literals follow them.
     pub(super) prepared: usize,
 }
 
@@ -168,12 +168,12 @@ impl Program {
         Place { numbers, registers }
     }
 
-    /// Returns the offset of an array or, with indices from `block` on, of a parameter of sites.
+    /// Returns the offset of an array or, from index `block` on, of a site parameter.
     fn array(&self, index: usize) -> usize {
         self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
     }
 
-    /// Returns the memory for gathered sites, in registers of the widest lanes.
+    /// Returns the size of the memory for gathered sites, in registers of the widest lanes.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
@@ -204,7 +204,7 @@ impl Program {
         }
     }
 
-    /// Returns the line of the next gathered site, from lines computed for several sites at once.
+    /// Returns the program's results at the next site, computing several sites at once when needed.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -250,8 +250,8 @@ impl Program {
 }
 
 impl Numbering<'_> {
-    /// Returns the operand of an input. Symbols number the parameters of sites parameter by
-    /// parameter, behind the states; operands number them site by site.
+    /// Returns the operand of an input. Symbols number site parameters parameter by parameter,
+    /// after the states; operands number them site by site.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
         match symbol {
@@ -302,7 +302,7 @@ impl OverLanes<f64> for Run<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
-            // A macro, because closures may not be compiled for the instructions of the level.
+            // A macro, because closures may not be compiled with the level's instructions.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

@@ -1,4 +1,4 @@
-//! A family with values of its parameters, as the trait of `kahan-core`'s solver.
+//! A family with parameter values, as the [`LatticeMap`] of `kahan-core`'s solver.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ pub(super) struct Read {
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-/// Names and sizes are values of the code; the constants of the trait are placeholders. Callers ask
-/// for the energy only where the family has a Hamiltonian.
+/// Names and sizes are run-time values; the constants of the trait are placeholders. Callers ask
+/// for the energy only if the family has a Hamiltonian.
 impl LatticeMap<f64> for Read {
     const ARRAYS: &'static [&'static str] = &[];
     const REACH: usize = 0;

@@ -1,7 +1,7 @@
-//! The machine code of a field, compiled at its first use and shared by all who step the field.
+//! The machine code of a field, compiled at first use and shared by all maps of the field.
 //!
-//! In: an engine and the kind of step, with the shape of the code. Out: code from the tables of
-//! [`Codes`], or `None` where nothing can be compiled. The interpreter then does the work.
+//! In: an engine and a kind of step. Out: code from the tables of [`Codes`], or `None` if it cannot
+//! be compiled; the interpreter then does the work.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -14,18 +14,17 @@ use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
 use super::{SideBySide, StepKind, programs};
 
-/// Whether code can run. Without the feature no program is written either, and small binaries
-/// contain neither the compiler nor the tracing numbers.
+/// Whether code can run. Without the feature no program is traced, and the binary contains neither
+/// the compiler nor the tracing numbers.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
 /// The steps of a field before the code of an elimination is compiled. Compiling pays after some
-/// 300 steps of 9 dense variables, 2000 of 40 sparse ones (13 000 operations) and 7000 of 50
-/// (28 000).
+/// 300 steps of 9 dense variables, 2000 of 40 sparse ones (13 000 operations), 7000 of 50 (28 000).
 const STEPS_BEFORE_CODE: u64 = 256;
 /// Operations per step that delay the compilation by one further step.
 const OPERATIONS_A_STEP: u64 = 8;
 
-/// Code by key; `None` where compiling failed.
+/// Code by key; `None` if compilation failed.
 #[derive(Debug)]
 struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
 
@@ -40,7 +39,7 @@ impl<K: Eq + Hash, C> Table<K, C> {
         if !CAN_RUN {
             return None;
         }
-        // A panic under the lock comes from `compile`, and would come again.
+        // A panic under the lock comes from `compile`, and would recur.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         table.entry(key).or_insert_with(|| compile().map(Arc::new)).clone()
     }
@@ -60,12 +59,11 @@ pub struct CodesOf<T> {
 pub struct Codes {
     pub(crate) single: CodesOf<f32>,
     pub(crate) double: CodesOf<f64>,
-    /// Steps asked for before the code of an elimination was compiled.
+    /// The steps requested before the code of an elimination was compiled.
     steps: AtomicU64,
     operations: OnceLock<Option<u32>>,
 }
 
-/// The code of an orbit: of the map's own step, or of a composition.
 #[derive(Debug)]
 pub(crate) struct OrbitCode<T> {
     step: StepCode<T>,
@@ -76,13 +74,13 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
-    /// The interpreter's loops for dense fields, without machine code.
+    /// The compiled loops for dense fields, without machine code.
     Loops(StepKind),
 }
 
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
-    /// From parameters and ε of one register of trajectories to the constants of their step.
+    /// Maps parameters and ε of one register of trajectories to the constants of their step.
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
@@ -90,7 +88,7 @@ pub(crate) struct ColumnsCode<T> {
 }
 
 impl Codes {
-    /// Returns the operations of a step of `engine`, the owner of these codes, if it eliminates.
+    /// Returns the operations of a step of `engine`, which owns this, if the step eliminates.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
             .operations
@@ -128,7 +126,7 @@ impl Codes {
         })
     }
 
-    /// Returns the code of points side by side, each with its own constants, or `None`.
+    /// Returns the code of points in lanes, each with its own constants, or `None`.
     pub(crate) fn abreast<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -146,7 +144,7 @@ impl Codes {
         })
     }
 
-    /// Returns the code of an object, with no multiply-add fused, or `None`.
+    /// Returns the code of an object, without fused multiply-adds, or `None`.
     pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
@@ -185,7 +183,7 @@ impl<T: MachineFloat> OrbitCode<T> {
     /// Returns whether a guard, initially 0, follows the numbers of a state.
     ///
     /// The guard is at most [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while each
-    /// step has the interpreter's operations, or leads to a number that is not finite.
+    /// step has the interpreter's operations or leads to a nonfinite number.
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
     }
@@ -244,7 +242,6 @@ impl<T: MachineFloat> ColumnsCode<T> {
         self.constants.run(&[], given, &mut constants[start..]);
     }
 
-    /// Advances columns of whole registers, with shared or own constants.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T]],

@@ -1,9 +1,9 @@
-//! Double-double arithmetic written as a program of doubles: the operations of
-//! [`Dd`](kahan_core::Dd) in their order, as far as nothing overflows or underflows.
+//! Double-double arithmetic as a program of doubles, with the operations of [`Dd`](kahan_core::Dd)
+//! in their order, in the absence of overflow and underflow.
 //!
-//! The program does not branch on the size of a number. Operations that need moderate sizes add to
-//! a guard. The guard is 0 while all sizes are moderate, and NaN from the first other one on. The
-//! caller checks the guard now and then; where it is not 0, the interpreter repeats the steps.
+//! The program does not branch. Operations that need moderate sizes add to a guard, which is 0
+//! while all sizes are moderate, and NaN from the first exception on. The caller checks the guard
+//! from time to time; if it is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -25,7 +25,7 @@ pub(super) struct Pair {
 
 #[derive(Debug, Default)]
 struct Notes {
-    /// Whether multiply-adds are fused, which decides how the error of a product is computed.
+    /// Whether products use fused multiply-adds for their rounding errors.
     fuses: bool,
     of_sizes: Vec<Double>,
     /// High parts known to be moderate.
@@ -36,17 +36,17 @@ thread_local! {
     static NOTES: RefCell<Notes> = RefCell::default();
 }
 
-/// Divisors between 2^−DIVISORS and 2^DIVISORS cause no overflow or underflow.
+/// Divisors between 2^−DIVISORS and 2^DIVISORS cannot overflow or underflow.
 const DIVISORS: i32 = 400;
 
-/// Writes the program of the numbers that `compute` returns, two doubles each, with the guard last.
+/// Traces the numbers that `compute` returns, two doubles each, and the guard as the last result.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     NOTES.set(Notes { fuses, ..Notes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // A separate sum lets a step's notes be added without waiting for the previous step.
+        // A separate sum, so that it need not wait for the previous step.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -73,7 +73,7 @@ fn note_moderate(a: Double, inverse: Double) {
     note_below(inverse, 1024 - DIVISORS);
 }
 
-/// Adds to the guard unless |leading| < 2^1022, which leaves room for the rest of the sum.
+/// Adds to the guard unless |leading| < 2^1022, which leaves room for the lower terms of the sum.
 fn leaves_room(leading: Double) {
     note_below(leading, 1024 - 1022);
 }
@@ -92,7 +92,7 @@ fn fast_two_sum(a: Double, b: Double) -> Pair {
     Pair { high, low: b - (high - a) }
 }
 
-/// Returns a·b and its rounding error: by one fused operation, or by halves (Dekker).
+/// Returns a·b and its rounding error, by a fused operation or by splitting (Dekker).
 fn two_product(a: Double, b: Double) -> (Double, Double) {
     let product = a * b;
     if fuses() {
@@ -144,7 +144,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // The range leaves room for a further division of the quotient.
+            // The range leaves room for another division of the quotient.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

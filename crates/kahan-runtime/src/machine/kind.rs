@@ -1,4 +1,4 @@
-//! The kinds of step that can be compiled, as keys of the tables of code.
+//! The kinds of step that can be compiled, keys of the code tables.
 
 use kahan_core::Constant;
 use kahan_dynamics::Precision;
@@ -7,13 +7,12 @@ use crate::engine::RuntimeFloat;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepKind {
-    /// The precision in which the state is kept and the step computed.
+    /// The precisions of state and step.
     pub(crate) precision: Precision,
     pub(crate) compensated: bool,
-    /// Whether the step has the form for every scalar and every ε. Otherwise it has the form for
-    /// the orbit of one point at an ordinary ε.
+    /// Whether the step uses the formula for every scalar and every ε, instead of the one for
+    /// single orbits at ordinary ε.
     pub(crate) is_general: bool,
-    /// Whether increments are rounded before their addition, as in a rarely taken general form.
     pub(crate) rounds_increments: bool,
     pub(crate) fuses: bool,
 }
@@ -22,7 +21,7 @@ pub(crate) struct StepKind {
 pub(crate) enum SideBySide {
     Steps(StepKind),
     Carrying(Carrying),
-    /// Integrals, written behind the points; the constants are the parameters and ε.
+    /// Integrals, written after the points; the constants are the parameters and ε.
     Integrals,
 }
 
@@ -30,9 +29,9 @@ pub(crate) enum SideBySide {
 pub(crate) struct Carrying {
     /// The step of the point, or of the variational field.
     pub(crate) kind: StepKind,
-    /// Whether `kind` is the step of the variational field. Otherwise the line of
-    /// [`Object::Tangent`](crate::engine::Object) carries the vectors. Its constants, the
-    /// parameters and ε, follow those of the step.
+    /// Whether `kind` is the step of the variational field. Otherwise the program of
+    /// [`Object::Tangent`](crate::engine::Object) propagates vectors; its constants, the parameters
+    /// and ε, follow those of the step.
     pub(crate) is_variational: bool,
     pub(crate) vectors: usize,
     pub(crate) has_squares: bool,

@@ -1,8 +1,8 @@
-//! Steps and objects of a field as machine code, compiled at their first use.
+//! Steps and objects of a field as machine code, compiled at first use.
 //!
-//! In: the plans of a field, and the kind of step. Out: code, shared by all who step the field in
-//! this way. This module knows the meaning of numbers; `kahan-jit` knows the instructions. Without
-//! code (no feature `jit`, or another processor) the interpreter does the work.
+//! In: the plans of a field, and the kind of step. Out: code, shared by all maps of the field. This
+//! module knows the meaning of numbers, `kahan-jit` only instructions. Without code (no feature
+//! `jit`, or another processor) the interpreter does the work.
 
 mod codes;
 mod double_double;

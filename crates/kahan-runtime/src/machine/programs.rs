@@ -1,7 +1,7 @@
 //! Programs to compile, written by running the interpreter over [`Traced`] numbers.
 //!
 //! In: an engine with its plans. Out: a `Program` of `kahan-jit` with the interpreter's operations
-//! in their order, or `None` where the step is not a straight line or too long.
+//! in their order, or `None` for a step that branches or is too long.
 
 use kahan_core::Scalar;
 use kahan_dynamics::Precision;
@@ -18,10 +18,10 @@ const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
     /// Returns the program from a state to the next one, with the prepared constants of the step.
-    /// `None` where the step is not a straight line, and for compensated double-double.
+    /// `None` for a step that branches, and for compensated double-double.
     ///
-    /// A state is x₁, …, xₙ, followed by their n rounding errors if compensated. In double-double
-    /// each xᵢ is two numbers, the high one first, and the guard comes last.
+    /// A state is x₁, …, xₙ, followed by n rounding errors if compensated. In double-double each xᵢ
+    /// is two numbers, the high one first, and the guard comes last.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
@@ -45,10 +45,10 @@ impl StepKind {
         }
     }
 
-    /// Returns the program of a step that eliminates, with the parameters and ε as constants and
-    /// a guard as the last number. The guard is at most [`LARGEST_FACTOR`] as long as the
-    /// interpreter accepts all pivots and all numbers are finite. `None` in double-double, for
-    /// multiply-adds other than this build's, and beyond [`MOST_OPERATIONS`].
+    /// Returns the program of a step that eliminates, with the parameters and ε as constants and a
+    /// guard as the last number. The guard is at most [`LARGEST_FACTOR`] while the interpreter
+    /// accepts all pivots and all numbers are finite. `None` in double-double, for multiply-adds
+    /// other than this build's, and beyond [`MOST_OPERATIONS`].
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
@@ -84,9 +84,8 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled: the processor is supported, states
-    /// are no double-doubles, multiply-adds are those of this build, and the operations are at most
-    /// [`MOST_OPERATIONS`].
+    /// Returns whether a step that eliminates can be compiled: on a supported processor, with one
+    /// float per number, this build's multiply-adds, and at most [`MOST_OPERATIONS`] operations.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
@@ -99,7 +98,7 @@ impl StepKind {
         self.advanced(step, numbers, constant, Traced::rounded_to_single)
     }
 
-    /// Returns the state one step later, or `None` where the step is not a straight line.
+    /// Returns the state one step later; `None` for a step that branches.
     fn advanced<V: Scalar + Copy>(
         self,
         step: &Step,
@@ -118,8 +117,8 @@ impl StepKind {
 }
 
 impl Carrying {
-    /// Returns the program of a point with tangent vectors behind it; `None` where it is not a
-    /// straight line. Squared lengths are further states, which are only written.
+    /// Returns the program of a point with tangent vectors after it; `None` for a step that
+    /// branches. Squared lengths are further states, which are only written.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
@@ -131,7 +130,7 @@ impl Carrying {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors share one point; equal operations are compiled once.
+                // All vectors share one point; common subexpressions are compiled once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;
@@ -162,7 +161,7 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program of an object from a state, if the field has a straight line for it.
+/// Returns the program of an object from a state, if the field has a straight-line one.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();
@@ -187,7 +186,6 @@ pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option
     })
 }
 
-/// Returns the program of the constants of a step of columns.
 pub(super) fn prepared<T: MachineFloat>(engine: &Engine, is_general: bool) -> Option<Program> {
     let lines = engine.steps().form(is_general).lines();
     traced::program(|| {

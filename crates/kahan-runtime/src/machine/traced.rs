@@ -1,4 +1,4 @@
-//! A number whose operations are recorded. Run over [`Traced`] numbers, the interpreter writes the
+//! A number that records its operations: over [`Traced`] numbers, the interpreter writes the
 //! program of its own operations in their order.
 
 use core::ops::Neg;
@@ -14,7 +14,6 @@ use kahan_program::Operation::{
 use kahan_program::{Float, Node};
 
 thread_local! {
-    /// The program that this thread records.
     static OPERATIONS: RefCell<Vec<Instruction>> = RefCell::default();
     /// Whether multiply-adds are recorded as products and sums.
     static IS_UNFUSED: Cell<bool> = const { Cell::new(false) };
@@ -66,7 +65,6 @@ impl<T> Traced<T> {
         Self::of(Call(Called::RoundToSingle, self.place, self.place))
     }
 
-    /// Records |self| as the maximum of self and −self.
     pub(super) fn magnitude(self) -> Self {
         Self::of(Call(Called::Maximum, self.place, self.neg().place))
     }
@@ -83,7 +81,7 @@ impl<T> Traced<T> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// Returns a such that self = −a, if known: b − a has the bits of b + self.
+    /// Returns a with self = −a, if known, since b − a has the bits of b + self.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }
@@ -117,7 +115,7 @@ impl<T: Copy> Zero for Traced<T> {
         Self::number(0.0)
     }
 
-    /// Returns `false`: no value is known before the program runs.
+    /// Returns `false`: values are unknown while tracing.
     fn is_zero(&self) -> bool {
         false
     }

@@ -1,9 +1,9 @@
-//! Observation of a group of orbits whose points and tangent vectors are advanced by compiled code.
+//! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
-//! In: maps, points, and observers that do not need every point. Out: points and observers, with
-//! the bits of orbits that are followed singly. The code makes [`PAUSE`] steps in one call; then
-//! observers that look at this step read their vectors. An orbit that has left the range of floats
-//! repeats the steps of the last call singly.
+//! In: maps, points, and observers that do not need every point. Out: points and reports, with the
+//! bits of single orbits. The code makes [`PAUSE`] steps in one call, after which observers that
+//! are due read their vectors. An orbit that has left the range of floats repeats the last call's
+//! steps singly.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;
@@ -16,7 +16,7 @@ use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 /// The largest number of columns of a group: points, and three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits by code; returns `false`, with nothing done, where it cannot.
+/// Follows a group of orbits by machine code; returns `false`, with nothing done, if it cannot.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,

@@ -1,8 +1,8 @@
 //! Observables of orbits, and the loops that observe orbits over `f32` and `f64`.
 //!
-//! In: maps, first points, and a list of observables for each orbit. Out: the values seen, in the
-//! order of the list. The loops are instantiated here, beside the steps that they call: in another
-//! unit of compilation they take up to twice the time.
+//! In: maps, first points, and a list of observables. Out: the observed values, in the order of the
+//! list. The loops are instantiated in this crate, beside the steps that they call: in another
+//! compilation unit they take up to twice the time.
 
 mod carried;
 mod observable;
@@ -19,7 +19,7 @@ pub use observable::Seen;
 pub use running::Observable;
 pub use tangent::Relations;
 
-/// A request: observables of orbits, with their settings.
+/// A request: observables of orbits, with settings.
 #[derive(Clone, Copy, Debug)]
 pub struct Observing<'a> {
     /// The observables, each once.
@@ -28,16 +28,16 @@ pub struct Observing<'a> {
     pub steps: u64,
     /// Steps between two orthonormalizations of the tangent vectors, at least 1.
     pub renormalize: u64,
-    /// The number of exponents in the spectrum, the largest ones, from 1 to that of the variables.
+    /// The number of Lyapunov exponents in the spectrum, largest first; at least 1.
     pub exponents: usize,
-    /// The bound on |xᵢ| beyond which an orbit has escaped, and ends; `None` for no bound.
+    /// The bound on |xᵢ| beyond which an orbit has escaped and ends, if any.
     pub escape: Option<f64>,
-    /// The relations of a lifted field; its tangent vectors are those of the original variables.
+    /// The relations of a lifted field, for tangent vectors of the original variables.
     pub relations: Option<&'a dyn Relations>,
 }
 
 impl Observing<'_> {
-    /// The bound of [`Observable::Escape`] where [`escape`](Self::escape) is `None`.
+    /// The bound of [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
     fn bound(&self) -> f64 {
@@ -47,10 +47,10 @@ impl Observing<'_> {
 
 /// A machine float whose orbits can be observed.
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
-    /// Observes the orbit of `start`, which ends where a point is not finite or beyond the bound.
+    /// Observes the orbit of `start`, which ends at a nonfinite point or beyond the bound.
     ///
-    /// The orbit is made by `step`, or by `at` where `step` is `None`; observers always evaluate
-    /// `at`. The callback `tell` receives numbers of steps, and may stop the orbit.
+    /// `step` makes the orbit, or `at` if `step` is `None`; observers always evaluate `at`. The
+    /// callback `tell` receives numbers of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.
@@ -62,10 +62,10 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<Seen>>, DimensionError>;
 
-    /// Observes many orbits, side by side where compiled code can do so.
+    /// Observes many orbits, in SIMD lanes where machine code allows it.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// Numbers equal those of [`alone`](Self::alone), but are useless if `tell` stops the work.
+    /// Numbers equal those of [`alone`](Self::alone), but are meaningless if `tell` stops the work.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

@@ -1,5 +1,5 @@
-//! Descriptions of observables (name, table columns, place in answers and charts), and the values
-//! seen, as numbers of these columns.
+//! Descriptions of observables (name, table columns, position in results and charts), and observed
+//! values as numbers of these columns.
 //!
 //! The list of observables, with their observers, is in `running.rs`.
 
@@ -12,7 +12,7 @@ use crate::Passed;
 pub(super) struct About {
     pub(super) name: &'static str,
     of: Of,
-    /// Column names, with `{}` for the variable, integral or number, and their meanings.
+    /// Column names, with `{}` for a variable, integral or number, and their meanings.
     columns: &'static [(&'static str, &'static str)],
     follows: Follows,
     is_usual: bool,
@@ -20,13 +20,13 @@ pub(super) struct About {
     is_logarithmic: bool,
 }
 
-/// The parts of an orbit for which an observable has columns.
+/// The scope of an observable's columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Of {
     Orbit,
     Variables,
     Integrals,
-    /// A set for each number from 1 to the number of variables.
+    /// Columns for each number from 1 to the number of variables.
     Numbers,
 }
 
@@ -59,7 +59,7 @@ impl About {
         About { is_usual: true, ..self }
     }
 
-    /// Lets charts be coloured by the observable, with this label in the legend.
+    /// Offers the observable as the colour of charts, with this label in the legend.
     pub(super) const fn colour(self, label: &'static str) -> Self {
         About { label: Some(label), ..self }
     }
@@ -76,7 +76,7 @@ pub enum Seen {
     Point(Vec<f64>),
     /// The drift of each integral, relative to its first value.
     Drift(Vec<Drifted>),
-    /// The extremes of each variable; `None` where all values were NaN.
+    /// The extremes of each variable; `None` if all values were NaN.
     Extrema(Vec<Option<Extremes<f64>>>),
     /// The largest Lyapunov exponent, with an estimate of its convergence.
     Exponent(Exponent),
@@ -84,7 +84,7 @@ pub enum Seen {
     Spectrum(Vec<Exponent>),
     /// A chaos indicator, or the mean of log |det ∂x̃/∂x|.
     Number(f64),
-    /// The rotation of each variable, in turns per step.
+    /// The rotation of each variable, in full turns per step.
     Turns(Vec<Turns>),
     /// The step of the escape; `None` without one.
     Step(Option<u64>),
@@ -110,33 +110,33 @@ impl Observable {
             .or_else(|| Self::ALL.iter().copied().find(|one| one.about().columns.iter().any(is_its)))
     }
 
-    /// Returns the default list of observables.
+    /// Returns the default observables.
     #[must_use]
     pub fn usual() -> Vec<Self> {
         Self::ALL.iter().copied().filter(|one| one.about().is_usual).collect()
     }
 
-    /// Returns the name in questions.
+    /// Returns the name in requests.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.about().name
     }
 
-    /// Returns the name in answers: for observables of the whole orbit, that of the first column.
+    /// Returns the name in results: for observables of the whole orbit, that of the first column.
     #[must_use]
     pub fn key(self) -> &'static str {
         let About { name, of, columns, .. } = self.about();
         if of == Of::Orbit { columns[0].0 } else { name }
     }
 
-    /// Returns whether tangent vectors are followed; a lifted field has those of the original
-    /// variables.
+    /// Returns whether the observable needs tangent vectors (in a lifted field those of the
+    /// original variables).
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
         self.about().follows == Follows::TangentVectors
     }
 
-    /// Returns whether the points suffice, whichever steps made them.
+    /// Returns whether the observable depends only on the points of the orbit.
     #[must_use]
     pub fn is_of_points(self) -> bool {
         self.about().follows == Follows::Points
@@ -154,7 +154,7 @@ impl Observable {
         self.about().label
     }
 
-    /// Returns whether charts show the logarithm.
+    /// Returns whether charts use a logarithmic scale.
     #[must_use]
     pub fn is_logarithmic(self) -> bool {
         self.about().is_logarithmic

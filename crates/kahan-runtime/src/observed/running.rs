@@ -1,11 +1,11 @@
 //! The list of observables with their observers, and the observation of one or many orbits.
 //!
-//! In: a map for each orbit, first points, and the observables. Out: the values seen, in the order
-//! asked for. An orbit has equal numbers singly and in a group.
+//! In: a map for each orbit, first points, and observables. Out: the observed values, in the
+//! requested order, equal for an orbit singly and in a group.
 //!
 //! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
-//! describes it, `Own` is the observer's type, `observer` makes one, `seen` reads it. Observers of
-//! `kahan_core` are given in the list itself. The order of the list is the order of answers.
+//! describes it, `Own` is the observer's type, `observer` makes one, `seen` reads it. The list
+//! itself names observers of `kahan_core`. Its order is that of results.
 
 use std::ops::ControlFlow;
 
@@ -23,7 +23,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable and of each rate of change, about whose middles orbits turn.
+/// The extremes of each variable and of each rate of change; orbits rotate around their middles.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -62,8 +62,8 @@ macro_rules! observables {
             }
         }
 
-        /// The observer of one observable; `M` finds the extremes for the rotation, and `B` tells
-        /// whether a point is beyond the bound of an escape.
+        /// The observer of one observable; `M` finds the extremes for rotations, `B` detects
+        /// escapes.
         enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($($module::Own<'a, T>)? $($type)?),)*
         }
@@ -91,7 +91,7 @@ macro_rules! observables {
                 }
             }
 
-            /// Shows a burst to one observable's observers in all lanes, which are of one variant.
+            /// Shows a burst to the observers of one observable, all of one variant.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
                     $(Some(Running::$name(_)) => {
@@ -164,7 +164,7 @@ observables! {
     Rotation, "Turns a step of each variable about the middle of its extremes.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
-            // The second pass replaces these.
+            // The second pass replaces this placeholder.
             Seen::Turns(Vec::new())
         },
         About::new("rotation", Of::Variables, &[
@@ -204,7 +204,7 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
     Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
 }
 
-/// The observers of one orbit. The report is the values seen, and the extremes for a second pass.
+/// The observers of one orbit; reports the values, and the extremes for a second pass.
 struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
@@ -239,8 +239,8 @@ where
         }
     }
 
-    /// Shows a burst to one observable after the other, for all orbits at once: tangent vectors and
-    /// integrals are computed side by side. A carried plane takes one orbit after the other.
+    /// Shows a burst to one observable after the other, for all orbits at once, so that tangent
+    /// vectors and integrals use SIMD lanes. With the plane of a lifted field, orbits take turns.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {
@@ -298,7 +298,7 @@ where
     }
 }
 
-/// Observes the orbit of `start` under `step`; a second pass counts turns, if asked for.
+/// Observes the orbit of `start` under `step`; a second pass finds rotations, if requested.
 pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,
@@ -313,7 +313,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     // The observers' end, if any, replaces the run's.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // A stopped first pass gets no second one.
+        // If the first pass was stopped, there is no second one.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;

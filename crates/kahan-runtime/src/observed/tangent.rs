@@ -1,10 +1,10 @@
-//! The map that carries tangent vectors, in a lifted field those of the original variables.
+//! The tangent map of an orbit, in a lifted field for vectors of the original variables.
 //!
-//! Lifting adds variables w = g(x); a tangent vector e of x then belongs to (e, Dg·e). The map
-//! carries the plane of these vectors from point to point. The plane stays near the vectors
-//! (e, Dg·e) where the map preserves the relations. Resetting the plane to (e, Dg·e) at every step
-//! would change exponents by a multiple of ε, and let vectors on regular orbits grow exponentially.
-//! Therefore the plane is replaced only where its distance from (e, Dg·e) exceeds [`FARTHEST`].
+//! Lifting adds variables w = g(x); a tangent vector e of x then corresponds to (e, Dg·e). The
+//! plane of these vectors is propagated from point to point. It stays near the vectors (e, Dg·e) if
+//! the map preserves the relations. Resetting it to (e, Dg·e) at every step would change exponents
+//! by a multiple of ε, and make vectors on regular orbits grow exponentially. So the plane is reset
+//! only if its distance from (e, Dg·e) exceeds [`FARTHEST`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -16,23 +16,23 @@ use kahan_core::{EmbedScalar, Scalar, Step, Stopped, Workspace};
 use crate::engine::determinant;
 use crate::{MachineFloat, MapAt};
 
-/// Relations w = g(x) of a lifted field, whose added variables w stand for functions.
+/// Relations w = g(x) of a lifted field: the added variables w stand for functions of x.
 pub trait Relations: fmt::Debug + Sync {
     /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;
 
-    /// Returns the matrix ∂g/∂x by rows at a point of all variables and these parameters.
+    /// Returns the matrix ∂g/∂x (row-major) at a point of all variables and these parameters.
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The largest error of a carried derivative before the plane is replaced, relative to the
+/// The largest error of a propagated derivative before the plane is reset, relative to the
 /// function's largest derivative. A map that preserves the relations has errors of order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct Carrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
-    /// The carried plane of a lifted field; `None` where tangent vectors have all variables.
+    /// The propagated plane of a lifted field; `None` if tangent vectors have all variables.
     pub(super) plane: Option<Rc<RefCell<Plane<'a, T>>>>,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Plane<'a, T: MachineFloat> {
     place: Vec<T>,
     /// Row i: the tangent vector whose original entries are those of axis i.
     basis: Vec<Vec<T>>,
-    /// Row i: the original entries of the image of `basis[i]` under the last step.
+    /// Row i: the original-variable entries of the image of `basis[i]` under the last step.
     images: Vec<Vec<T>>,
     /// The largest squared norm of each function's gradient so far.
     largest: Vec<f64>,
@@ -114,7 +114,7 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // Variables without a function have slopes of 0, and no equation contains them.
+            // Variables without a function have slope 0, and occur in no equation.
             let is_near = error <= FARTHEST * FARTHEST * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }
@@ -170,7 +170,7 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
-    /// Carries a vector by the last followed step where there is a plane, else by the map at `x`.
+    /// Propagates a vector: with a plane by the last step followed, otherwise by the map at `x`.
     fn carry(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.carry(x, v) };
         let mut sum = vec![T::zero(); v.len()];

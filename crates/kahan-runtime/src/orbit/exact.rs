@@ -1,7 +1,7 @@
 //! Exact orbits: projective integer coordinates between points, and fractions on demand.
 //!
-//! An integral is constant along the orbit. Products check that (N q = D p for N/D at the point and
-//! p/q at the first one), at far lower cost than the reduction of N/D, which is the last resort.
+//! An integral is constant along the orbit. Products check this (N q = D p for N/D at the point and
+//! p/q at the first one), which is far cheaper than the reduction of N/D, the fallback.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
@@ -31,12 +31,12 @@ impl Map {
         let (system, parameters) = (self.field().system(), self.parameters());
         let map = match &self.field().derived().map {
             map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
-            // In many variables the derived plans contain no rational map.
+            // In many variables there is no plan for a rational map.
             None => ProjectiveMap::new(system, parameters, eps),
         };
         let map = map.expect("a map is at parameters where its field is defined");
         let mut orbit = HeightsOrbit::begin(map, start);
-        // The first item of the iterator is the first point itself.
+        // The iterator yields the first point itself first.
         orbit.next();
         let mut exact = ExactOrbit { map: self.clone(), eps: eps.clone(), orbit, first: Vec::new() };
         let first = exact.integrals(&exact.state());

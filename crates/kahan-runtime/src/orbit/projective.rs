@@ -1,8 +1,8 @@
 //! Orbits through poles, over a scalar chosen at compile time.
 //!
 //! In: a map of at most [`LARGEST_DIMENSION`](crate::interpreted::LARGEST_DIMENSION) variables, ε,
-//! and a first point. Out: points, including those at infinity. Generic code is compiled here once,
-//! for all programs that follow orbits through poles.
+//! and a first point. Out: points, including those at infinity. Generic code is compiled once, in
+//! this crate, for all callers.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
@@ -17,7 +17,7 @@ pub trait ProjectiveOrbit<T> {
     /// Makes one step, or returns why there is no next point.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
-    /// Returns the coordinates; at infinity the finite ones are 0.
+    /// Returns the coordinates; for a point at infinity, its finite ones are 0.
     fn coordinates(&self) -> &[T];
 
     /// Returns whether the point is at infinity.
@@ -28,15 +28,14 @@ pub trait ProjectiveOrbit<T> {
     fn integrals(&self) -> Vec<Option<T>>;
 }
 
-/// A scalar for orbits through poles of a map read at run time: `f32`, `f64`, [`Dd`] and
-/// `BigRational`.
+/// A scalar for orbits through poles of a run-time map: `f32`, `f64`, [`Dd`] and `BigRational`.
 pub trait ProjectiveScalar: ThroughPoles {
     /// Begins the orbit of a map at its first point.
     #[doc(hidden)]
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-/// Implements the trait in this crate; a provided method would be compiled where it is called.
+/// Implements the trait in this crate; a provided method would be compiled in each caller's crate.
 macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {
@@ -77,7 +76,7 @@ impl<T: ThroughPoles> At<T> {
             SVector::from_fn(|i, _| start.get(i).map_or_else(T::zero, round));
         let eps: T = round(eps);
         let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
-        // The first item of the iterator is the first point itself.
+        // The iterator yields the first point itself first.
         orbit.next();
         Box::new(At { map, eps, orbit, point: start.into() })
     }

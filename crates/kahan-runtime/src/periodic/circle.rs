@@ -1,4 +1,4 @@
-//! Positions of the roots of a polynomial over ℚ relative to the unit circle, decided exactly.
+//! Positions of the roots of a rational polynomial relative to the unit circle, decided exactly.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::rational::Rational;
@@ -33,7 +33,6 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     Polynomial::from_terms(terms)
 }
 
-/// Classifies a cycle by its multipliers, the roots of `polynomial`.
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
     // A root 0 lowers the degree of the reversed polynomial.
@@ -56,20 +55,20 @@ fn reversed(polynomial: &Polynomial) -> Polynomial {
     )
 }
 
-/// Returns whether a root lies outside the unit circle.
 fn has_root_outside(polynomial: &Polynomial) -> bool {
-    // Roots on the circle, and pairs m, 1/m, are also roots of the reversed polynomial: the
-    // conjugate of a root on the circle is its reciprocal.
+    // Roots on the circle, and pairs m, 1/m, are common to the polynomial and its reversal, since
+    // the conjugate of a root on the circle is its reciprocal.
     let shared = gcd(polynomial, &reversed(polynomial));
-    // Cohn: a self-reciprocal polynomial has all roots on the circle iff its derivative has none
+    // Cohn: a self-reciprocal polynomial has all roots on the circle iff its derivative has no root
     // outside.
     if shared.as_constant().is_none() && has_root_outside(&shared.derivative(Z)) {
         return true;
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
-    // Schur and Cohn: the rest has no root on the circle. Up to sign, the product of its roots is
-    // the last coefficient over the leading one. If it is at least 1 in size, a root lies outside.
-    // Otherwise, by Rouché, the next polynomial has as many roots outside and one root less.
+    // Schur and Cohn: the remaining factor has no root on the circle. Up to sign, the product of
+    // its roots is its last coefficient over its leading one. If that is at least 1 in size, a root
+    // lies outside. Otherwise, by Rouché, the next polynomial has equally many roots outside, and
+    // degree one less.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -96,7 +95,7 @@ mod tests {
         let of = |coefficients: &[i64], below: i64| {
             polynomial(&coefficients.iter().map(|c| Rational::new(*c, below)).collect::<Vec<_>>())
         };
-        // Each factor with whether it has roots inside, on, and outside of the circle.
+        // Each factor with whether it has roots inside, on, and outside the circle.
         let factors = [
             (of(&[0, 1], 1), [true, false, false]),
             (of(&[-1, 2], 2), [true, false, false]),

@@ -1,4 +1,4 @@
-//! Periodic points of maps read at run time, with proofs over ℚ of the rational ones.
+//! Periodic points of run-time maps, with exact proofs for rational cycles.
 //!
 //! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle found in floats. Out: fractions
 //! near the cycle whose orbit closes exactly ([`rational`]), and their stability ([`circle`]).
@@ -26,7 +26,7 @@ impl Differentiable for MapAt<f64> {
     }
 }
 
-/// A map with its derivative by one parameter, or by ε; made by [`MapAt::by`].
+/// A map with its derivative with respect to one parameter, or ε; made by [`MapAt::by`].
 #[derive(Clone, Debug)]
 pub struct ParametricAt {
     at: MapAt<f64>,
@@ -35,8 +35,8 @@ pub struct ParametricAt {
 }
 
 impl MapAt<f64> {
-    /// Returns the map with its derivative by a parameter, given by its index in
-    /// [`Field::parameters`](crate::Field::parameters), or by ε for `None`.
+    /// Returns the map with its derivative with respect to a parameter, given by its index in
+    /// [`Field::parameters`](crate::Field::parameters), or to ε for `None`.
     ///
     /// # Panics
     /// If the index is out of range.
@@ -49,7 +49,7 @@ impl MapAt<f64> {
 }
 
 impl ParametricAt {
-    /// Returns the index of the parameter of the derivative; the number of parameters stands for ε.
+    /// Returns the index of the differentiated parameter; the number of parameters stands for ε.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place

@@ -1,4 +1,4 @@
-//! Cycles over ℚ near cycles known in floats.
+//! Rational cycles near cycles known in floats.
 //!
 //! In: a cycle in floats. Out: fractions near it whose orbit closes exactly, and the exact
 //! characteristic polynomial of the derivative along the cycle.
@@ -14,16 +14,16 @@ use crate::heights::HeightsOrbit;
 
 use super::circle::{Z, characteristic_polynomial, product, stability};
 
-/// The most decimal digits of a coordinate of a cycle over ℚ. Heights of other orbits grow with
-/// every step, usually by a factor; those of a cycle return to few digits.
+/// The most decimal digits of a coordinate of a rational cycle. On other orbits heights grow,
+/// usually by a factor in each step; on a cycle they return to their first values.
 pub const MOST_DIGITS: u64 = 200;
-/// The most products of fractions for the characteristic polynomial of a cycle.
+/// The most products of fractions for a characteristic polynomial.
 const MOST_PRODUCTS: usize = 200_000;
 
 /// A cycle over ℚ, with its multipliers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RationalCycle {
-    /// The points; the map takes each to the next by exact arithmetic, and the last to the first.
+    /// The points; exact arithmetic maps each to the next, and the last to the first.
     pub points: Vec<Vec<Rational>>,
     /// det(z·I − ∂φᵖ/∂x) for the period p, in the variable z; its roots are the multipliers.
     pub polynomial: Polynomial,
@@ -46,10 +46,10 @@ impl RationalCycle {
 impl Map {
     /// Searches for a rational cycle of the map at ε, half the time step, near one in floats.
     ///
-    /// Returns `None` where no fractions with small denominators form a cycle. The proof also gives
-    /// up on numbers of more than 200 digits, and on more than 200 000 products, as for a fixed
-    /// point in more than 20 variables. Cost: an exact orbit over the period for each of up to four
-    /// guesses, and the exact derivative at each point.
+    /// Returns `None` if no fractions with small denominators form a cycle, beyond 200 digits, or
+    /// beyond 200 000 products (such as for a fixed point in more than 20 variables). Cost: for
+    /// each of up to four guesses an exact orbit over the period, and the exact derivative at each
+    /// point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         /// The largest distances of the simplest fraction, relative to the size of the cycle.
@@ -120,7 +120,7 @@ fn between(low: &Rational, high: &Rational) -> Option<Rational> {
         let one = Rational::one();
         (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
         taken.push(floor);
-        // Doubles have shorter continued fractions.
+        // Continued fractions of doubles are shorter.
         if taken.len() > 100 {
             return None;
         }

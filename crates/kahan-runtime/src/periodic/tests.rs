@@ -103,7 +103,7 @@ fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
 
 #[test]
 fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
-    // The map is linear in y and z, which turn differently at each point of the cycle x ↦ x̃ ↦ ….
+    // The map is linear in y and z, with another rotation at each point of the cycle in x.
     let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
     let map = Field::parse(text).unwrap().map().unwrap();
     let at = map.at(1.0);
@@ -169,7 +169,7 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }
 
-/// Returns whether a branch has these changes, each within a bound of its parameter.
+/// Returns whether a branch has these bifurcations, each within a bound of its parameter.
 fn has_turns(branch: &Branch, expected: &[(Change, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     let is_near = |(turn, (change, at, bound)): (&Turn, &(Change, f64, f64))| {
@@ -210,7 +210,7 @@ fn the_lorenz_system_changes_where_the_flow_does() {
         // The multiplier is known up to rounding, and differs from 1 by 2ε·10/11 times r − 1.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
-    // At r = 1 the other equilibria meet at the origin, where their branch turns back.
+    // At r = 1 the two other equilibria meet at the origin: a fold of their branch.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (Change::ThroughCircle, 470.0 / 19.0, 1e-9);
@@ -224,8 +224,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
 
 #[test]
 fn cycles_of_maps_that_keep_a_volume_keep_it() {
-    // A density takes one value at the beginning and end of a cycle: the product of the multipliers
-    // is 1, and in the plane they are m and 1/m.
+    // A density has equal values at the beginning and end of a cycle, so the product of the
+    // multipliers is 1: in the plane they are m and 1/m.
     let plane = "xdot = y - x^2/3 + y^2; ydot = -x + 2*x*y/3 - x^2/2;";
     let top = "xdot = y*z; ydot = -2*x*z; zdot = x*y;";
     let cycles = [

@@ -105,7 +105,7 @@ fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1,1", 20), Growth::Bounded);
     // At ε = 1 the rotation turns by a right angle, with period 4.
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1", "3/7,2", 30), Growth::Bounded);
-    // Not integrable, in few steps and in many.
+    // A nonintegrable map, with few steps and with many.
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 7), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 11), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 3), Growth::Undecided);
@@ -202,7 +202,7 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Noise that hides the growth gives `Undecided`; a large height that hardly moves decides nothing.
+/// Noise that hides the growth gives `Undecided`; nearly constant heights, however large, too.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

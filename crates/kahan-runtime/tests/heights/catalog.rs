@@ -1,5 +1,5 @@
-//! Growth classes of systems of the catalog. The tests of `kahan-paper` compare the orbits of the
-//! paper's figures height by height.
+//! Growth classes of systems of the catalog. `kahan-paper` tests the heights in the paper's
+//! figures.
 
 use kahan_runtime::heights::{Growth, Survey};
 
@@ -13,7 +13,7 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // E9 is E3 or E4 here, and grows like them, though the factor that E3 loses stays.
+        // E9 is E3 or E4 here, with equal growth, although a factor remains that cancels in E3.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

@@ -21,7 +21,7 @@ fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observing<'
     found.iter().map(|found| found.end).collect()
 }
 
-/// The numbers of steps end at a look of the observers, between two looks, and before the first.
+/// Numbers of steps that end at, between, and before the observers' sampling steps.
 #[test]
 fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};

@@ -9,7 +9,7 @@ use kahan_runtime::{Field, Follow, MachineFloat, MapAt, WhileFinite};
 
 use super::support::{FIELDS, STEPS, columns, maps};
 
-/// Numbers of orbits that fill groups, and that leave some over.
+/// Numbers of orbits that fill groups exactly, or leave a partial group.
 const COUNTS: [usize; 5] = [0, 1, 15, 16, 37];
 fn observers<'a, T: MachineFloat + PartialOrd>(
     map: &'a MapAt<T>,
@@ -22,7 +22,7 @@ fn observers<'a, T: MachineFloat + PartialOrd>(
     )
 }
 
-/// The points after the last step and what is reported, each as a text that holds every bit.
+/// Returns the last point and the reports as text that shows every bit.
 fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
     let mut x = start.to_vec();
     let mut observers = observers(map);
@@ -34,7 +34,7 @@ fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
     format!("{x:?} {:?}", observers.report())
 }
 
-/// The same of many orbits.
+/// Returns last points and reports of many orbits, observed in groups.
 fn side_by_side<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], columns: &mut [Vec<T>]) -> Vec<String> {
     let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
     let of = |orbit: usize| observers(maps[orbit.min(maps.len() - 1)]);
@@ -57,7 +57,7 @@ fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: 
 fn orbits_of_one_map_are_those_that_each_is_alone() {
     for (field, map) in maps() {
         for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
-            // Those of many variables are interpreted.
+            // Fields of many variables are interpreted, hence slow.
             for orbits in if field.variables().len() > 4 { &[3][..] } else { &COUNTS } {
                 let orbits = *orbits;
                 let what = (field.variables(), composition, orbits);
@@ -68,7 +68,7 @@ fn orbits_of_one_map_are_those_that_each_is_alone() {
     }
 }
 
-/// A step takes vectors 2⁴¹ times as far here: their squares would leave the numbers in thirteen.
+/// A step stretches vectors by 2⁴¹: unscaled, their squares would overflow after thirteen steps.
 #[test]
 fn vectors_are_scaled_before_they_leave_the_numbers() {
     let field = Field::parse("xdot = x; ydot = y/2;").expect("a field");
@@ -76,7 +76,7 @@ fn vectors_are_scaled_before_they_leave_the_numbers() {
     let mut columns = [[0.0; 3]; 2];
     let mut slices = columns.each_mut().map(|column| &mut column[..]);
     let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&map));
-    // All grows along x, where a vector without direction has a good part of its length.
+    // Growth is along x, where the initial vector has a considerable component.
     let along_x = STEPS as f64 * 41.0 * std::f64::consts::LN_2;
     for indicator in reports.expect("columns that fit") {
         assert!(along_x - 2.0 < indicator && indicator < along_x, "{indicator} and {along_x}");
@@ -104,7 +104,7 @@ fn every_level_has_its_own_bits_side_by_side() {
     }
 }
 
-/// An ε of 0 and one that nothing may be divided by take another form of some steps.
+/// An ε of 0, or one too small to divide by, needs another formula of the step.
 #[test]
 fn orbits_of_their_own_maps_are_those_that_each_is_alone() {
     for (text, parameters) in FIELDS {
@@ -158,8 +158,8 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
 }
 
-/// How many orbits from (1, 1, …) end in each way, which is the way in which each ends alone, with
-/// the same reports.
+/// Counts the orbits from (1, 1, …) by how they end; each must end like a single orbit, with equal
+/// reports.
 fn ends<O: Observer<f64, Report: Debug>>(
     maps: &[&MapAt<f64>],
     variables: usize,
@@ -181,7 +181,7 @@ fn ends<O: Observer<f64, Report: Debug>>(
     counts
 }
 
-/// Fields of one, two and nine variables; orbits end within bursts of steps, each in its own.
+/// Fields of one, two and nine variables; orbits end at different steps within a burst.
 #[test]
 fn orbits_end_side_by_side_where_each_ends_alone() {
     let nine = "adot = a; bdot = b; cdot = c; ddot = d; edot = e; fdot = f; gdot = g; hdot = h; idot = i/2;";
@@ -194,7 +194,7 @@ fn orbits_end_side_by_side_where_each_ends_alone() {
         let lasting = |orbit: usize| (Fli::new(maps[orbit]), Extrema::of(|x: &[f64]| x[0]));
         let [complete, range, done] = ends(&maps, variables, lasting);
         assert!(complete > 0 && range > 0 && done == 0, "{text}: {complete} {range}");
-        // Observers that may be done are shown orbits in turn.
+        // Observers that may end an orbit see one orbit after the other.
         let beyond = || Escape::when(|x: &[f64]| x[0] > 1e250).ending();
         let [complete, range, done] = ends(&maps, variables, |orbit| (lasting(orbit), beyond()));
         assert!(complete > 0 && range == 0 && done > 0, "{text}: {complete} {range} {done}");

@@ -1,4 +1,4 @@
-//! Columns are ensembles, and each trajectory of them is the one of its own ε and parameters.
+//! Columns have the bits of ensembles, each trajectory at its own ε and parameters.
 
 use std::ops::ControlFlow;
 
@@ -10,10 +10,9 @@ use kahan_systems::{E1, E3, E6, E9, LotkaVolterra};
 
 use super::support::{Random, assert_same, catalog, number, steps};
 
-/// Numbers of trajectories that fill groups, and that leave some over.
+/// Numbers of trajectories that fill groups exactly, or leave a partial group.
 const COUNTS: [usize; 6] = [0, 1, 7, 16, 37, 523];
 
-/// The columns of so many points.
 fn columns<T: MachineFloat>(n: usize, count: usize) -> Vec<Vec<T>> {
     let mut random = Random(5);
     (0..n).map(|_| random.point(count)).collect()
@@ -30,7 +29,7 @@ fn advance<T: MachineFloat>(
     at.composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
 }
 
-/// The map at each level that this processor has; the others are reported as not run.
+/// Returns the map at each level of this processor; reports other levels as not run.
 fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
     let at = map.at(eps);
     [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter_map(move |level| {
@@ -118,7 +117,7 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
     }
 }
 
-/// A million points a level, of which some are 0, subnormal, huge, or no numbers.
+/// Compares a million points per level, some of them 0, subnormal, huge, or NaN.
 ///
 /// `cargo test --release -p kahan-runtime --test slices -- --ignored --nocapture` runs it.
 #[test]
@@ -186,8 +185,8 @@ fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
     }
 }
 
-/// Trajectories grow, each in its own time, or come to a pole; some stay in the range. Some have an
-/// ε near zero, for which steps have another form.
+/// Trajectories overflow at different steps, or meet a pole; some stay finite. Some have an ε near
+/// zero, which needs another formula of the step.
 #[test]
 fn a_trajectory_of_columns_ends_where_it_ends_alone_with_the_same_bits() {
     const STEPS: u64 = 3000;
@@ -254,7 +253,7 @@ fn each_trajectory_has_a_map_of_its_own() {
         let mut x = [1.0, 0.5];
         other.composed(composition).advance(&mut x, 1).expect("two variables");
         assert_eq!(points[1], x);
-        // The field has no value at these.
+        // The field is undefined at these parameters.
         assert!(points[0].iter().chain(&points[2]).all(|x| x.is_nan()), "{points:?}");
     }
 }

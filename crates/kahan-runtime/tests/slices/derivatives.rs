@@ -33,7 +33,6 @@ pub(crate) fn fields() -> Vec<Case> {
     ]
 }
 
-/// Returns the map with `by_how_much` added to the parameter `by`.
 fn moved(field: &Field, values: &[(&'static str, f64)], by: Option<&str>, by_how_much: &Rational) -> Map {
     let value = |(name, value): &(&'static str, f64)| {
         let exact = Rational::from_f64(*value).unwrap();
@@ -48,8 +47,8 @@ fn end(at: &MapAt<Dd>, start: &[Dd], steps: u64) -> Vec<Dd> {
     x
 }
 
-/// Differences in double-double over 2⁻⁴⁰ err by the third derivative times 2⁻⁸⁰ and by 2⁻¹⁰⁰/2⁻⁴⁰,
-/// far below the bound, which is that of 40 steps in `f64`.
+/// Central differences in double-double over 2⁻⁴⁰ have errors of 2⁻⁸⁰ times the third derivative
+/// and of 2⁻¹⁰⁰/2⁻⁴⁰, far below the bound for 40 steps in `f64`.
 #[test]
 fn derivatives_are_those_of_differences_in_double_double() {
     const STEPS: u64 = 40;

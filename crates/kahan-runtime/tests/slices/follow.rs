@@ -13,7 +13,7 @@ fn go_on(_: u64) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Returns the finite points of up to `steps` steps, each made by a call of its own.
+/// Returns the finite points of up to `steps` steps, by single calls.
 fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> Vec<Vec<S::Scalar>> {
     let mut points = vec![start.to_vec()];
     for _ in 0..steps {

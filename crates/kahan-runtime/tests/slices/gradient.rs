@@ -1,4 +1,4 @@
-//! Gradients by a reverse sweep, against derivatives carried forward.
+//! Gradients by a reverse sweep, against forward-mode derivatives.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -91,9 +91,9 @@ fn gradients_are_those_of_derivatives_carried_forward() {
     gradients_are_those_carried_forward::<Dd>(fields(), &compositions[..2], 1e-27);
 }
 
-/// The step of 250 variables eliminates along the couplings and skips negligible entries. For
-/// a = ε = 1 the diagonal of A nearly vanishes, so that the solver chooses pivots. Differences over
-/// 2⁻⁴⁰ in 32 digits err by 5e-20 and by a third derivative times 1e-25; the bound is for rounding.
+/// The step of 250 variables eliminates sparsely and skips negligible entries. At a = ε = 1 the
+/// diagonal of A nearly vanishes, so that the solver chooses pivots. Differences over 2⁻⁴⁰ in 32
+/// digits have errors of 5e-20 and 1e-25 times a third derivative; the bound is for rounding.
 #[test]
 fn gradients_of_sparse_fields_are_those_of_differences() {
     let n = 250;

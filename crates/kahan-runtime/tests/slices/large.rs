@@ -110,7 +110,7 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
         value
     };
     for (i, (plus, minus)) in f(1.0).iter().zip(&f(-1.0)).enumerate() {
-        // Values of size 10 at most, from some ten operations and one elimination.
+        // Values up to 10, from some ten operations and one elimination.
         let lack = next[i] - x[i] - 2.0 * eps * (plus - minus) / 4.0;
         assert!(lack.abs() < 1e-14, "{i}: {lack:e}");
     }
@@ -177,7 +177,7 @@ fn the_jacobian_of_sixty_variables_is_that_of_differences() {
         };
         for (i, (plus, minus)) in moved(h).iter().zip(&moved(-h)).enumerate() {
             let slope = (plus - minus) / (2.0 * h);
-            // The difference errs by h² times a third derivative and by 1e-16/h.
+            // The difference quotient has errors of h² times a third derivative, and of 1e-16/h.
             assert!((slope - jacobian[60 * i + j]).abs() < 1e-9, "{i}, {j}");
         }
     }
@@ -192,7 +192,7 @@ fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
         let mut x: Vec<T> = random.point(N);
         let (mut point, mut next) = (SVector::<T, N>::from_column_slice(&x), x.clone());
         let at = large.at(eps);
-        // Without machine code, dense fields are stepped by compiled loops.
+        // Without machine code, compiled loops step dense fields.
         assert!(at.is_code() || !map("xdot = a*x^2;").at(eps).is_code(), "where there is code at all");
         for steps in [1, 3, 100] {
             at.advance(&mut x, steps).unwrap();

@@ -156,7 +156,7 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
         }
     }
     assert!(passes > 20, "{passes} poles");
-    // Stages go 1.35 of a step forward, 1.70 back and 1.35 forward, and so beyond the step.
+    // The stages of the composition are 1.35, −1.70 and 1.35 steps long, and so overshoot the step.
     let kahan = map(RICCATI, 0.1);
     for start in [1.0 / 0.23, -1.0 / 0.05] {
         assert_eq!(passed(&kahan, &[start], 1), exactly(0));

@@ -9,7 +9,6 @@ use super::support::{Random, assert_same, steps};
 
 const NAMES: [&str; 6] = ["u", "v", "w", "x", "y", "z"];
 
-/// Returns a field in n variables, with a few terms of all degrees in each equation.
 fn field(random: &mut Random, n: u32) -> String {
     let name = |random: &mut Random| NAMES[random.below(n) as usize];
     let mut equation = |variable: &str| {

@@ -10,7 +10,6 @@ pub(crate) fn catalog(command: &str) -> Field {
     Field::parse(find(command).expect("in the catalog").text()).expect("a field")
 }
 
-/// A fixed pseudorandom sequence.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
@@ -19,13 +18,12 @@ impl Random {
         u32::try_from((self.0 >> 33) % u64::from(modulus)).expect("small")
     }
 
-    /// Returns a point of ordinary size whose coordinates are no short floats.
+    /// Returns a point of ordinary size whose coordinates need all bits of a double.
     pub(crate) fn point<T: MachineFloat>(&mut self, n: usize) -> Vec<T> {
         (0..n).map(|_| number::<T>(f64::from(self.below(41)) - 20.0) / number(7.0)).collect()
     }
 }
 
-/// Returns the float nearest to a number.
 pub(crate) fn number<T: MachineFloat>(value: f64) -> T {
     kahan_runtime::interpreted::round(
         &kahan_algebra::rational::Rational::from_f64(value).expect("a finite number"),
@@ -41,7 +39,6 @@ pub(crate) fn steps<T: MachineFloat>() -> Vec<T> {
     sizes.filter(fits).flat_map(|size| [number::<T>(size), -number::<T>(size)]).collect()
 }
 
-/// Returns whether two numbers are equal with equal signs, or both NaN.
 pub(crate) fn same<T: Scalar>(a: &T, b: &T) -> bool {
     let is_number = |value: &T| *value == value.clone();
     let sign = |value: &T| (T::one() / value.clone()).approximate().is_sign_negative();
@@ -51,7 +48,6 @@ pub(crate) fn same<T: Scalar>(a: &T, b: &T) -> bool {
     }
 }
 
-/// Asserts that all numbers are equal bit for bit.
 pub(crate) fn assert_same<'a, T: Scalar>(
     found: impl IntoIterator<Item = &'a T, IntoIter: ExactSizeIterator>,
     expected: impl IntoIterator<Item = &'a T, IntoIter: ExactSizeIterator>,

@@ -18,7 +18,7 @@ pub(crate) fn q(text: &str) -> BigRational {
 }
 
 /// Returns points and values of ε of ordinary size, sevenths and elevenths from a fixed sequence,
-/// so that no coordinate is a short float.
+/// so that no coordinate is a float with few bits.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

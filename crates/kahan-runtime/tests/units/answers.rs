@@ -1,4 +1,4 @@
-//! Answers in one unit, converted back to ordinary units.
+//! Results in one unit, converted back to the reference unit.
 
 use core::fmt::Debug;
 
@@ -6,13 +6,13 @@ use kahan_core::{FloatScalar, nalgebra::SVector};
 
 use super::fields::{ORDINARY, Unit, two_to};
 
-/// Named answers, in the order of the questions.
+/// Named results, in the order in which they were added.
 pub(crate) struct Answers {
     unit: Unit,
     all: Vec<(String, Vec<f64>)>,
 }
 
-/// The powers of length and time that a number is proportional to.
+/// The exponents of length and time in a number's dimension.
 #[derive(Clone, Copy)]
 pub(crate) struct Dimension {
     pub(crate) length: i32,
@@ -31,7 +31,6 @@ impl Answers {
         Self { unit, all: Vec::new() }
     }
 
-    /// Adds numbers of this dimension.
     pub(crate) fn add<T: FloatScalar>(&mut self, name: &str, dimension: Dimension, numbers: &[T]) {
         let Dimension { length, time } = dimension;
         let back = |number: &T| {
@@ -45,18 +44,16 @@ impl Answers {
         self.add(name, LENGTH, point.as_slice());
     }
 
-    /// Adds an answer that is not a number, as text.
     pub(crate) fn say(&mut self, name: &str, what: impl Debug) {
         self.all.push((format!("{name}: {what:?}"), Vec::new()));
     }
 }
 
-/// Returns whether two numbers have equal bits or are both NaN.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
 
-/// Panics if answers in one of the units differ from those in ordinary units.
+/// Panics if results in one of the units differ from those in reference units.
 pub(crate) fn check_units(name: &str, units: &[Unit], answer: impl Fn(Unit, &mut Answers)) {
     let of = |unit| {
         let mut answers = Answers::new(unit);

@@ -48,7 +48,7 @@ fn add_orbit<M: LatticeMap<f64> + Clone>(
     let mut next = start.clone();
     at.step(&mut next);
     answers.add("residual", NUMBER, &[at.residual(&start, &next)]);
-    // Promised steps may have other bits.
+    // `try_step` may round differently.
     answers.say("promise", at.try_step(&mut next).is_ok());
 }
 

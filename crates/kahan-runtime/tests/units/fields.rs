@@ -5,7 +5,7 @@
 
 use kahan_runtime::{Field, Map};
 
-/// A field with a first point and an ε, in ordinary units.
+/// A field with a first point and an ε, in reference units.
 #[derive(Debug)]
 pub(crate) struct Case {
     pub(crate) name: &'static str,

@@ -50,7 +50,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_,
         answers.add("polarized field", SPEED, self.map.polarized(&x, &next).as_slice());
         answers.add_point("local error", &at.local_error(&x));
         answers.add_point("back", &self.map.step_back(&next, self.eps()));
-        // Promised steps may have other bits.
+        // `try_step` may round differently.
         answers.say("promise", at.try_step(&x).is_ok());
     }
 

@@ -1,4 +1,4 @@
-//! One formula evaluated at a group of orbits, each with its own values of the known names.
+//! One formula evaluated for a group of orbits in SIMD lanes, each with its own constants.
 
 use std::cell::RefCell;
 
@@ -9,8 +9,7 @@ use kahan_program::{Arithmetic, Calls, Program};
 
 use super::{Called, Formula, Operation};
 
-/// A formula with values of the known names for each orbit. Each lane has the bits of
-/// [`Formula::of`].
+/// A formula with constants for each orbit. Each lane has the bits of [`Formula::of`].
 pub(crate) struct Abreast {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,
@@ -41,7 +40,6 @@ impl Abreast {
     }
 }
 
-/// Arithmetic in the lanes of a group, each rounded independently.
 struct Lanes;
 
 #[inline(always)]

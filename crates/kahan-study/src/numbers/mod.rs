@@ -1,4 +1,4 @@
-//! Scalar types of computations, and the numbers of answers.
+//! Scalar types of computations, and numbers in answers.
 
 mod double_double;
 pub mod exact;

@@ -1,4 +1,4 @@
-//! Orbit diagrams: limits of orbits over the values of a parameter or of ε.
+//! Orbit diagrams (bifurcation diagrams): long-term values of orbits over a parameter or ε.
 
 use std::ops::ControlFlow;
 
@@ -223,7 +223,7 @@ impl Diagram {
     }
 }
 
-/// A receiver that collects one column of a table.
+/// A consumer of rows that collects one column.
 struct Shown {
     column: usize,
     values: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Finds from the equations what a field's map preserves.
+//! Searches a field's equations for conserved objects of its map.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
@@ -31,8 +31,8 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of relations on orbits. By default, the degree follows from the number of
-    /// variables and grows while findings may be missing.
+    /// The largest degree of relations on orbits. By default it follows from the number of
+    /// variables, and grows while integrals may be missing.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
@@ -64,7 +64,7 @@ pub struct Discovered {
 
 impl Discover {
     /// Searches for integrals, densities, brackets, drifts and structure. Parameters without values
-    /// are generic. Ignores the claims of the field. Reports each proved finding to the watch.
+    /// are generic. Ignores the field's own claims. Reports each proved result to the watch.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is not feasible.
@@ -136,7 +136,6 @@ pub(super) fn options(
     Ok(Options { eps, parameters, degree, seconds, ..Options::default() })
 }
 
-/// Checks that relations of the requested degree are feasible.
 fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, StudyError> {
     let variables = study.variables().len();
     let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
@@ -163,8 +162,8 @@ impl Discovered {
         self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
     }
 
-    /// Iterates over the claims for readers: without integrals that compact forms of modified
-    /// Hamiltonians replace, and without texts above [`MOST_READABLE`] characters.
+    /// Iterates over the claims for display: without integrals that modified Hamiltonians in
+    /// compact form replace, and without texts above [`MOST_READABLE`] characters.
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
         // Integrals come first, so their indices are the indices of the claims.
@@ -178,8 +177,8 @@ impl Discovered {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// Returns the field with the claims for readers: without integrals that compact forms of
-    /// modified Hamiltonians replace, and without texts above [`MOST_READABLE`] characters.
+    /// Returns the field with the claims for display: without integrals that modified Hamiltonians
+    /// in compact form replace, and without texts above [`MOST_READABLE`] characters.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
@@ -193,7 +192,7 @@ impl Discovered {
         System { claims, ..self.field.clone() }
     }
 
-    /// Writes each claim in its parts, as objects of JSON, and H if the field is K grad H.
+    /// Writes each claim as a JSON object, and H if the field is K grad H.
     fn parts(&self) -> Vec<Value> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
@@ -221,7 +220,7 @@ impl Discovered {
     }
 }
 
-/// Writes the relation of a basis as an object of JSON. The integrals are quotients of coefficients
+/// Writes the relation of a basis as a JSON object. The integrals are quotients of coefficients
 /// `c[m]` of the relation Σ `c[m]` m = 0 along an orbit. Each term is a sum of monomials with equal
 /// coefficients.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
@@ -237,7 +236,7 @@ fn relation(basis: &Basis, variables: &[String]) -> Value {
     })
 }
 
-/// Writes K, H and the modified Hamiltonian at a point x and its image x~ as an object of JSON.
+/// Writes K, H and the modified Hamiltonian at a point x and its image x~ as a JSON object.
 /// `is_compact` says whether the modified Hamiltonian is new, or much shorter than the integrals.
 fn hamiltonian(found: &HamiltonianReport) -> Value {
     json!({
@@ -250,7 +249,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// Writes the integrals that compositions preserve, and quotients of two, as an object of JSON.
+/// Writes the integrals that compositions preserve, and quotients of two, as a JSON object.
 fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

@@ -14,8 +14,7 @@ use crate::study::{NoStep, Study};
 
 use super::over::{AtCell, Entry, column};
 
-/// A request for the field, the matrices, the map, its Jacobian and the values of the claims at a
-/// point.
+/// A request for field, matrices, map, Jacobian and values of the claims at a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Evaluate {
@@ -78,7 +77,7 @@ pub struct Evaluated {
     /// The drifts of the claims that apply: a function, and its next value by the recurrence.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
-    /// The reason for which the point has no image.
+    /// The reason why the point has no image.
     #[serde(skip)]
     pub no_step: Option<NoStep>,
 }

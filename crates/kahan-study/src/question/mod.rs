@@ -1,12 +1,9 @@
 //! Questions and their answers, as values.
 //!
-//! A question says what is asked; the [`Subject`](crate::Subject) says of which field. Its JSON has
-//! a name `ask` and the fields of the question, `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
-//! 3]}`; unknown fields are mistakes.
-//!
-//! Each question has a file with its fields, its answer and `ask`, and, if it can be asked over
-//! axes, the entries of its row. A line in the list below declares the module, exports its public
-//! names, and adds the question to [`Question`] and [`Answer`].
+//! A question has a name `ask` and fields in JSON: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
+//! 3]}`; the [`Subject`](crate::Subject) gives the field. Unknown fields are mistakes. Each
+//! question has a file with its fields, its answer and `ask`, and the entries of its row if it can
+//! be asked over axes. The list below declares the modules, [`Question`] and [`Answer`].
 
 mod over;
 
@@ -133,7 +130,7 @@ questions! {
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
     /// The heights of an exact orbit.
     Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;
-    /// The fate of singularities.
+    /// The images of curves that the map contracts or sends to infinity.
     Poles, asked as "poles", answered by PolesFound, in poles;
     /// The structures that the map preserves.
     Discover, asked as "discover", answered by Discovered, in discover, also AtCell;
@@ -154,8 +151,8 @@ impl Study {
         question.ask(self, watch)
     }
 
-    /// Passes on the rows in `range`, counted from 0, of an answer that is a table. Returns how the
-    /// table ended. Rows beyond its end are left out.
+    /// Passes the rows in `range`, counted from 0, of an answer that is a table to a consumer.
+    /// Returns how the table ended. Rows beyond the table's end are left out.
     ///
     /// # Errors
     /// [`StudyError::NoRows`] if the answer is not a table, and the errors of the question.
@@ -179,7 +176,7 @@ impl Study {
     }
 }
 
-/// A receiver that passes on only the rows in a range.
+/// A consumer that passes only the rows in a range on.
 struct Within<'a> {
     range: Range<u64>,
     row: u64,
@@ -211,7 +208,7 @@ impl Question {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
         };
         let name = name.as_str().unwrap_or_default();
-        // Other questions have an `over` of their own, or none.
+        // Other questions may have their own `over`.
         if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {

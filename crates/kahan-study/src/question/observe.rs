@@ -1,7 +1,7 @@
-//! Observes an orbit: exponents, indicators of chaos, rotation, drift, escape.
+//! Observables of an orbit: exponents, chaos indicators, rotation, drift, escape.
 //!
-//! In: a first point, and the observables. Out: the observations, in order. No orbit is stored.
-//! Rotation follows the orbit twice, first to find the midpoints of its extrema.
+//! In: a first point, and the observables. Out: the observed values, in order. No orbit is stored.
+//! Rotation takes two passes, the first for the middles of the extrema.
 
 use std::ops::ControlFlow;
 
@@ -25,7 +25,7 @@ use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, Seen};
 
-/// The reason for which calls of a map succeed.
+/// The reason why calls of a map succeed.
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST: &str = "the last point was asked for";
 
@@ -53,8 +53,8 @@ pub struct Observe {
     /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// The size of a variable at which the orbit counts as escaped and ends; `None` for no bound.
-    /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
+    /// The size of a variable at which the orbit has escaped and ends; `None` for no bound. Without
+    /// a bound, [`Observable::Escape`] uses a million, and the orbit continues.
     #[serde(default)]
     pub escape: Option<f64>,
     /// Whether each step of a lifted field is projected symmetrically onto the relations of the
@@ -92,7 +92,7 @@ pub struct Observed {
     pub integrals: Vec<String>,
     /// The number of steps, including the transient; fewer than requested if the orbit ended early.
     pub steps: u64,
-    /// The way in which the orbit ended.
+    /// The reason why the orbit ended.
     pub end: End,
     /// The reason of the end, if the lift caused it.
     pub why: Option<String>,
@@ -211,9 +211,9 @@ impl Observe {
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
-    /// Observes many orbits, side by side where compiled code allows it. Returns the
+    /// Observes many orbits, in SIMD lanes where machine code allows it. Returns the
     /// [numbers](Self::numbers) of the columns. `maps` holds a map for each orbit, and `starts` a
-    /// column for each variable; the ε, order and first point of the question are ignored. `tell`
+    /// column for each variable; ε, order and first point of the question are ignored. `tell`
     /// receives numbers of steps and may stop the work, whose results are then meaningless.
     ///
     /// # Panics
@@ -233,8 +233,7 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit after its transient. Returns the observations, and the reason if the lift
-    /// ended the orbit.
+    /// Observes one orbit after its transient. Also returns the reason if the lift ended the orbit.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -256,7 +255,7 @@ impl Observe {
         if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
-    /// Observes many orbits after their transients, side by side where compiled code allows it. An
+    /// Observes many orbits after their transients, in SIMD lanes where machine code allows it. An
     /// orbit that ends in its transient is followed again, up to its end.
     pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
         &self,
@@ -292,8 +291,8 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start, up to the end of the lift; returns the reason of this
-    /// end.
+    /// Observes one orbit from its start, up to the end of the lift's domain; returns the reason of
+    /// that end.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -314,7 +313,7 @@ impl Observe {
     }
 
     /// Observes many orbits from their starts. An orbit of a lifted field whose last point is
-    /// beyond the end of the lift is followed again, up to that end.
+    /// outside the lift's domain is followed again, up to the domain's end.
     fn side_by_side<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -335,9 +334,9 @@ impl Observe {
         found
     }
 
-    /// Returns the observations of an orbit as the numbers of a table's columns. For an orbit that
-    /// ended early, only the step of its escape is a number, because other observations would not
-    /// cover all steps.
+    /// Returns an orbit's observed values as the numbers of a table's columns. If the orbit ended
+    /// early, only the step of its escape is a number, because other values would not cover all
+    /// steps.
     #[must_use]
     pub fn numbers(found: &Followed<Vec<Seen>>) -> Vec<f64> {
         let numbers = |seen: &Seen| {
@@ -403,7 +402,6 @@ fn last_point<T: EmbedScalar>(seen: Seen) -> Option<Vec<T>> {
     Some(point.into_iter().map(T::narrowed).collect())
 }
 
-/// Drops the variables that answers do not show.
 pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
     match seen {
         Seen::Point(point) => Seen::Point(study.project(&point)),
@@ -421,7 +419,7 @@ fn after(has_steps: bool, seen: Seen) -> Seen {
     }
 }
 
-/// Writes an observation, with a value by name for each variable or integral.
+/// Writes an observed value; for variables or integrals, a number for each name.
 fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
         names.iter().cloned().zip(values.iter().map(value)).collect()

@@ -1,8 +1,8 @@
 //! The points of an orbit with the integrals at them, as a table that may exceed memory.
 //!
 //! In: a study, ε, a first point, numbers of steps, a scalar and a method. Out: rows in blocks, or
-//! an answer with all rows. [`points`] makes rows of any moving point; [`maps`] and [`methods`]
-//! hold the moving points.
+//! an answer with all rows. [`points`] makes rows from any moving point; [`maps`] and [`methods`]
+//! provide the moving points.
 
 mod chain;
 mod maps;
@@ -36,9 +36,8 @@ pub use paces::Paces;
 use points::{Course, Halt, Points, ended};
 
 /// A request for the points of an orbit: rows of n, the time t = 2εn, the variables, and the
-/// integrals claimed without a condition or under one that holds for this orbit. Claims concern
-/// Kahan's map. Compositions and other methods follow the flow; their integrals are the claims at ε
-/// = 0.
+/// integrals whose condition (if any) holds for this orbit. Claims concern Kahan's map.
+/// Compositions and other methods approximate the flow; their integrals are the claims at ε = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
@@ -116,10 +115,10 @@ impl Method {
     }
 }
 
-/// The reason for which options of an orbit exclude each other.
+/// A contradiction among the options of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoOrbit {
-    /// A composition of this order in exact numbers.
+    /// A composition of this order in exact numbers; its coefficients are irrational.
     Irrational(u32),
     /// A composition with projective steps.
     ProjectiveOrder,
@@ -192,7 +191,7 @@ impl NoOrbit {
     }
 }
 
-/// The data of an orbit before its first step.
+/// Metadata of an orbit, known before its first step.
 #[derive(Clone, Debug, Serialize)]
 pub struct OrbitHead {
     /// The name of the system.
@@ -222,7 +221,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// The execution of float steps: `machine code` or `interpreted`.
+    /// How float steps are executed: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether the orbit continues through poles.
@@ -247,19 +246,19 @@ fn names<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok, S::E
 /// An orbit in memory.
 #[derive(Clone, Debug, Serialize)]
 pub struct Orbited {
-    /// The data before the first step.
+    /// The metadata.
     #[serde(flatten)]
     pub head: OrbitHead,
     /// The rows, with the columns of the head.
     pub rows: Table,
-    /// The way in which the orbit ended.
+    /// The reason why the orbit ended.
     #[serde(flatten)]
     pub ending: Ending,
 }
 
 /// An orbit at its first point, ready to run.
 pub struct Begun<'a> {
-    /// The data of the orbit.
+    /// The metadata.
     pub head: OrbitHead,
     go_on: GoOn<'a>,
 }
@@ -267,8 +266,8 @@ pub struct Begun<'a> {
 type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
 impl Begun<'_> {
-    /// Passes on the rows in `range`: row k is the point after `transient` + k · `every` steps.
-    /// Costs all steps up to the last row; integrals are computed in rows only.
+    /// Passes the rows in `range` to a consumer: row k is the point after `transient` + k · `every`
+    /// steps. Costs all steps up to the last row; integrals are computed in rows only.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
@@ -341,7 +340,7 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, whatever the scalar. A program that calls only this method
+    /// Prepares the orbit in doubles, for any scalar setting. A program that calls only this method
     /// contains no code for other scalars.
     ///
     /// # Errors
@@ -384,8 +383,7 @@ impl Orbit {
         let parameters = parameters.collect::<Result<Vec<_>, _>>()?;
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
-        // Numbers that differ exactly may coincide in the scalar, which may make the field
-        // undefined.
+        // Numbers that differ exactly may coincide in the scalar, where the field may be undefined.
         if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
             return Err(study.undefined_field_at(&self.eps));
         }
@@ -417,8 +415,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns: &all, eps, paces };
-            // Near infinity rates are unbounded, exact orbits have long steps, and other methods do
-            // not have the growth factor of Kahan's map.
+            // Skip the check of rates where it does not apply: rates are unbounded near infinity,
+            // exact orbits have long steps, and other methods have other growth factors.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective
@@ -457,7 +455,7 @@ impl Orbit {
     }
 }
 
-/// A receiver that passes on a selection of the columns, and inspects rates along the way.
+/// A consumer that selects columns, and checks rates along the way.
 struct Chosen<'a> {
     columns: &'a [Column],
     places: Vec<usize>,
@@ -467,9 +465,9 @@ struct Chosen<'a> {
 
 struct Looks {
     rates: Rates,
-    /// The number of rows from an inspected one to the next.
+    /// The number of rows from one checked row to the next.
     stride: u64,
-    /// The number of rows before the next inspected one.
+    /// The number of rows before the next checked one.
     next: u64,
 }
 
@@ -478,7 +476,6 @@ impl Looks {
         Looks { stride: rates.stride(rows), rates, next: 0 }
     }
 
-    /// Inspects a block of rows with n, t and the variables.
     fn rows(&mut self, values: &[Values<'_>]) {
         let count = values[0].count() as u64;
         while self.next < count {

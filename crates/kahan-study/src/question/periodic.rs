@@ -1,4 +1,4 @@
-//! A cycle of the map near a point, how stable it is, and where it goes when something changes.
+//! Cycles of the map near a point, their stability, and their branches over a parameter or ε.
 
 use kahan_algebra::modified_integrals::linear_integrals;
 use kahan_algebra::poly::{Monomial, Polynomial};
@@ -28,46 +28,46 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The most unknowns of Newton's method: where it finds no cycle, sixty decompositions take some
+/// The most unknowns of Newton's method; a failed search (sixty decompositions) then takes about
 /// five seconds.
 const MOST_UNKNOWNS: usize = 250;
 
-/// Asks for a cycle near a point, and for its branch.
+/// A request for a cycle near a point, and for its branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step; the first value of `over` where that is of ε. Steady states are the
-    /// same for each ε: where the period is 1, it is chosen by the field's rates if it is not
-    /// given.
+    /// ε, half the time step; by default the first value of `over`, if that varies ε. For steady
+    /// states (period 1), which do not depend on ε, the default is chosen by the field's rates.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle, a coordinate for each variable; none for that of the text.
+    /// A point near the cycle, with a coordinate for each variable; empty for the point in the
+    /// text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period. Of a cycle of the flow, the number of steps, about those at `eps`;
-    /// 1 for as many as the orbit takes there.
+    /// A multiple of the period. For a limit cycle of the flow, about the number of steps at `eps`;
+    /// 1 for the number that the orbit takes.
     #[serde(default = "one")]
     pub period: usize,
-    /// The unknown besides the points: with ε, a cycle of the flow is looked for, whose period is
-    /// not known.
+    /// The unknown besides the points: with ε, the cycle is a limit cycle of the flow, with unknown
+    /// period.
     #[serde(default)]
     pub free: Option<Free>,
-    /// The steps before an orbit is looked at that comes back close to itself, where ε is free.
+    /// With free ε, the number of steps before close returns of the orbit are searched.
     #[serde(default)]
     pub transient: u64,
-    /// The parameter that changes along the branch, or `eps`.
+    /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// Which integrals keep their values at `at`.
+    /// The integrals that keep their values at `at`.
     #[serde(default)]
     pub hold: Hold,
 }
 
-/// Which integrals keep their values while a cycle is looked for.
+/// The integrals that keep their values during the search for a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Hold {
-    /// Linear ones with constant coefficients.
+    /// Linear integrals with constant coefficients.
     #[default]
     Linear,
     /// None.
@@ -96,50 +96,50 @@ pub enum Free {
     Eps,
 }
 
-/// A cycle, and what becomes of it.
+/// A cycle, and its branch.
 #[derive(Clone, Debug)]
 pub struct CycleFound {
     /// The name of the system.
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle, in doubles. Its multipliers are those along the level of what is held, and of a
-    /// cycle of the flow extrapolated.
+    /// The cycle, in doubles, with multipliers along the level set of the fixed integrals. For a
+    /// limit cycle of the flow, multipliers are extrapolated.
     pub cycle: PeriodicPoint,
-    /// The linear integrals that are held, with their values, as equations.
+    /// The linear integrals with fixed values, as equations.
     pub held: Vec<String>,
-    /// ε at the cycle.
+    /// The value of ε.
     pub eps: f64,
-    /// The period, where it is one of the flow.
+    /// The period of a limit cycle of the flow; otherwise `None`.
     pub flow: Option<FlowFound>,
-    /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
+    /// The cycle over ℚ, if its points are fractions of a few digits and no branch is requested.
     pub exact: Option<RationalCycle>,
-    /// What changes along the branch, and the branch.
+    /// The name of the axis, and the branch.
     pub branch: Option<(String, Branch)>,
-    /// For each point of a branch of the flow the extrapolated numbers; `None` without such a point
-    /// at finer steps.
+    /// For each point of a branch of limit cycles the extrapolated numbers; `None` if finer steps
+    /// lack the point.
     pub rows: Vec<Option<FlowFound>>,
 }
 
 impl Periodic {
-    /// Fixed points, with nothing that changes.
+    /// Asks for a fixed point, without a branch.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
         let hold = Hold::default();
         Periodic { eps: Some(eps), at, period: one(), free: None, transient: 0, over: None, hold }
     }
 
-    /// The first value of what changes.
+    /// Returns the first value on the axis, or NaN without one.
     fn begin(&self) -> f64 {
         self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
 
-    /// Looks for the cycle of a system whose claims hold, by Newton's method. Costs at each of its
-    /// steps the elimination of a dense matrix with a row for each number of the cycle.
+    /// Searches by Newton's method; the claims of the system must hold. Each Newton step costs the
+    /// elimination of a dense matrix with a row for each number of the cycle.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, a cycle that is too long, an axis of nothing that the field has, or no cycle there.
+    /// doubles, a cycle that is too long, an unknown axis, or no cycle found.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<CycleFound, StudyError> {
         study.proved()?;
         let family = Family::of(self, study)?;
@@ -185,23 +185,23 @@ impl Periodic {
 }
 
 impl CycleFound {
-    /// The points of the branch at the values that were asked for and where something changes, each
-    /// with its numbers if it is one of the flow.
+    /// Iterates over the points of the branch at requested values and at bifurcations, with
+    /// extrapolated numbers for limit cycles.
     pub fn rows(&self) -> impl Iterator<Item = (&BranchPoint, Option<&FlowFound>)> {
         let points = self.branch.iter().flat_map(|(_, branch)| &branch.points).enumerate();
         let rows = points.map(|(k, point)| (point, self.rows.get(k).and_then(Option::as_ref)));
         rows.filter(|(point, _)| point.mark != Mark::Between)
     }
 
-    /// The eigenvalues of the derivative of the field at a cycle of this answer, where it is a
-    /// steady state: λ = (μ − 1)/(ε(μ + 1)) of its multipliers μ.
+    /// Returns the eigenvalues of f′ at a steady state, λ = (μ − 1)/(ε(μ + 1)) for its multipliers
+    /// μ; `None` for other cycles.
     #[must_use]
     pub fn eigenvalues(&self, cycle: &PeriodicPoint, eps: f64) -> Option<Vec<Complex<f64>>> {
         let of = |multiplier: &Complex<f64>| (multiplier - 1.0) / (multiplier + 1.0) / eps;
         (cycle.points.len() == 1).then(|| cycle.multipliers.iter().map(of).collect())
     }
 
-    /// A change on the branch in words: of steady states in those of the field.
+    /// Describes a bifurcation; for steady states in terms of the field.
     #[must_use]
     pub fn said(&self, change: Change) -> String {
         let of_field = match change {
@@ -216,7 +216,7 @@ impl CycleFound {
     }
 }
 
-/// A linear integral Σ cₖ xₖ that is held at its value.
+/// A linear integral Σ cₖ xₖ with a fixed value.
 struct Held {
     /// The pairs (k, cₖ).
     coefficients: Vec<(usize, Rational)>,
@@ -228,7 +228,7 @@ impl Held {
         Held { value: value(&coefficients, point), coefficients }
     }
 
-    /// The integral and its value as an equation whose first coefficient is positive.
+    /// Writes the integral and its value as an equation with a positive first coefficient.
     fn equation(&self, study: &Study) -> String {
         let symbols = &study.system().field.symbols;
         let terms = self.coefficients.iter();
@@ -244,15 +244,15 @@ fn value(coefficients: &[(usize, Rational)], point: &[Rational]) -> Rational {
     coefficients.iter().fold(Rational::zero(), |sum, (k, c)| &sum + &(c * &point[*k]))
 }
 
-/// The map at each value of what changes.
+/// The map at each value of the axis.
 struct Family {
     study: Study,
     eps: Rational,
     start: Vec<f64>,
     held: Vec<Held>,
-    /// The points at which what is held has its values.
+    /// The level set of the fixed integrals.
     leaf: Leaf,
-    /// The index of the parameter that changes; `None` for ε, or for nothing.
+    /// The index of the varied parameter; `None` for ε, and without an axis.
     parameter: Option<usize>,
     changes: bool,
 }
@@ -274,7 +274,7 @@ impl Family {
         let is_steady = asked.period == 1 && asked.free.is_none();
         let eps = given.or_else(|| is_steady.then(|| step_for(study.map().ok()?, &point))?);
         let eps = eps.ok_or(StudyError::MissingStep)?;
-        // A mistake in what is given is told before the search.
+        // Report mistakes in the input before the search.
         let (_, start) = study.in_floats(&point, &eps)?;
         let mut integrals = match asked.hold {
             Hold::Linear => integrals(&study, parameter, &start)?,
@@ -283,7 +283,7 @@ impl Family {
         let floats = |integral: &Vec<(usize, Rational)>| {
             integral.iter().map(|(k, c)| (*k, c.to_f64())).collect::<Vec<_>>()
         };
-        // Cycles of the flow have the original variables of a lifted field.
+        // Limit cycles of a lifted field are in the original variables.
         let variables = if asked.free.is_some() { study.coordinates().len() } else { start.len() };
         integrals.retain(|integral| integral.iter().all(|(k, _)| *k < variables));
         let floats: Vec<_> = integrals.iter().map(floats).collect();
@@ -292,7 +292,6 @@ impl Family {
         Ok(Family { study, eps, start, held, leaf, parameter, changes: axis.is_some() })
     }
 
-    /// ε where what changes has this value.
     fn eps_at(&self, value: f64) -> f64 {
         match (self.changes, self.parameter) {
             (true, None) => value,
@@ -300,24 +299,21 @@ impl Family {
         }
     }
 
-    /// Returns the integrals that are held, as equations.
     fn equations(&self) -> Vec<String> {
         self.held.iter().map(|integral| integral.equation(&self.study)).collect()
     }
 
-    /// The map on the leaf.
     fn on_leaf(&self, value: f64) -> OnLeaf<'_, ParametricAt> {
         OnLeaf { map: self.at(value).by(self.parameter), leaf: &self.leaf }
     }
 
-    /// Puts the points of a cycle on the leaf in the place of their coordinates.
+    /// Converts the points of a cycle from coordinates on the level set to all variables.
     fn unfold(&self, cycle: &mut PeriodicPoint) {
         for point in &mut cycle.points {
             *point = self.leaf.point(point);
         }
     }
 
-    /// The parameters where what changes has this value.
     fn values_at(&self, value: f64) -> Vec<Rational> {
         let mut parameters = self.own().parameters().to_vec();
         if let Some(place) = self.parameter {
@@ -326,8 +322,7 @@ impl Family {
         parameters
     }
 
-    /// The map where what changes has this value; where the field divides by zero, that of no
-    /// value.
+    /// Returns the map at this value of the axis; with ε = NaN if the field divides by zero.
     fn at(&self, value: f64) -> MapAt<f64> {
         match self.study.map_at(&self.values_at(value)) {
             Some(map) => map.at(self.eps_at(value)),
@@ -335,17 +330,16 @@ impl Family {
         }
     }
 
-    /// The branch that begins with a cycle.
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
-        // A branch that winds has more.
+        // A winding branch has more cycles than this estimate.
         let count = Count::new("cycles", steps as u64, watch);
         let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
         self.finish(&mut branch, axis);
         branch
     }
 
-    /// Puts the points of a branch on the leaf, and its rows at the very values of the axis.
+    /// Converts the points of a branch to all variables, and restores the exact values of the axis.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.unfold(&mut point.cycle);
@@ -355,12 +349,11 @@ impl Family {
         }
     }
 
-    /// The map at the values that were given, at which there is one.
     fn own(&self) -> &Map {
         self.study.map().expect("the family was made where its field is defined")
     }
 
-    /// The cycle over ℚ, where nothing changes.
+    /// Returns the cycle over ℚ, if no branch is requested.
     fn exact(&self, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         if self.changes {
             return None;
@@ -371,8 +364,8 @@ impl Family {
     }
 }
 
-/// The linear integrals of a field at the values of its parameters, but for the one that changes.
-/// They determine variables that are small at `start`, so that the free ones show its size.
+/// Returns the linear integrals of the field, with the varied parameter generic. They determine the
+/// variables that are small at `start`, so that the free variables show its size.
 fn integrals(
     study: &Study,
     changes: Option<usize>,
@@ -385,14 +378,14 @@ fn integrals(
     let mut order: Vec<usize> = (0..start.len()).collect();
     order.sort_by(|a, b| start[*b].abs().total_cmp(&start[*a].abs()));
     let found = linear_integrals(&study.at(values).specialised()?.field, &order);
-    // A field that is zero moves no variable, and every point is a cycle.
+    // For a zero field every point is a fixed point, and no integral is needed.
     Ok(if found.len() < start.len() { found } else { Vec::new() })
 }
 
-/// A power of two for ε at which a step changes distances near a point by a part of themselves: the
-/// rates of the field there are neither fast nor slow for it.
+/// Returns a power of two for ε, such that ∂x̃/∂x − 1 near the point has entries of at most about
+/// 1.
 fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
-    /// Beyond all powers of two of a double.
+    /// More than the number of powers of two among doubles.
     const MOST: usize = 2200;
 
     let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
@@ -413,14 +406,13 @@ fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
     Rational::from_f64(eps)
 }
 
-/// The characteristic polynomial of a cycle's derivative, in z.
+/// Returns the characteristic polynomial of the derivative along a cycle, in z.
 #[must_use]
 pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
     let symbols = Symbols { states: vec!["z".to_owned()], parameters: Vec::new() };
     Text.polynomial(&symbols, &exact.polynomial)
 }
 
-/// A cycle as an object of JSON.
 fn object_of(found: &CycleFound, cycle: &PeriodicPoint, eps: f64) -> Value {
     let pairs = |of: &[Complex<f64>]| of.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>();
     let mut object = json!({

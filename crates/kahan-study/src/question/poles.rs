@@ -1,4 +1,4 @@
-//! The orbits of curves that a map sends to infinity or blows down.
+//! The images of curves that a map contracts or sends to infinity (singularity confinement).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::GrowthVerdict;
@@ -15,7 +15,8 @@ use crate::study::Study;
 use super::discover::options;
 use super::seconds_since;
 
-/// A request for the orbits of the curves, or surfaces in three variables, that the map loses.
+/// A request for the images of the curves, in three variables surfaces, on which the map is
+/// singular.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {

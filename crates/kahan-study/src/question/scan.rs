@@ -82,7 +82,7 @@ impl Scan {
         Ok(ScanFound { system: study.name().to_owned(), found, total, seconds: seconds_since(begun, watch) })
     }
 
-    /// Returns the axes, after checking that no axis has another value as well.
+    /// Returns the axes, after checking that no axis also has a fixed value.
     fn scanned(&self, study: &Study) -> Result<Vec<Scanned>, StudyError> {
         if self.over.is_empty() {
             return Err(StudyError::NoAxis);

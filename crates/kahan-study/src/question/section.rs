@@ -56,8 +56,8 @@ pub struct Section {
     /// The number of steps before crossings count.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method. A crossing lies on its step at a part of ε, so the error of its
-    /// time has this order, too.
+    /// The order of the method, and of the times of crossings: a crossing is the endpoint of a step
+    /// with a fraction of ε.
     #[serde(default = "usual_order")]
     pub order: u32,
     /// Whether each step of a lifted field is projected symmetrically onto the relations of the
@@ -73,8 +73,7 @@ pub struct Section {
     /// The axes, combined in all ways with each other and with the first points.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
     pub over: Vec<Varied>,
-    /// Whether an orbit starts at the last point of the orbit before it on the last axis. Only the
-    /// first orbit on that axis starts at its first point.
+    /// Whether an orbit starts at the last point of the previous orbit on the last axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carry: bool,
 }
@@ -112,14 +111,14 @@ pub struct Crossed {
     pub values: Vec<f64>,
     /// The number of steps.
     pub steps: u64,
-    /// The way in which the orbit ended; `Stopped` if it has all requested crossings.
+    /// The reason why the orbit ended; `Stopped` if it has all requested crossings.
     pub end: End,
     /// The reason of the end, if the lift caused it.
     pub why: Option<String>,
     /// The number of crossings.
     pub crossings: u64,
-    /// The number of sign changes, in the directions that count, without a zero: at a pole of the
-    /// formula or of the map, or at a jump of the formula.
+    /// The number of relevant sign changes without a zero: at a pole of the formula or of the map,
+    /// or at a jump of the formula.
     pub jumps: u64,
 }
 
@@ -190,9 +189,9 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Passes on the crossings of each orbit, one orbit after another. Requires claims that hold.
-    /// Refines each crossing on the curve of the step as ε grows from 0. Costs the orbits, and some
-    /// steps for each crossing; memory is bounded.
+    /// Passes the crossings of each orbit to a consumer, one orbit after another. Requires claims
+    /// that hold. Refines each crossing on the curve of the step as ε grows from 0. Costs the
+    /// orbits, and some steps for each crossing; memory is bounded.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -209,7 +208,6 @@ impl Section {
         Ok(Orbits::of(self, study, &cells)?.find(rows, watch))
     }
 
-    /// Returns the most steps after the transient.
     fn most_steps(&self) -> Result<u64, StudyError> {
         /// The number of steps for each crossing, if only crossings are given.
         const EACH: u64 = 10_000;
@@ -219,7 +217,7 @@ impl Section {
     }
 }
 
-/// A receiver that collects rows up to the limit of an answer.
+/// A consumer that collects rows up to the limit of an answer.
 struct Few<'a> {
     rows: &'a mut Table,
     cells: u64,
@@ -254,7 +252,6 @@ impl SectionFound {
         self.rows.count()
     }
 
-    /// Returns the numbers of a column; empty for a missing column.
     fn numbers(&self, column: usize) -> &[f64] {
         match self.rows.values.get(column) {
             Some(Kept::F64(values)) => values,
@@ -289,7 +286,7 @@ impl SectionFound {
     }
 }
 
-/// Writes one orbit as lists of times and points, and many orbits as rows with the end of each.
+/// Writes one orbit as lists of times and points, and several orbits as rows with the end of each.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;

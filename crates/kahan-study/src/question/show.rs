@@ -70,8 +70,8 @@ pub enum Shown {
     Plan(Box<Planned>),
 }
 
-/// The formulas of a field, each as a text. A formula beyond the budget of terms is `None`, and
-/// null in JSON.
+/// The formulas of a field, each as a text; `None` (null in JSON) for a formula with too many
+/// terms.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sheet {
     /// The name of the system.

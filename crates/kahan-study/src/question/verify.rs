@@ -19,7 +19,7 @@ use super::seconds_since;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Verify {
-    /// Whether to ask if each claim fails after a change of a coefficient or sign.
+    /// Whether to change a coefficient or sign of each claim, which must then fail.
     pub mutate: bool,
 }
 

@@ -11,13 +11,12 @@ use serde::{Serialize, Serializer};
 use super::path::Limits;
 use super::refusal::{LEAST_DIFFERENCE, NoReference};
 
-/// The fewest steps of the composition, of 17 stages each.
 const FEWEST_STEPS: f64 = 16.0;
 /// The least and the largest factor by which the number of steps grows after a failed trial; in
-/// between, the order of the method determines it.
+/// between, the order of the method determines the factor.
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
-/// The relative difference beyond which the composition is not followed further.
+/// The relative difference beyond which the composition is abandoned.
 const LOST: f64 = 0.1;
 /// The number of times at which a closed solution, which is slow, is compared.
 const CLOSED_SAMPLES: u32 = 64;
@@ -90,9 +89,9 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // Steps as short as the steepest slope requires, or differences near the last digits,
-            // leave only rounding errors. Longer steps may be too coarse for a stiff motion and
-            // still improve.
+            // For steps as short as the steepest slope requires, or differences near the last
+            // digits, only rounding errors remain. Longer steps may be too coarse for a stiff
+            // motion and still improve.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -127,7 +126,7 @@ impl Comparison {
     }
 
     /// Returns whether the comparison is clearly better than one with fewer steps: a smaller
-    /// difference, or, in a sensitive motion that amplifies differences, a longer agreement.
+    /// difference, or, for a sensitive motion, a longer agreement.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }
@@ -137,7 +136,6 @@ impl Comparison {
         Certificate { method, difference, agreed_until }
     }
 
-    /// Compares with a composition of `steps` steps; `None` if the time runs out.
     fn with_steps<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,

@@ -1,10 +1,10 @@
 //! Reference trajectories: solutions of the flow with an error estimate by an independent method.
 //!
 //! In: a field, a point, a time. Out: a function of time in double-double numbers, and its
-//! difference from the second method. The first method is a Taylor series in time. The second is
-//! the closed solution, if the catalog has one, or Kahan's map composed to order 8. The methods
-//! share no formulas, whereas two settings of one method could share a mistake. Interval arithmetic
-//! is deliberately absent: the difference is evidence, not a proof.
+//! difference from a second method. The first method is a Taylor series in time; the second is the
+//! catalog's closed solution, or Kahan's map composed to order 8. They share no formulas, unlike
+//! two settings of one method. Interval arithmetic is deliberately absent: the difference is
+//! evidence, not a proof.
 
 mod certificate;
 #[cfg(feature = "catalog")]
@@ -25,8 +25,8 @@ pub use certificate::{Certificate, Method};
 pub use path::Limits;
 pub use refusal::NoReference;
 
-/// The allowed difference of the two methods, as a part of the tolerance of orbits. Errors near a
-/// tenth of the tolerance then stay accurate to a tenth.
+/// The allowed difference of the two methods, relative to the tolerance of orbits. Measured errors
+/// near a tenth of the tolerance then stay accurate to a tenth.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).

@@ -1,6 +1,6 @@
-//! The first method: the flow as Taylor series in time, continued from point to point.
+//! The Taylor method: the flow as power series in time, continued from point to point.
 //!
-//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or a reason.
+//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or an error.
 
 use core::fmt;
 
@@ -15,10 +15,10 @@ const MOST_MEMORY: usize = 1 << 30;
 /// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
 pub struct Limits<'a> {
-    /// The part of [`Trajectory::end`](super::Trajectory::end) by which the trajectory extends
-    /// beyond its end, for orbits that pass it. A solution that escapes first is not extended.
+    /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory extends
+    /// beyond its end, for orbits that overshoot. A solution that escapes first is not extended.
     pub margin: f64,
-    /// The number of leading variables that the errors and the scale refer to; `None` for all.
+    /// The number of leading variables that enter errors and scale; `None` for all.
     pub variables: Option<usize>,
     /// Returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,

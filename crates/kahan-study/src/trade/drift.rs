@@ -11,12 +11,11 @@ use super::runner::Runner;
 /// and the map's is the claim minus the constant.
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, 0 or 1 for the coefficient of ε⁰ or ε² that depends on the state; `None` if
-    /// neither does.
+    /// For each claim, 0 or 1 for the first of the coefficients of ε⁰ and ε² that depends on the
+    /// state; `None` if neither does.
     coefficients: Vec<Option<usize>>,
 }
 
-/// The initial values of the integrals, and the largest changes so far.
 pub(super) struct Drift<'a> {
     subject: &'a Runner<'a>,
     integrals: &'a Integrals,

@@ -17,21 +17,19 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
 
-/// The number of points at which integrals are evaluated if the need is the trajectory.
+/// The number of points at which integrals are evaluated if the trajectory is followed.
 const INTEGRAL_SAMPLES: usize = 32;
 
-/// Measurements of settings in one scene, with all they need.
 pub(super) struct Measuring<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
-    /// The number of leading variables that errors refer to.
+    /// The number of leading variables that enter errors.
     pub(super) originals: usize,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Duration,
-    /// Whether steps are machine code, so that prices predict their time; interpreted steps are
-    /// slower.
+    /// Whether steps are machine code, so that prices predict their time.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
     /// For each scheme that ran out of time, the ε of its first skipped setting.
@@ -87,7 +85,7 @@ impl Trials for Measuring<'_> {
 }
 
 impl Measuring<'_> {
-    /// Records the first number of steps for which a scheme had no time.
+    /// Records the first number of steps for which no time was left to try a scheme.
     fn skip(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));
@@ -113,7 +111,6 @@ impl Measuring<'_> {
         Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
     }
 
-    /// Measures a setting; `None` if the time is over before the end of the orbit.
     fn measure(&self, setting: Setting) -> Option<Measured> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         let stops = stops(self.reference.as_ref(), eps, steps);
@@ -152,7 +149,7 @@ impl Measuring<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // A composition does not preserve the map's integrals, so the flow's count.
+        // A composition does not preserve the map's integrals, only nearly those of the flow.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,
@@ -166,7 +163,7 @@ impl Measuring<'_> {
     }
 
     /// Returns the distance from the start after all steps forward and back, relative to the size
-    /// of the start; `None` if the time does not suffice or a number is not finite.
+    /// of the start; `None` without enough time, or for a nonfinite number.
     pub(super) fn return_error(&self, setting: &Setting) -> Option<f64> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         if 2 * self.expected(scheme, eps, steps as f64) > self.time_left() {

@@ -1,7 +1,7 @@
-//! Measures work against accuracy in one scene: scalar, order, compensation and ε.
+//! Error against cost in one scene: scalar, order, compensation and ε.
 //!
-//! In: a system, a point, a horizon, and the need. Out: settings with their price (nanoseconds for
-//! a unit of simulated time, on this machine) and error, the Pareto front, and the cheapest setting
+//! In: a system, a point, a horizon, and the need. Out: settings with their price (nanoseconds per
+//! unit of simulated time, on this machine) and error, the Pareto front, and the cheapest setting
 //! that meets the need. The library's own orbits are run and timed; errors refer to a certified
 //! [`Reference`].
 
@@ -141,7 +141,7 @@ pub struct Choice {
     pub rust: String,
 }
 
-/// The reason for which nothing was measured.
+/// The reason why nothing was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CannotTrade {
     /// The system cannot be run.
@@ -239,7 +239,6 @@ impl Trade {
     }
 }
 
-/// Rounds a positive number to a finite float.
 fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
     let float = value.to_f64();
     if float > 0.0 && float.is_finite() {
@@ -269,7 +268,7 @@ impl<'a> Ladders<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // The margin serves orbits that pass the horizon because ε was rounded.
+                // The margin is for orbits that overshoot the horizon because ε was rounded.
                 let is_over = || clock() > deadline;
                 // Errors refer to the variables of the original equations.
                 let variables = Some(study.coordinates().len());
@@ -285,7 +284,7 @@ impl<'a> Ladders<'a> {
             }
         };
         // The coarsest ε has a mean product of ε and rate of 4 along a trajectory, and of 1 at the
-        // start for integrals. Compositions, with their shorter stages, may be that coarse.
+        // start for integrals; compositions, with their shorter stages, can use it.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -360,7 +359,7 @@ impl Measuring<'_> {
         if self.deadline.is_zero() {
             return;
         }
-        // The total is unknown, because it depends on the results.
+        // The total depends on the results, and is unknown.
         let progress = Progress { what: "settings", done: self.settings.len() as u64, of: None };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {
             self.deadline = Duration::ZERO;
@@ -368,5 +367,5 @@ impl Measuring<'_> {
     }
 }
 
-/// A duration that counts as no limit; clocks cannot represent much later times.
+/// A duration that means no limit; clocks cannot represent much later times.
 const LONG: Duration = Duration::from_secs(1 << 32);

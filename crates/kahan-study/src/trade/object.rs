@@ -1,4 +1,4 @@
-//! The JSON of parts of a trade's answer.
+//! JSON of the details of a trade's answer.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};

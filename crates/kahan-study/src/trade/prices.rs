@@ -1,8 +1,8 @@
-//! Measures the time of a step of each scheme on this machine, in nanoseconds.
+//! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! A compiled system is timed from the start of the scene. The speed of an interpreted field says
-//! little about its compiled speed, so E6 is timed instead, scaled by the planned costs of the two
-//! steps. Ratios between orders are exact in both cases, because an order is a number of stages.
+//! A compiled system is timed from the start of the scene. For an interpreted field, E6 is timed
+//! and scaled by the planned costs of both steps, since interpreted and compiled speeds differ.
+//! Ratios between orders are exact, because an order is a number of stages.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -12,15 +12,14 @@ use super::runner::Runner;
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
-/// The number of rounds, with a turn for every scheme in each. The least time counts, because
-/// disturbances only slow a step down.
+/// The number of rounds, each timing every scheme. The least time counts, because disturbances only
+/// slow a step down.
 const ROUNDS: usize = 15;
 const STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme in turns at this ε, or a smaller one if a turn would pass the horizon.
-    /// Beyond the horizon a decaying state becomes subnormal, and steps take a hundred times as
-    /// long.
+    /// Times every scheme in rounds at this ε, or a smaller one if a round would pass the horizon:
+    /// beyond it, a decaying state becomes subnormal, and steps take a hundred times as long.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
@@ -35,8 +34,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // A compiler vectorises steps in single precision, which can double their time and has
-        // never saved much. They are therefore priced at least like steps in double precision.
+        // A compiler vectorises steps in single precision, which can double their time. They are
+        // therefore priced at least like steps in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -50,7 +49,8 @@ impl Prices {
     /// Converts times to a system with another cost of a step.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // Double-double steps have hundreds of independent operations, so their number counts.
+            // Double-double steps have hundreds of independent operations, whose number
+            // determines the time.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };
@@ -58,7 +58,6 @@ impl Prices {
         Prices(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
     }
 
-    /// Returns the nanoseconds of a step of the whole composition.
     pub(super) fn nanoseconds(&self, scheme: Scheme) -> f64 {
         let known = self.0.iter().find(|(known, _)| *known == scheme);
         known.map(|(_, time)| *time).expect("every scheme has been timed")

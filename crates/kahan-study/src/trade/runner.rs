@@ -44,7 +44,7 @@ impl<'a> Runner<'a> {
         Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
-    /// Prepares E6 at a point of moderate size, which is timed in place of a field without code.
+    /// Prepares E6 at a point of moderate size, a stand-in for the timing of interpreted fields.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));

@@ -1,4 +1,4 @@
-//! The order of measuring schemes: likely winners first, which ends the ladders of others early.
+//! The order of measuring schemes: likely winners first, so that others can be abandoned early.
 
 use kahan_core::Composition;
 use kahan_dynamics::search::{Rules, Search};
@@ -6,19 +6,17 @@ use kahan_dynamics::{Precision, Scheme};
 
 use super::measure::Measuring;
 
-/// The rules for measured settings: show all rungs of ladders, and leave the whole tolerance to the
-/// settings, because the reference is certified.
+/// The rules for measured settings: show all trials, and allow the whole tolerance, because the
+/// reference is certified.
 pub(super) const MEASURED: Rules =
     Rules { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
-/// The part of the remaining time that one setting may take.
 const SHARE: f64 = 0.3;
-/// The error of `f64` above which rounding errors are unlikely.
+/// An error of `f64` too large to be caused by rounding.
 const UNEVEN: f64 = 1e-11;
 
 /// A search with the schemes whose errors have stopped falling.
 pub(super) struct Ladders<'a> {
     pub(super) search: Search<Measuring<'a>>,
-    /// The largest error that meets the need.
     pub(super) tolerance: f64,
     pub(super) stalled: Vec<Scheme>,
 }
@@ -80,8 +78,8 @@ impl Ladders<'_> {
         }
     }
 
-    /// Climbs in the plain scheme, and in the compensated one if rounding errors matter. Returns
-    /// whether rounding errors matter in the plain scheme.
+    /// Runs the ladder of a scheme without compensation, and with it if rounding errors matter.
+    /// Returns whether they matter without it.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.ladder(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {
@@ -90,7 +88,7 @@ impl Ladders<'_> {
         has_felt
     }
 
-    /// Climbs the ladder of a scheme; returns whether rounding errors matter.
+    /// Runs the [ladder](Search::ladder) of a scheme; returns whether rounding errors matter.
     fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let climb = self.search.ladder(scheme, coarsest);
         if climb.has_stalled() {

@@ -4,10 +4,10 @@ use crate::reference::Reference;
 
 /// The number of evenly spaced stops; all steps if they are fewer.
 const EVENLY: u64 = 512;
-/// The number of stops on each polynomial piece of the trajectory; pieces are dense where it moves
-/// fast.
+/// The number of stops on each polynomial piece of the trajectory; pieces are dense where the
+/// motion is fast.
 const ON_A_PIECE: u32 = 3;
-/// The most pieces with stops of their own; beyond it, only some pieces have stops.
+/// The most pieces with stops; if there are more, some are skipped.
 const MOST_PIECES: usize = 2048;
 
 /// Returns increasing numbers of steps at which to inspect an orbit of `steps` ≥ 1 steps at ε =

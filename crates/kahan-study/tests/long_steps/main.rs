@@ -37,7 +37,6 @@ impl Errors {
     }
 }
 
-/// The plans of Â and p for a field.
 struct Linear<'a> {
     field: &'a Field,
     matrix: Plan,
@@ -114,7 +113,6 @@ impl<'a> Linear<'a> {
     }
 }
 
-/// Makes the step of a plan, in the order of its operations.
 fn fast(step: &StepPlan, values: &[f64]) -> Vec<f64> {
     let value = |variable: Variable| Some(values[usize::from(variable.0)]);
     let constants = step.constants.evaluate(&Float64, |input| input.value(&[], value));
@@ -178,7 +176,6 @@ struct Tally {
 }
 
 impl Tally {
-    /// Measures the step of a field, and the step for lanes.
     fn add(&mut self, (name, text): &Named, points: usize, seed: u64) {
         let system = read_unproved(&lex(text).tokens).system().unwrap_or_else(|_| panic!("{text}"));
         let derived = derive(&system);

@@ -1,5 +1,4 @@
-//! Limit cycles of flows against numbers that none of our steps computes: shooting with DOP853 of
-//! SciPy, tolerance 1e-13.
+//! Limit cycles of flows against SciPy: shooting with DOP853, tolerance 1e-13.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{StudyError, Subject, Unwatched, Which};
@@ -13,14 +12,14 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
 }
 
-/// A cycle found near an orbit at the time step `dt`.
+/// Returns the cycle found near an orbit at the time step `dt`.
 fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
     let mut asked = json!({"ask": "periodic", "eps": dt / 2.0, "free": "eps"});
     asked.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
     answer(&study(field.clone()), asked)
 }
 
-/// Asserts that a period is what it is within its error, and the map's period near it.
+/// Asserts that a period is correct within its error estimate, and the map's period is near it.
 fn assert_period(found: &Value, period: f64, most: f64) {
     let flow = &found["flow"];
     let [value, error, of_map] = ["period", "error", "period_of_map"].map(|name| number(&flow[name]));

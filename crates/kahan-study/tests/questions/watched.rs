@@ -26,7 +26,7 @@ fn findings_are_told_when_they_are_proved() {
     }
 }
 
-/// A watch that stops at every look; a further look after the stop is an error.
+/// A watch that stops at each check; a check after the stop is an error.
 struct Ending {
     clock: Clock,
     looks: AtomicU32,

@@ -63,8 +63,8 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the truth over all steps; the last point stands for the
-/// horizon.
+/// Returns the largest distance from the reference over all steps. The last point is compared with
+/// its end, too.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,
@@ -141,7 +141,7 @@ fn sweep(seed: u64, count: u64) -> Vec<Judged> {
     judged.into_iter().map(|(_, judged)| judged).collect()
 }
 
-/// Prints missed tolerances and refusals, and checks the bounds promised by `Scene::choose`.
+/// Prints missed tolerances and refusals, and checks the bounds claimed by `Scene::choose`.
 fn check(seed: u64, count: u64) {
     let judged = sweep(seed, count);
     let (mut accepted, mut refused, mut unjudged, mut blind) = (0, 0, 0, 0);

@@ -1,7 +1,8 @@
-//! The finished rows of an unfinished part, so that an interrupted process loses little work. Each
-//! process appends records to a file of its own: kind, first row, number of rows, number of bytes,
-//! checksum and rows. Readers skip incomplete records, and records of another plan, version or
-//! floating-point mode. The files are deleted when the part exists.
+//! The journal of an unfinished part, which limits the loss from an interruption.
+//!
+//! Each process appends records of finished rows to its own file: kind, first row, number of rows,
+//! number of bytes, checksum and rows. Readers skip incomplete records, and records of another
+//! plan, version or floating-point mode. The files are deleted once the part exists.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -28,7 +29,7 @@ impl Journal {
         Self { folder: part.under_way(), file: None, kind: kind(part) }
     }
 
-    /// Reads the records of earlier processes, unordered: first rows with tables.
+    /// Reads the records of earlier processes, unordered: tables with their first rows.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
@@ -48,7 +49,7 @@ impl Journal {
         // Readers stop at an incomplete record, so a new file follows a failure.
         let mut file = match self.file.take() {
             Some(file) => file,
-            // The name is random, because processes in containers may share an id.
+            // The name is random, because processes in containers may have equal ids.
             None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {
@@ -72,7 +73,6 @@ fn kind(part: &Part<'_>) -> [u8; 8] {
     std::array::from_fn(|place| digest[place])
 }
 
-/// Returns the CRC-32 of a record's head and body.
 fn checksum(head: &[u8], body: &[u8]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(head);
@@ -98,7 +98,7 @@ fn encode(rows: &Table) -> Vec<u8> {
     bytes
 }
 
-/// The unread rest of a file; reads return `None` at its end.
+/// The unread bytes of a file; reads return `None` at the end.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {

@@ -1,4 +1,4 @@
-//! Merging all parts into one file, by copying their row groups unchanged.
+//! Merges all parts into one file by copying their row groups unchanged.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -12,7 +12,6 @@ use parquet::file::writer::SerializedFileWriter;
 use super::part::{Part, files, fresh, of_disk, writer};
 use crate::plan::Plan;
 
-/// The prefix of the temporary file's name.
 const WRITING: &str = ".results-";
 
 pub(crate) const RESULTS: &str = "results.parquet";
@@ -54,7 +53,8 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Temporary files of killed processes; a process that still merges will find the result.
+    // Removes temporary files of killed processes; a process that is still merging will find the
+    // result.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

@@ -1,7 +1,8 @@
-//! The files of a sweep: parts, journals and the merged result. A part holds the rows of a fixed
-//! range of indices as one Parquet row group. Parts are complete or absent. The plan, the program's
-//! version and the floating-point mode determine a part's bytes; its metadata state them, with a
-//! checksum.
+//! The files of a sweep: parts, journals and the merged result.
+//!
+//! A part holds the rows of a fixed range of indices as one Parquet row group, and is complete or
+//! absent. The plan, the program's version and the floating-point mode determine its bytes; its
+//! metadata contain all three, with a checksum.
 
 mod journal;
 mod merge;

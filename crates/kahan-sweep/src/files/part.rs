@@ -42,7 +42,7 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
     (false, _) => "on another processor",
 };
 
-/// A reason why an existing part cannot be used.
+/// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum Unusable {
     /// The file is incomplete, altered or another part; its shard can write it again.
@@ -73,7 +73,6 @@ impl<'a> Part<'a> {
         Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
 
-    /// Writes the part's rows; the file appears once it is complete.
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows).map_err(of_disk) {
             // Another process has written the part and cleaned up.
@@ -110,7 +109,6 @@ impl<'a> Part<'a> {
         self.path.with_extension("under-way")
     }
 
-    /// Removes the unfinished files of all processes.
     pub(crate) fn tidy(&self) {
         // Leftovers are ignored, as the part exists.
         let _ = std::fs::remove_dir_all(self.under_way());
@@ -120,7 +118,7 @@ impl<'a> Part<'a> {
         self.path.exists()
     }
 
-    /// Opens the file after checking its checksum, and that plan, version and place are right.
+    /// Opens the file after checking its checksum, plan, version and index.
     pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
         let name = self.path.file_name().unwrap_or_default().display();
         let damaged = |why: &dyn Display| Unusable::Damaged(format!("{name} is damaged ({why})"));
@@ -220,7 +218,7 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// The digits that stand for the checksum while it is computed.
+/// Placeholder digits while the checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
 /// The CRC-32 of a whole file, including the footer. The checksum's own digits count as zeros.

@@ -10,13 +10,12 @@ use super::Part;
 pub(crate) struct Status {
     /// The number of valid parts.
     pub(crate) done: u64,
-    /// The indices of missing parts.
     pub(crate) missing: Vec<u64>,
-    /// The reasons against the unusable parts.
+    /// The reasons why parts are unusable.
     pub(crate) refused: Vec<String>,
 }
 
-/// Checks every part, and runs `each` after each one.
+/// Checks every part; calls `each` after each one.
 pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Status {
     let mut status = Status::default();
     for index in 0..plan.parts() {

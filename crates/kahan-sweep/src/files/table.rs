@@ -13,7 +13,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use parquet::schema::types::Type;
 
-/// A reason for a failed table.
+/// The reason why a table could not be written.
 #[derive(Debug)]
 pub(crate) enum NoTable {
     /// The file is invalid, or lacks a column.

@@ -1,6 +1,7 @@
-//! Plans: a question over axes, the field that it concerns, and the columns to write. Takes a TOML
-//! text and reports all its mistakes before anything runs. Returns the number of points, and the
-//! rows of any range of points.
+//! Plans: a question over axes, its field, and the columns to write.
+//!
+//! In: a TOML text, whose mistakes are all reported before anything runs. Out: the number of
+//! points, and the rows of any range of points.
 
 mod read;
 
@@ -29,7 +30,6 @@ pub struct Plan {
     canonical: OnceLock<String>,
 }
 
-/// Selects the columns at these indices, or all.
 fn choose(table: Table, places: Option<&[usize]>) -> Table {
     let Some(places) = places else { return table };
     let columns = places.iter().map(|&place| table.columns[place].clone()).collect();
@@ -65,8 +65,8 @@ impl Plan {
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// Returns the least and greatest number of rows for a thread's turn. Groups fill vector
-    /// registers; orbits above 2²⁰ steps run singly, because an interruption loses an unfinished
+    /// Returns the least and greatest number of rows that a thread computes in one go. Groups fill
+    /// SIMD lanes; orbits above 2²⁰ steps run singly, because an interruption loses an unfinished
     /// group.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {

@@ -16,7 +16,6 @@ use serde_json::{Map, Value};
 use super::{Plan, choose};
 use crate::files::numbers;
 
-/// The default number of rows in a part.
 const ROWS: u64 = 100_000;
 /// The largest number of values in a part, which must fit in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
@@ -51,7 +50,7 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // The plan's own keys stand outside of tables.
+        // The plan's own keys are outside of tables.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
@@ -243,7 +242,6 @@ impl Default for Output {
 }
 
 impl Output {
-    /// Returns the indices of the columns to write, or `None` for all.
     fn places(&self, all: &Table, mistakes: &mut Vec<Misread>) -> Option<Vec<usize>> {
         let columns = self.columns.as_ref()?;
         if columns.is_empty() {

@@ -40,7 +40,6 @@ fn sweep(folder: &Path, arguments: &[&str]) -> Output {
     command.arg("plan.toml").args(arguments).current_dir(folder).output().expect("the command runs")
 }
 
-/// Runs a sweep that must succeed, and returns its output.
 fn done(folder: &Path, arguments: &[&str]) -> String {
     let output = sweep(folder, arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));

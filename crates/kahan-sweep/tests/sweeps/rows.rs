@@ -77,7 +77,6 @@ fn exact_tasks_are_swept() {
     assert_eq!(column(discover.path(), "independent_integrals"), vec![Field::Long(1); 3]);
 }
 
-/// Encodes two initial states as a NumPy file.
 fn array(numbers: [f64; 6]) -> Vec<u8> {
     let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n";
     let numbers: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();

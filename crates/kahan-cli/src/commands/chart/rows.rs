@@ -10,7 +10,7 @@ use crate::reading::{self, named, number, over};
 /// The rows of a file to draw, and the column that they show.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
-    /// Ranges, or names of columns, whose values are then the middles of the cells.
+    /// Ranges, or names of columns, whose values are then the midpoints of the cells.
     pub(super) over: &'a [String],
     pub(super) column: String,
     pub(super) chosen: &'a [String],
@@ -19,8 +19,7 @@ pub(super) struct Rows<'a> {
 const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
-    /// Returns the axes and the mean of each cell, row by row from below; NaN for cells without
-    /// numbers.
+    /// Returns the axes and the mean of each cell, row by row from below; NaN for empty cells.
     pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), Refusal> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
@@ -86,7 +85,7 @@ impl<'a> Rows<'a> {
         Ok((ranges, cells.into_iter().map(Cell::mean).collect()))
     }
 
-    /// Returns the refusal of a file without rows that satisfy the conditions.
+    /// Returns the refusal of a file in which no row satisfies the conditions.
     fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> Refusal {
         const MOST: usize = 8;
         let there = chosen.iter().zip(columns).find(|((_, value), column)| !column.contains(value));

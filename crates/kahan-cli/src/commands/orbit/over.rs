@@ -1,7 +1,7 @@
 //! Orbits of every start over all values of parameters, ε and coordinates, as one table.
 //!
-//! In: starts, and ranges by name. Out: one orbit for each start and each combination of values. An
-//! orbit begins in its turn, so memory does not grow with the number of rows.
+//! In: starts, and ranges by name. Out: one orbit for each start and each combination of values.
+//! Orbits begin one after another, so memory does not grow with the number of rows.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
@@ -12,7 +12,6 @@ use super::{Orbit, Question};
 use crate::printing::{Answer, Refusal};
 use crate::reading;
 
-/// All combinations of values of the axes; the last axis varies fastest.
 struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
@@ -48,7 +47,7 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // All combinations and starts begin once before the first row, as one may be refused.
+        // Begin all combinations and starts before the first row, as one of them may be refused.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;

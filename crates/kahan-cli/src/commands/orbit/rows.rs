@@ -1,8 +1,7 @@
 //! The table of orbits: its destination, and the endings of its orbits.
 //!
-//! In: a head, and orbits that write their own rows. Out: the table, and an answer that says why
-//! orbits ended. This module must not know how steps are made.
-//! not know.
+//! In: metadata, and orbits that write their own rows. Out: the table, and an answer with the
+//! reasons why orbits ended. The method of a step is deliberately absent.
 
 use kahan_study::{Ending, Kept};
 use serde_json::{Map, Value, json};
@@ -12,8 +11,8 @@ use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn
 use crate::reading::option;
 
 impl Orbit {
-    /// Writes a table, orbit by orbit. `places` are the names of the first columns, whose cells
-    /// each orbit brings.
+    /// Writes a table, orbit by orbit. `places` names the first columns, whose cells come with each
+    /// orbit.
     pub(super) fn write<O>(
         &self,
         head: Value,
@@ -29,7 +28,7 @@ impl Orbit {
         let sink = file.map_or_else(|| Ok(Sink::standard()), Sink::table)?;
         let stops = match self.write_into(sink, &head, orbits, fill) {
             Ok(stops) => stops,
-            // A reader that goes away ends the table without an error.
+            // If the reader goes away, the table ends without an error.
             Err(Broken::ReaderGone) => Vec::new(),
             Err(Broken::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
         };
@@ -72,8 +71,8 @@ impl Orbit {
     }
 }
 
-/// Returns how orbits ended, for an object: `ended`, `ended_step`, `stopped` (null for complete
-/// orbits) and possibly `note`. Several orbits have lists.
+/// Returns the endings of orbits for an object: `ended`, `ended_step`, `stopped` (null for complete
+/// orbits) and possibly `note`; lists for several orbits.
 fn ended(endings: &[Ending]) -> Map<String, Value> {
     let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,

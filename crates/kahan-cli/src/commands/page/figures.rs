@@ -1,4 +1,4 @@
-//! The figures of a page: answers to questions, drawn or tabulated, each with its command line.
+//! The figures of a page: drawings and tables of answers, each with its command line.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::hilbert::default_degree;
@@ -49,9 +49,8 @@ impl Asked {
 
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
-    /// The field with values of its parameters.
     pub(super) valued: &'a Field,
-    /// The field with values and with integrals: claimed ones, otherwise those that were found.
+    /// The field with values and with integrals: the claimed ones, otherwise the discovered ones.
     pub(super) kept: &'a Field,
     /// The field with the given values only.
     pub(super) generic: &'a Field,
@@ -74,7 +73,7 @@ impl Subject<'_> {
         Shown::portrait(eps.clone(), vec![At::Point(start.clone())], steps)
     }
 
-    /// Returns a share of the time in seconds, rounded to tenths.
+    /// Returns a share of the available time in seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
@@ -85,7 +84,7 @@ impl Subject<'_> {
     }
 
     pub(super) fn search(&self) -> Asked {
-        // With a degree the result does not depend on the speed of the machine.
+        // With a fixed degree the result does not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
         Asked::of(self.generic, Question::Discover(asked))
@@ -155,7 +154,7 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))
     }
 
-    /// Returns the cheapest settings over a horizon like that of the figures.
+    /// Returns the cheapest integrator settings over the horizon of the figures.
     pub(super) fn settings(&self) -> Markup {
         /// The number of steps of the figures in the horizon.
         const STEPS: f64 = 400.0;
@@ -178,7 +177,8 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// Returns the number of steps for exponents; tangent vectors make it fall with the dimension.
+    /// Returns the number of steps for exponents; it falls with the dimension, because of tangent
+    /// vectors.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
@@ -198,7 +198,7 @@ impl Subject<'_> {
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// Asks for orbits from points between the start and the middle of its orbit.
+    /// Asks for orbits from points between the start and the middle of the start's orbit.
     fn many_orbits(&self, steps: u64) -> Shown {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
@@ -211,8 +211,8 @@ impl Subject<'_> {
         Shown { spread, seconds: SECONDS, ..Shown::portrait(eps.clone(), at, steps) }
     }
 
-    /// Returns the plane through the middle of the third variable, or of the one that varies most
-    /// if the third hardly varies.
+    /// Returns the plane through the middle of the third variable, or of the most varying one if
+    /// the third hardly varies.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -228,7 +228,7 @@ impl Subject<'_> {
         }
     }
 
-    /// Returns the range of a variable on its orbit, with a tenth more on either side.
+    /// Returns the range of a variable along its orbit, extended by a tenth on either side.
     fn range(&self, k: usize) -> [f64; 2] {
         let [low, high] = self.shown.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.shown.size);
@@ -265,7 +265,7 @@ pub(super) fn command(line: &Line) -> Markup {
 /// Explains a section by the number and the places of its crossings.
 fn crossings(orbits: &[Visits], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// The mean number of visits from which places count as repeated.
+    /// The mean number of visits from which points count as repeated.
     const OFTEN: usize = 10;
 
     let of = |chosen: fn(&Visits) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();

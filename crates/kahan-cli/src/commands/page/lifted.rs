@@ -1,5 +1,5 @@
 //! The page of a lifted field. The lift is chosen once, along the orbit of the figures. The text on
-//! the page begins at that point, so that each command chooses it again.
+//! the page contains that starting point, so that each command chooses the same lift.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{Look, relations};

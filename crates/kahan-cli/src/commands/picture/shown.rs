@@ -1,7 +1,7 @@
-//! A picture as a value: of which orbits, what of them, for how long, and how it looks.
+//! A picture as a value: its orbits, their observed quantities, and its look.
 //!
-//! In: a [`Shown`], from arguments or from a page, and a field. Out: what is asked, and the answers
-//! drawn by `kahan-draw`. How a picture is asked for in words, `super` knows.
+//! In: a [`Shown`], from arguments or from a page, and a field. Out: the questions, and their
+//! answers drawn by `kahan-draw`. The module above parses arguments.
 
 use std::path::PathBuf;
 
@@ -15,52 +15,47 @@ use super::super::look::{SheetOptions, usual};
 use super::starts::{At, Spread};
 use crate::printing::{Prompt, Refusal};
 
-/// What a picture shows, and how.
+/// The contents and the look of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Shown {
     pub(crate) what: What,
-    /// `None` where it is gone through.
+    /// `None` if ε is an axis.
     pub(crate) eps: Option<Rational>,
     pub(crate) at: Vec<At>,
     pub(crate) spread: Spread,
-    /// Steps of each orbit.
+    /// The number of steps of each orbit.
     pub(crate) steps: u64,
-    /// The names of what the axes show, variables or t; as usual where there is none.
+    /// The names of the axes (variables, formulas or t); empty for the default.
     pub(crate) axes: Vec<String>,
-    /// Where axes begin and end, by their names.
     pub(crate) windows: Vec<(String, [Rational; 2])>,
     pub(crate) lines: bool,
-    /// Whether steps are projected onto the relations of a lifted field.
+    /// Whether each step of a lifted field is projected onto the relations.
     pub(crate) reembed: bool,
-    /// The time that it may take.
     pub(crate) seconds: f64,
     pub(crate) look: SheetOptions,
-    /// The file.
     pub(crate) out: PathBuf,
 }
 
-/// The kinds of pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum What {
     /// Orbits in the plane or in space.
     Portrait,
-    /// Where orbits cross a section; ε and the first points are those of the picture.
+    /// Crossings of orbits with a section; ε and first points are those of the picture.
     Section(Box<Section>),
-    /// An orbit diagram over a parameter or eps; its first points and steps are those of the
-    /// picture.
+    /// An orbit diagram over a parameter or ε; first points and steps are those of the picture.
     Over(Box<Diagram>),
-    /// How the heights of an exact orbit grow.
+    /// The growth of the heights of an exact orbit.
     Heights,
 }
 
 impl What {
-    /// Rising crossings of the section on which a formula vanishes, in a number of steps.
+    /// Asks for rising crossings of the zero set of a formula, in a number of steps.
     pub(crate) fn section(plane: &str, steps: u64) -> Self {
         What::Section(Box::new(Section::new(Rational::zero(), Vec::new(), steps, plane)))
     }
 }
 
-/// A picture, and what there is to say of it.
+/// A picture, with notes for the user.
 pub(crate) struct Drawn {
     pub(crate) picture: Picture,
     pub(crate) notes: Vec<String>,
@@ -68,11 +63,11 @@ pub(crate) struct Drawn {
 
 /// The most points of a picture.
 const MOST_POINTS: u64 = 10_000_000;
-/// The most points that lines join.
+/// The most points that are joined by lines.
 const MOST_JOINED: u64 = 100_000;
 
 impl Shown {
-    /// Orbits from these points, as usual.
+    /// Asks for orbits from these points, with default settings.
     pub(crate) fn portrait(eps: Rational, at: Vec<At>, steps: u64) -> Self {
         Shown {
             what: What::Portrait,
@@ -90,7 +85,6 @@ impl Shown {
         }
     }
 
-    /// An orbit diagram.
     pub(crate) fn of_diagram(asked: &Diagram) -> Self {
         let (eps, axes) = (asked.eps.clone(), asked.variable.iter().cloned().collect());
         let at = vec![At::Point(asked.at.clone())];
@@ -101,7 +95,6 @@ impl Shown {
         Shown { what, eps, axes, reembed, out, ..portrait }
     }
 
-    /// Draws it.
     pub(crate) fn drawn(&self, study: &Study) -> Result<Drawn, Refusal> {
         let windows = self.windows.iter();
         let windows = windows.map(|(name, ends)| (name.clone(), ends.each_ref().map(Rational::to_f64)));
@@ -121,8 +114,8 @@ impl Shown {
         })
     }
 
-    /// What the axes show: of a portrait the first three variables, of a section the first two
-    /// without the last that its formula names, of an orbit diagram the first.
+    /// Returns the axes. Defaults: the first three variables of a portrait; the first two of a
+    /// section, without the last variable in its formula; the first of an orbit diagram.
     fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, Refusal> {
         let variables = study.shown().len();
         Ok(match (&self.what, &self.axes[..]) {
@@ -161,7 +154,8 @@ impl Shown {
         })
     }
 
-    /// The variable of this name, or the time where no variable is called t, or a formula.
+    /// Returns the variable of this name, or the time `t` if no variable has that name, or a
+    /// formula.
     fn axis(&self, name: &str, study: &Study) -> Result<Coordinate, Refusal> {
         if let Some(index) = study.shown().iter().position(|known| known == name) {
             return Ok(Coordinate::Variable(index));
@@ -190,7 +184,6 @@ impl Shown {
         Ok(Coordinate::Formula { text: name.to_owned(), formula, time: study.time_place() })
     }
 
-    /// The names of the axes.
     pub(super) fn names(&self, study: &Study) -> Result<Vec<String>, Refusal> {
         let axes = self.axes(study)?;
         let axes = axes.iter().map(|axis| axis.name(study.shown()).to_owned());
@@ -200,7 +193,7 @@ impl Shown {
         })
     }
 
-    /// Refuses more points than a picture holds.
+    /// Refuses more points than a picture may hold.
     fn check_points(&self, orbits: usize, steps: u64) -> Result<(), Refusal> {
         let points = (orbits as u64).saturating_mul(steps.saturating_add(1));
         let (most, way_out) =
@@ -213,8 +206,8 @@ impl Shown {
         )))
     }
 
-    /// The answers for these first points, each of which takes so many steps, as far as there is
-    /// time; and whether the time is up.
+    /// Asks for each first point in turn while time remains; `steps` is the work for one. Also
+    /// returns whether time ran out.
     fn each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -224,7 +217,7 @@ impl Shown {
         let prompt = Prompt::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // The first orbit is asked for in any case, as it may be refused.
+            // Always ask for the first orbit, as it may be refused.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }
@@ -234,9 +227,9 @@ impl Shown {
         Ok((found, prompt.is_over()))
     }
 
-    /// Orbits, or where they cross a section.
+    /// Draws orbits, or their crossings with a section.
     fn orbits(&self, study: &Study, section: Option<&Section>, look: &Look) -> Result<Drawn, Refusal> {
-        // Axes may name new variables of a lift.
+        // Axes may be new variables of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;
@@ -267,7 +260,6 @@ impl Shown {
         Ok(Drawn { picture, notes })
     }
 
-    /// What orbits tend to.
     fn over(&self, study: &Study, asked: &Diagram, look: &Look) -> Result<Drawn, Refusal> {
         let (starts, range) = (self.spread.starts(&self.at), &asked.over.range);
         let values = range.count();
@@ -286,7 +278,6 @@ impl Shown {
         Ok(Drawn { picture, notes: notes(starts.len() * values, ended, is_cut) })
     }
 
-    /// How heights grow.
     fn heights(&self, study: &Study, look: &Look) -> Result<Drawn, Refusal> {
         let (eps, starts) = (self.eps()?, self.spread.starts(&self.at));
         let [at] = &starts[..] else {
@@ -308,7 +299,7 @@ impl Shown {
     }
 }
 
-/// What to say of orbits that end early, or that there was no time for.
+/// Describes orbits that ended early, or for which no time was left.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
         let cut = "time ran out, and the picture shows what there was; a larger --seconds goes further";

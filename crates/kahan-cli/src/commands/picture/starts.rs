@@ -1,4 +1,4 @@
-//! First points of orbits: as they are given, in files, along a line, or drawn at random.
+//! First points of orbits: single points, files, points along a line, or random points.
 
 use std::fmt;
 
@@ -9,19 +9,19 @@ use kahan_study::Study;
 use crate::printing::{Refusal, joined};
 use crate::reading::{is_number_file, point, points};
 
-/// What an `--at` gives.
+/// The value of an `--at`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum At {
     /// A point.
     Point(Vec<Rational>),
-    /// The ends of a line.
+    /// The two ends of a line.
     Line(Vec<Rational>, Vec<Rational>),
 }
 
-/// How many first points each `--at` stands for, and where points around it lie.
+/// The number and the distribution of first points for each `--at`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Spread {
-    /// `None` for the point itself.
+    /// The number of points; `None` for the given point only.
     pub(crate) count: Option<usize>,
     pub(crate) radius: Rational,
     pub(crate) seed: u64,
@@ -34,9 +34,9 @@ impl Default for Spread {
 }
 
 impl At {
-    /// Reads one; a file has a point in each row.
+    /// Reads the value of an `--at`; a file gives a point for each row.
     pub(super) fn read(at: &str, spread: &Spread, study: &Study) -> Result<Vec<Self>, Refusal> {
-        // The path of a file may have dots of its own.
+        // Paths of files may contain dots.
         match at.split_once("..").filter(|_| !is_number_file(at)) {
             Some(_) if spread.count.is_none() => Err(Refusal::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"
@@ -57,7 +57,7 @@ impl fmt::Display for At {
 }
 
 impl Spread {
-    /// The first points that these stand for, in their order.
+    /// Returns all first points, in the order of `at`.
     pub(super) fn starts(&self, at: &[At]) -> Vec<Vec<Rational>> {
         let mut random = SplitMix64::new(self.seed);
         let starts = at.iter().flat_map(|at| match (at, self.count) {
@@ -68,9 +68,10 @@ impl Spread {
         starts.collect()
     }
 
-    /// At random in the cube around a point.
+    /// Draws random points in the cube around a point.
     fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
-        /// Parts of the radius, so that the fractions stay short.
+        /// The resolution of random points, relative to the radius, which keeps the fractions
+        /// short.
         const PARTS: i64 = 1 << 20;
 
         let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
@@ -82,7 +83,7 @@ impl Spread {
     }
 }
 
-/// Evenly on the line between two points, both of them among these; one start is the first.
+/// Returns equidistant points on a line, ends included; for a count of 1 the first end.
 fn along(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
     let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
     let start = |i: usize| {

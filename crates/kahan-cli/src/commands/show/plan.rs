@@ -86,7 +86,7 @@ fn step_section(page: &mut Page, name: &str, step: &Listing) {
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
-/// Says up to which step size the error is near that of elimination.
+/// Returns the step size up to which the error is near that of elimination, in words.
 fn domain(holds_to: u32) -> Vec<String> {
     let end = if holds_to == LARGEST_SIZE {
         "as far as was looked."

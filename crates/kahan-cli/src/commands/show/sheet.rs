@@ -65,7 +65,6 @@ fn claim(claim: &ClaimShown) -> String {
     format!("{}{comment}", claim.statement)
 }
 
-/// Formats a sheet whose formulas are in LaTeX.
 pub(super) fn latex(sheet: &Sheet) -> String {
     let equations = |accent: &str, right: &[String]| {
         let states = sheet.variables.iter().map(|state| format!("{accent} {{{}}}", Latex.name(state)));

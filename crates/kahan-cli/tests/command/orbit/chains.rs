@@ -48,7 +48,7 @@ fn a_short_chain_is_the_block_that_is_written_out() {
         chain(SHORE, &[&common[..], &["--start", "n = (1 + i)/2", "--param", "r = 1 + i/n"]].concat());
     let (plain, family) = (answer(&plain), answer(&family));
     assert_eq!(plain.lines().next(), family.lines().next());
-    // Both solve equal equations with numbers of size 1, five times.
+    // Both programs solve the same equations, with numbers of size 1, five times.
     for (a, b) in numbers(&plain).iter().flatten().zip(numbers(&family).iter().flatten()) {
         assert!((a - b).abs() < 1e-14, "{a} {b}");
     }
@@ -62,7 +62,7 @@ fn a_wave_keeps_its_mass_and_its_modified_energy() {
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0, 40.0]);
     let drift =
         |column: usize| rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max);
-    // Rounding of forty steps of four hundred sites; the unmodified energy is not kept.
+    // Rounding in forty steps of four hundred sites; the unmodified energy is not preserved.
     assert!(drift(4) < 1e-12 && drift(6) < 1e-11 && drift(5) > 1e-9, "{table}");
 }
 
@@ -199,7 +199,7 @@ fn files_are_read_by_their_shape() {
     let values: Vec<f64> = (0..12).map(f64::from).collect();
     numpy(&file, "(3, 2)", &values[..6]);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[..6]);
-    // Of several states the last is the start.
+    // If a file has several states, the last one is the start.
     numpy(&file, "(2, 3, 2)", &values);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[6..]);
     for shape in ["(2, 3)", "(6,)", "(1, 6)"] {

@@ -53,7 +53,8 @@ fn change(order: &str, column: usize) -> f64 {
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Kahan's map keeps H at its ε up to rounding; a composition keeps H at ε = 0 to its order.
+/// Kahan's map preserves H at its ε up to rounding; a composition preserves H at ε = 0 to its
+/// order.
 #[test]
 fn a_composition_keeps_the_integral_of_the_flow_to_its_order() {
     assert!(change("2", 3) < 1e-14);

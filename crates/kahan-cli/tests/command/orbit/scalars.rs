@@ -40,7 +40,6 @@ fn the_time_is_twice_the_half_step_times_n() {
     );
 }
 
-/// Compares `kahan orbit` with the generated map in one scalar: states, then integrals.
 macro_rules! assert_same_bits {
     ($scalar:ty, $name:literal, $map:expr, $at:expr, [$($more:literal),*], $integrals:expr) => {{
         let map = $map;

@@ -99,8 +99,8 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// Integrals of E6 to a few units of `f64`: compensated steps are fifty times finer than those in
-/// double-double, which cost ten times as much.
+/// Integrals of E6 to a few units of `f64`: compensated steps must be fifty times finer than steps
+/// in double-double, which cost ten times as much.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =
@@ -129,7 +129,7 @@ fn a_tolerance_beyond_32_digits_is_told_from_a_sensitive_solution() {
     let scene = ["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", "1e-30"];
     let refusal = complaint(&scene, 2);
     assert!(refusal.contains("choose a tolerance above ") && !refusal.contains("sensitive"), "{refusal}");
-    // The tolerance that the refusal names is accepted.
+    // The tolerance that the refusal suggests is accepted.
     let named = refusal.trim_end().rsplit(' ').next().expect("a number");
     json(&["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", named]);
 }

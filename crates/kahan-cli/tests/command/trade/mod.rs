@@ -285,7 +285,7 @@ fn what_cannot_be_measured_is_refused_with_a_reason() {
 
 #[test]
 fn a_tolerance_that_nothing_meets_is_a_complaint_with_the_best() {
-    // 32 digits do not keep integrals to 40.
+    // In arithmetic of 32 digits, integrals are not constant to 40.
     let output = kahan(&[
         "trade",
         "e6",

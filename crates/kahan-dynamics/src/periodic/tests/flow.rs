@@ -1,4 +1,4 @@
-//! Cycles of flows: their periods and changes against references, none of which steps by our maps.
+//! Cycles of flows: periods and bifurcations against references computed without Kahan's method.
 
 use std::ops::ControlFlow;
 
@@ -21,7 +21,7 @@ kahan! {
     zdot = 1/5 + x*z - c*z;
 }
 
-/// The cycle at N, 2N and 4N steps, and what the three periods say.
+/// Returns the cycle at N, 2N and 4N steps, and the extrapolated period.
 fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCycle; 3], Extrapolated) {
     let second = first.doubled(&map).expect("the cycle at 2N");
     let cycles = [first, second.clone(), second.doubled(&map).expect("the cycle at 4N")];
@@ -29,7 +29,6 @@ fn refined<M: Parametric>(map: impl Fn(f64) -> M, first: FlowCycle) -> ([FlowCyc
     (cycles, Extrapolated::of(&periods, Extrapolated::EVEN))
 }
 
-/// Returns points of an orbit behind its transient.
 fn orbit(map: &impl Step<Scalar = f64>, start: &[f64], transient: u64, steps: usize) -> Vec<Vec<f64>> {
     let (mut x, mut workspace) = (start.to_vec(), Workspace::new());
     map.advance(&mut x, transient, &mut workspace).expect("no pole");
@@ -44,8 +43,8 @@ fn orbit(map: &impl Step<Scalar = f64>, start: &[f64], transient: u64, steps: us
 fn the_shortest_cycles_of_the_lorenz_system_are_found_from_close_returns() {
     const STEPS: usize = 200;
 
-    // Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004); multipliers,
-    // and all periods again, by shooting with DOP853 of SciPy, tolerance 1e-13.
+    // Periods: Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004).
+    // Periods again, and multipliers: shooting with SciPy's DOP853, tolerance 1e-13.
     for (period, multiplier) in
         [(1.558652210716, 4.71294727), (2.305907263940, 9.16549182), (3.023583703434, 16.1136589)]
     {
@@ -74,7 +73,7 @@ fn the_shortest_cycles_of_the_lorenz_system_are_found_from_close_returns() {
 
 #[test]
 fn loops_of_the_roessler_system_are_found_from_the_attractor() {
-    // Periods and multipliers by shooting with DOP853 of SciPy, tolerance 1e-13.
+    // Periods and multipliers: shooting with SciPy's DOP853, tolerance 1e-13.
     for (c, steps, period, multiplier) in [
         (2.5, 200, 5.748991183278, -0.769696936),
         (3.5, 300, 11.545218287763, -0.418735420),
@@ -111,16 +110,16 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
         assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::ThroughMinusOne));
         branch.turns[0].parameter
     });
-    // By shooting with DOP853, tolerance 1e-13, and Brent's method on the multiplier.
+    // Reference: shooting with DOP853, tolerance 1e-13, and Brent's method for the multiplier.
     let (reference, found) = (2.832_445_027_862, Extrapolated::of(&turns, Extrapolated::EVEN));
     assert!((found.value - reference).abs() < 3e-8, "{found:?}");
     assert!((found.value - reference).abs() < found.error, "{found:?}");
 }
 
 kahan! {
-    /// In polar coordinates r' = (z − b) r, z' = 3/5 + z − z² − r² + u/10, and a cycle at z = b;
-    /// two of them meet at p = 0, the root of u. Its period is 2π/3, and a pair of multipliers is
-    /// on the circle at b = 1/2 where u = 0.
+    /// In polar coordinates r' = (z − b) r, z' = 3/5 + z − z² − r² + u/10, with cycles at z = b of
+    /// period 2π/3. Two cycles meet at p = 0, the root of u. A complex pair of multipliers is on
+    /// the unit circle at b = 1/2, u = 0.
     struct Torus { b, p }
     xdot = x*z - b*x - 3*y;
     ydot = 3*x + y*z - b*y;
@@ -157,14 +156,14 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
     };
     let branch = flow_branch(map, &cycles[0], [0.25, -0.25], 20, |_| ControlFlow::Continue(()));
     assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::Fold), "{:?}", branch.turns);
-    // Maps stand still where fields do.
+    // A map and its field have equal steady states.
     assert!(branch.turns[0].parameter.abs() < 1e-7, "{:?}", branch.turns);
     let last = branch.points.last().expect("points");
     assert!(last.parameter > 0.0 && last.cycle.points[0][3] < 0.0 && !branch.is_cut, "{last:?}");
 }
 
 kahan! {
-    /// x'² + x² − (2/3)x³ does not change.
+    /// A conservative oscillator: x'² + x² − (2/3)x³ is constant.
     struct Swing;
     xdot = y;
     ydot = x^2 - x;

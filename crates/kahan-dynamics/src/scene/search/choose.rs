@@ -1,13 +1,13 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! In: a search. Out: its verdict. A ladder is climbed for each order, in plain `f64` first. A
-//! second method then confirms the flow ([`vouch`](super::vouch)), and [`Search::refine`] follows.
+//! For each order it tries increasing numbers of steps in plain `f64` (a [ladder](Search::ladder)).
+//! An independent orbit in `Dd` then confirms the flow ([`vouch`](super::vouch)), and
+//! [`Search::refine`] minimises the cost.
 
 use kahan_core::Composition;
 
 use super::{Precision, Rules, Scheme, Search, Setting, Trials};
 
-/// The rules for costs by counted operations.
 pub(super) const COUNTED: Rules = Rules {
     enough: 0.85,
     aim: 0.97,
@@ -17,37 +17,32 @@ pub(super) const COUNTED: Rules = Rules {
     // Part of the time is reserved for the trial that confirms the flow.
     share: 0.45,
 };
-/// The factor by which the error of a trial in `Dd` must be below the tolerance to confirm the
-/// flow.
+/// An orbit in `Dd` confirms the flow if their distance is below the tolerance divided by this
+/// factor.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The most rungs of a ladder that begins where another ladder met rounding errors.
+/// The most trials of a ladder that begins where another ladder met rounding errors.
 const MORE_RUNGS: usize = 5;
 
-/// The scheme of the first trials: plain `f64`.
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
 /// The scheme in `Dd`, whose rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
 /// The alternatives to plain `f64` for a single orbit; steps in `f32` take as long as in `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
-/// The alternatives in `f64`.
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
-/// The result of a search.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest setting that serves; its error includes the uncertainty of the flow.
+    /// The cheapest accepted setting; its error includes the uncertainty of the flow.
     Choice(Setting),
-    /// No setting serves, or no trial confirms the flow.
+    /// No setting meets the tolerance, or no trial confirms the flow.
     None {
-        /// The least error of all trials.
         least_error: f64,
-        /// Whether rounding errors were seen in some ladder, or in the flow.
+        /// Whether a ladder, or the flow, met rounding errors.
         is_rough: bool,
     },
 }
 
 impl<L: Trials> Search<L> {
-    /// Prepares a search with costs by counted operations.
     pub(in crate::scene) const fn counted(trials: L, tolerance: f64) -> Self {
         Self::new(trials, tolerance, COUNTED)
     }
@@ -55,7 +50,7 @@ impl<L: Trials> Search<L> {
     /// Tries settings until the answer is clear. `coarsest` is the least number of steps to the
     /// horizon, and `others` are the alternatives to plain `f64`.
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
-        // High orders come first, because a setting that serves ends other ladders early.
+        // High orders come first, because an accepted setting ends other ladders early.
         for composition in Composition::BEST.into_iter().rev() {
             self.climb(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
@@ -85,8 +80,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Climbs the ladder of an order in plain `f64`, and, if rounding errors matter, in the other
-    /// schemes. If a setting serves, confirms the flow.
+    /// Runs the ladder of an order in plain `f64`, and in the other schemes if rounding errors
+    /// matter. If a setting meets the tolerance, confirms the flow.
     fn climb(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.ladder(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
@@ -101,8 +96,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Returns whether an orbit in `Dd`, whose rounding errors are independent, agrees with the
-    /// flow well enough.
+    /// Returns whether an orbit in `Dd`, with independent rounding errors, agrees with the flow.
     fn is_vouched_for(&self) -> bool {
         let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))

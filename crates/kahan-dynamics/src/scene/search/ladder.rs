@@ -1,40 +1,39 @@
-//! Ladders: trials of a scheme with more and more steps.
+//! Ladders: trials of a scheme with increasing numbers of steps.
 //!
-//! In: a scheme, and its first number of steps. Out: trials, and whether rounding errors matter. A
-//! ladder ends if a trial serves, costs more than a setting that serves, is sure to by the law
-//! error ∝ ε^order, or if two rungs in a row gain nothing.
+//! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. A
+//! ladder ends if a trial meets the tolerance or costs more than a known setting, if the law error
+//! ∝ ε^order predicts either, or if two trials in a row gain nothing.
 
 use kahan_core::Composition;
 
 use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
-/// The deviation of a gain's logarithm from the law, relative to the law's, within which the law
-/// holds.
+/// The accepted relative deviation of a gain's logarithm from the law error ∝ ε^order.
 const LAWFUL: f64 = 0.3;
 /// The error below which the law is trusted.
 const USEFUL: f64 = 0.01;
-/// The number of successive rungs without gain after which a ladder checks for rounding errors.
+/// The number of successive trials without gain after which a ladder checks for rounding errors.
 const STALLS: u32 = 2;
-/// The part of the law's gain, in logarithms, below which a rung gains nothing, once the law has
-/// held.
+/// Once the law has held, a trial gains nothing if its gain is less than this fraction of the
+/// predicted one, in logarithms.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
 const NEAR: f64 = 30.0;
-/// The largest factor of a leap, once the law holds.
+/// The largest factor between successive numbers of steps, once the law holds.
 const LEAP: u64 = 1 << 12;
 
 #[derive(Clone, Copy, Debug)]
 struct Gain {
     before: f64,
-    /// The error before over the error now.
+    /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of the factor over the logarithm by the law.
+    /// The logarithm of the factor, divided by its predicted logarithm.
     part: f64,
 }
 
 impl Gain {
-    /// Returns whether the gain follows the law, at errors at which the law can be trusted.
+    /// Returns whether the gain follows the law, at an error small enough to trust it.
     fn is_lawful(&self) -> bool {
         (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
     }
@@ -49,9 +48,9 @@ impl Gain {
 /// The result of a ladder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Climb {
-    /// Whether some rung followed the law.
+    /// Whether some trial followed the law.
     was_lawful: bool,
-    /// Whether some rung gained less than the law.
+    /// Whether some trial gained less than the law predicts.
     gained_little: bool,
     stalls: u32,
     has_stalled: bool,
@@ -72,7 +71,7 @@ impl Climb {
         self.has_stalled
     }
 
-    /// Records a trial; returns its gain over the rung before, if that had a finite error.
+    /// Records a trial; returns its gain over the previous trial, if that had a finite error.
     fn add(&mut self, trial: Setting) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = Gain::of(&before, &trial);
@@ -86,8 +85,8 @@ impl Climb {
 }
 
 impl<L: Trials> Search<L> {
-    /// Tries more and more steps of a scheme, from `coarsest` on, until a trial serves or finer
-    /// ones cannot be the cheapest.
+    /// Tries increasing numbers of steps of a scheme, from `coarsest` on, until a trial meets the
+    /// tolerance or further trials cannot be the cheapest.
     pub fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> Climb {
         self.rungs(scheme, coarsest, RUNGS)
     }
@@ -99,7 +98,7 @@ impl<L: Trials> Search<L> {
             if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
-            // If a leap takes too long, the next rung may still be affordable.
+            // If a large increase takes too long, twice the steps may still be affordable.
             let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
@@ -108,7 +107,7 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // Near the tolerance, another rung may serve by chance, so only the price ends the
+                // Near the tolerance another trial may meet it by chance, so only the cost ends the
                 // ladder.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
@@ -118,7 +117,7 @@ impl<L: Trials> Search<L> {
                 // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
                 climb.stalls = 0;
             }
-            // A short ε changes the number of steps.
+            // Rounding ε to fewer bits changes the number of steps.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
@@ -126,7 +125,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // If the law holds, rungs in between are unnecessary.
+                // If the law holds, trials in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
@@ -135,15 +134,14 @@ impl<L: Trials> Search<L> {
         climb
     }
 
-    /// Returns whether rounding dominates the error of a trial: an orbit in `Dd` then has a smaller
-    /// error.
+    /// Returns whether rounding dominates the error of a trial: in `Dd` the error is smaller.
     pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
         let wide = WIDE.composed(trial.scheme.composition);
         let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
-    /// Returns the largest number of steps at which errors of plain `f64` still fell by the law.
+    /// Returns the largest number of steps up to which errors of plain `f64` fell by the law.
     pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();

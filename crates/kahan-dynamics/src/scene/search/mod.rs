@@ -1,11 +1,10 @@
-//! Searches for the cheapest setting in few trials.
+//! A search for the cheapest setting in few trials.
 //!
-//! In: [`Trials`], which return the error of a setting and the price of a step: operations counted
-//! by plans ([`Scene::choose`](crate::Scene::choose)), or measured nanoseconds (`kahan trade`).
-//! Out: the cheapest setting whose measured error serves. A [ladder](Search::ladder) tries more and
-//! more steps of a scheme. [`refine`](Search::refine) searches between the last rung that fails and
-//! the first that serves, by the law error ∝ ε^order. The law only proposes trials; the chosen
-//! setting was tried.
+//! In: [`Trials`], which return the error of a setting and the price of a step: counted operations
+//! ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`). Out: the
+//! cheapest setting whose measured error meets the tolerance. A [ladder](Search::ladder) tries
+//! increasing numbers of steps; [`refine`](Search::refine) searches between the last failure and
+//! the first success. The law error ∝ ε^order only proposes trials.
 
 mod choose;
 mod ladder;
@@ -25,7 +24,6 @@ const SMALL: f64 = 0.1;
 const STALL: f64 = 0.7;
 /// The ratio of two numbers of steps below which they count as equal.
 const CLOSE: f64 = 1.06;
-/// The ratio of successive numbers of steps in a scan.
 const GRID: f64 = 1.1;
 const TRIALS: usize = 5;
 
@@ -46,8 +44,8 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to leave a ladder before the rung of `next` steps, because its last rung, at
-    /// about `end` steps, would take more than `share` of the remaining time.
+    /// Returns whether to leave a ladder before its trial of `next` steps: its last trial, of about
+    /// `end` steps, would take more than `share` of the remaining time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -56,18 +54,18 @@ pub trait Trials {
 /// The parameters of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// The part of the tolerance that the error of a setting may reach.
+    /// The fraction of the tolerance up to which an error is accepted.
     pub enough: f64,
-    /// The part of that error which [`Search::refine`] aims at.
+    /// The fraction of the largest accepted error that [`Search::refine`] aims at.
     pub aim: f64,
-    /// The factor on the number of steps that the law proposes for this aim.
+    /// The factor on the number of steps that the law predicts for this aim.
     pub surplus: f64,
-    /// Whether ladders skip rungs once the law holds. Searches whose trials are drawn keep all
-    /// rungs.
+    /// Whether ladders skip rungs once the law holds; not for callers that plot all trials.
     pub leaps: bool,
-    /// The factor by which the predicted cost of a ladder's end may exceed the least known cost.
+    /// The predicted cost of a ladder's end, relative to the least known cost, above which the
+    /// ladder ends.
     pub surely: f64,
-    /// The part of the remaining time that one trial may take.
+    /// The fraction of the remaining time that one trial may take.
     pub share: f64,
 }
 
@@ -78,7 +76,7 @@ pub struct Search<L> {
     tolerance: f64,
     rules: Rules,
     tried: Vec<Setting>,
-    /// Whether rounding errors were seen in some ladder, or in the flow.
+    /// Whether a ladder, or the flow, met rounding errors.
     is_rough: bool,
 }
 
@@ -106,7 +104,7 @@ impl<L: Trials> Search<L> {
         self.trials
     }
 
-    /// Sets the part of the remaining time that one trial may take.
+    /// Sets the fraction of the remaining time that one trial may take.
     pub const fn set_share(&mut self, share: f64) {
         self.rules.share = share;
     }
@@ -117,7 +115,7 @@ impl<L: Trials> Search<L> {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest setting that serves; among equal costs, the most accurate.
+    /// Returns the cheapest accepted setting; among equal costs, the most accurate.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -125,7 +123,6 @@ impl<L: Trials> Search<L> {
         serve.min_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.error.total_cmp(&b.error))).copied()
     }
 
-    /// Returns the largest error that serves.
     fn enough(&self) -> f64 {
         self.rules.enough * self.tolerance
     }
@@ -156,9 +153,8 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * (trial.error / error).powf(1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether finer steps had larger errors in `f64`, with errors above `roundings`, which
-    /// are rarely rounding errors. In stiff motions, steps of some sizes meet poles of the map, and
-    /// the sizes that serve form several intervals.
+    /// Returns whether finer steps in `f64` had larger errors that exceed `roundings`. In stiff
+    /// motions steps of some sizes meet poles, so the accepted sizes form several intervals.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
@@ -172,7 +168,7 @@ impl<L: Trials> Search<L> {
         !self.is_rough && coarse.any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
     }
 
-    /// Tries steps of all sizes that cost less than the cheapest known solution.
+    /// Tries all step sizes, on a geometric grid, that cost less than the best setting.
     pub fn scan(&mut self, scheme: Scheme, coarsest: u64) {
         let mut steps = coarsest;
         while CLOSE * self.cost(scheme, steps as f64) < self.least_cost()
@@ -182,7 +178,7 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Searches for fewer steps that still serve.
+    /// Searches for fewer steps that still meet the tolerance.
     pub fn refine(&mut self, scheme: Scheme) {
         for _ in 0..TRIALS {
             let dearest = self.least_cost() / self.trials.price(scheme);
@@ -202,7 +198,7 @@ impl<L: Trials> Search<L> {
             if dearest / low < CLOSE || guess >= CLOSE * dearest {
                 return;
             }
-            // With few steps, the next number may be the solution.
+            // With few steps, the next integer may be the solution.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
             if steps as f64 >= dearest || self.trial(scheme, steps, self.rules.share).is_none() {
                 return;

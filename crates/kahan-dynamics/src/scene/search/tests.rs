@@ -51,7 +51,6 @@ fn plain() -> impl Iterator<Item = Scheme> {
     Composition::BEST.into_iter().rev().map(|composition| PLAIN.composed(composition))
 }
 
-/// Returns the least cost over all numbers of steps in plain `f64`.
 fn least(law: &Law, enough: f64) -> f64 {
     let cost = |scheme: Scheme| {
         let serves = |steps: &u64| Law::error_of(&law.setting(scheme, *steps)) <= enough;

@@ -1,8 +1,7 @@
-//! Confirms the flow by a second method.
+//! Confirmation of the flow by an independent orbit.
 //!
 //! In: the trials so far. Out: an orbit in `Dd`, of the order with the fewest stages, that agrees
-//! with the flow to a part of the tolerance; or the finding that the flow has large rounding
-//! errors.
+//! with the flow well below the tolerance; or the finding that the flow has large rounding errors.
 
 use std::cmp::Reverse;
 
@@ -14,19 +13,18 @@ use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 const VOUCHERS: usize = 16;
 
 impl<L: Trials> Search<L> {
-    /// Searches for an orbit in `Dd` so close to the flow that both are confirmed.
+    /// Searches for an orbit in `Dd` that agrees with the flow, so that both are confirmed.
     pub(super) fn vouch(&mut self) {
         let wanted = self.tolerance / VOUCHING;
         for _ in 0..VOUCHERS {
-            // Each trial takes the order with the fewest stages, as predicted from the trials so
-            // far.
+            // Each trial takes the order with the least predicted number of stages.
             let next = Composition::BEST
                 .into_iter()
                 .rev()
                 .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // No order comes closer, so the flow itself has rounding errors.
+                // No order agrees better, so the difference is the flow's rounding error.
                 self.is_rough = true;
                 return;
             };
@@ -36,9 +34,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Returns the number of steps at which an order may come this close, by the law from its
-    /// finest trial in `Dd`, or from its best in `f64`. Returns `None` if finer trials in `Dd` come
-    /// no closer.
+    /// Predicts the number of steps for an error, by the law from the finest trial in `Dd`, or from
+    /// the best in `f64`. `None` if finer trials in `Dd` agree no better.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);

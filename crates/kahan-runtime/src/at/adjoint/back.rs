@@ -9,14 +9,14 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest growth of a cotangent by a transposed solve, which then loses up to 10 bits. Larger
-/// growth indicates a zero of det A: a pole of the map, or a removable singularity.
+/// The largest growth of a cotangent in a transposed solve, a loss of 10 bits. Larger growth means
+/// that det A is nearly 0: a pole of the map, or a removable singularity.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct Back<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
-    /// `None` where coefficients depend on ε: dual numbers then differentiate the whole stage.
+    /// `None` if coefficients depend on ε: dual numbers then differentiate the whole stage.
     terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
     /// The entries of f′ at the points before and after a stage.
@@ -54,7 +54,6 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         }
     }
 
-    /// Appends the state after each stage of a step.
     pub(super) fn make_step(&mut self, points: &mut Vec<T>) {
         let n = self.distinct[0].0.dimension();
         for k in 0..self.stages() {
@@ -64,7 +63,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         }
     }
 
-    /// Carries `gradient.start` back over the last step of `points`, and removes the step.
+    /// Propagates `gradient.start` back over the last step of `points`, and removes that step.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -100,7 +99,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Carries the cotangent back by derivatives of the stage, near a zero of det A too.
+    /// Propagates the cotangent back by forward-mode derivatives, which also work near det A = 0.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

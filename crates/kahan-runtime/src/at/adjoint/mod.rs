@@ -1,7 +1,8 @@
 //! Gradients of a scalar of an orbit by one reverse sweep, the discrete adjoint method.
 //!
-//! In: a map, the start of an orbit, and w₀, w₁, …, the derivatives of a scalar L by the rows of
-//! the orbit. Out: the derivatives of L by the start, by each parameter and by ε.
+//! In: a map, the start of an orbit, and weights w₀, w₁, …: the derivatives of a scalar L with
+//! respect to the rows of the orbit. Out: the derivatives of L with respect to start, parameters
+//! and ε.
 //!
 //! A step solves R = x̃ − x − 2ε q(x,x̃) = 0 for x̃, where q is the polarised field
 //!
@@ -9,7 +10,7 @@
 //! q(x,x̃) = Q(x,x̃) + ½B(x + x̃) + c,   ∂R/∂x̃ = A(x,ε),   ∂R/∂x = −A(x̃,−ε).
 //! ```
 //!
-//! One transposed solve leads from λ̃, the derivative of L by x̃, to λ, the derivative by x:
+//! With λ̃ = ∂L/∂x̃ known, one transposed solve gives λ = ∂L/∂x:
 //!
 //! ```text
 //! A(x,ε)ᵀ μ = λ̃
@@ -19,8 +20,8 @@
 //! ```
 //!
 //! The states are recomputed from about √steps checkpoints. A stage of a composition is a step with
-//! γε; γ times its derivative by γε is added to ∂L/∂ε. Where coefficients depend on ε, dual numbers
-//! through the whole step give λ and the derivatives.
+//! γε, whose derivative with respect to γε enters ∂L/∂ε with the factor γ. For coefficients that
+//! depend on ε, dual numbers differentiate the whole step.
 
 mod back;
 mod terms;
@@ -34,16 +35,16 @@ use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
 use back::Back;
 
-/// The derivatives of a scalar by the start, the parameters and ε of an orbit; made by
+/// The derivatives of a scalar with respect to start, parameters and ε of an orbit; made by
 /// [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
-    /// The derivatives by the coordinates of the start.
+    /// With respect to the coordinates of the start.
     pub start: Vec<T>,
-    /// The derivatives by the parameters, in the order of
+    /// With respect to the parameters, in the order of
     /// [`Field::parameters`](crate::Field::parameters).
     pub parameters: Vec<T>,
-    /// The derivative by ε, half the time step.
+    /// With respect to ε, half the time step.
     pub eps: T,
 }
 
@@ -60,16 +61,16 @@ impl<T: RuntimeFloat> Gradient<T> {
 impl<T: RuntimeFloat> MapAt<T> {
     /// Computes the gradient of a scalar L of the orbit from `start`.
     ///
-    /// The rows of `weights` are the derivatives of L by the points after 0, `every`, 2·`every`, …
-    /// steps; the orbit ends with the last of these points. The gradient is that of the computed
-    /// orbit, including [compositions](Self::composed), not of the flow. The report is `None` if
-    /// the orbit ends before its last row.
+    /// The rows of `weights` are the derivatives of L with respect to the points after 0, `every`,
+    /// 2·`every`, … steps; the orbit ends with the last of these points. The gradient is that of
+    /// the computed orbit, including [compositions](Self::composed), not of the flow. The report is
+    /// `None` if the orbit ends before its last row.
     ///
     /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first steps
     /// forward, then equally many backward. [`ControlFlow::Break`] stops the work.
     ///
-    /// Cost: two steps of the map and one factorisation of A(x,ε)ᵀ for each step of the orbit, and
-    /// a multiplication for each parameter of each term. Memory: about 2√`steps` states.
+    /// Cost: for each step of the orbit two steps of the map, one factorisation of A(x,ε)ᵀ, and a
+    /// multiplication for each parameter of each term. Memory: about 2√`steps` states.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `start` is not the dimension of the map, or the length
@@ -130,7 +131,8 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Each part between checkpoints has its own sums: shorter sums lose fewer digits.
+            // Each segment between checkpoints is summed separately: shorter sums lose fewer
+            // digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -151,7 +153,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 
     /// Follows the orbit of `x` to its last state. Returns the states after 0, `length`,
-    /// 2·`length`, … steps, without the last one, and how the orbit ended.
+    /// 2·`length`, … steps, without the last state, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],
@@ -169,7 +171,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // `follow` returns `Complete` if the watch stops it after the last step of a part.
+            // `follow` returns `Complete` if the watch stops it after the last step of a segment.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

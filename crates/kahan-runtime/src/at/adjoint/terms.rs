@@ -1,6 +1,6 @@
-//! The coefficients of a field, and their derivatives by parameters, at values of the parameters.
+//! The coefficients of a field and their derivatives with respect to parameters, as numbers.
 //!
-//! In: a field, and exact values. Out: lists of terms whose coefficients are rounded once.
+//! In: a field and exact parameter values. Out: lists of terms whose coefficients are rounded once.
 
 use std::collections::BTreeMap;
 
@@ -11,25 +11,25 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::interpreted::round;
 use crate::{Map, RuntimeFloat};
 
-/// The states of a term: none for an entry of c, one for an entry of B, two for an entry of Q.
+/// The states of a term: none in c, one in B, two in Q.
 type States = [Option<usize>; 2];
 
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// For each entry of f′ its constant term, and the end of its terms in `slopes`.
+    /// For each entry of f′ its constant term, and the end of its range in `slopes`.
     entries: Vec<(T, usize)>,
-    /// The terms k·x of f′, entry by entry: the state x and the coefficient k.
+    /// The terms k·x of f′, entry by entry: index of x, and k.
     slopes: Vec<(usize, T)>,
     /// The terms of f of degree 0 and 1: component, state and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms with coefficients that depend on parameters: component, states, and the end of the
-    /// term's derivatives in `by_parameters`.
+    /// The terms whose coefficients depend on parameters: component, states, and the end of the
+    /// term's range in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
-    /// The derivatives of these coefficients, term by term: parameter and derivative.
+    /// The derivatives of these coefficients, term by term: index of the parameter, and derivative.
     by_parameters: Vec<(usize, T)>,
 }
 
-/// A coefficient, and its derivatives by the parameters that occur in it.
+/// A coefficient, and its derivatives with respect to the parameters that occur in it.
 #[derive(Default)]
 struct Coefficient {
     value: Rational,
@@ -38,7 +38,7 @@ struct Coefficient {
 
 impl Coefficient {
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // The product, with the exponent of the factor `lowered` reduced by 1.
+        // The monomial, with the exponent of the factor `lowered` reduced by 1.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -67,7 +67,7 @@ impl Coefficient {
     }
 }
 
-/// Returns the coefficients of a polynomial by the states that they multiply.
+/// Returns the coefficients of a polynomial, keyed by the states they multiply.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
@@ -126,7 +126,7 @@ impl<T: RuntimeFloat> Terms<T> {
     }
 
     pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
-        // Four independent sums, so that additions need not wait for one another.
+        // Four independent sums hide the latency of additions.
         const SUMS: usize = 4;
         let mut first = 0;
         for (slope, (constant, end)) in slopes.iter_mut().zip(&self.entries) {
@@ -151,7 +151,7 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a, for the polarised field q.
+    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to `sums` for each parameter a, with the polarised field q.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {

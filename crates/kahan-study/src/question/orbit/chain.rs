@@ -1,8 +1,7 @@
 //! Orbits of chains with any number of sites, in doubles.
 //!
 //! In: a lattice, its map, and an initial state. Out: rows of the variables, or for long chains the
-//! range of each array, with the conserved quantities; and the states themselves. The source of the
-//! initial state is not this module's concern.
+//! range of each array, with the conserved quantities; and the states themselves.
 
 use std::ops::{ControlFlow, Range};
 
@@ -41,7 +40,7 @@ pub struct Chain {
     pub state: Vec<f64>,
 }
 
-/// The data of a chain's orbit before its first step.
+/// Metadata of a chain's orbit, known before its first step.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChainHead {
     /// The name of the family.
@@ -72,7 +71,7 @@ pub struct ChainHead {
 }
 
 impl Chain {
-    /// Returns the data of an orbit.
+    /// Returns the metadata of an orbit.
     #[must_use]
     pub fn head(&self, Paces { transient, steps, every }: Paces) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
@@ -99,9 +98,9 @@ impl Chain {
         }
     }
 
-    /// Advances the state by the steps that [`head`](Self::head) describes. Passes on rows like an
-    /// [`Orbit`](super::Orbit), and shows the state of each row to `see` first, which may end the
-    /// work by [`ControlFlow::Break`].
+    /// Advances the state by the steps that [`head`](Self::head) describes. Passes rows to a
+    /// consumer like an [`Orbit`](super::Orbit), after showing the state to `see`, which may end
+    /// the work by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
         paces: Paces,
@@ -132,7 +131,6 @@ impl Chain {
     }
 }
 
-/// A chain whose states are shown to a callback.
 struct Seen<'a> {
     chain: &'a mut Chain,
     see: &'a mut dyn FnMut(&[f64]) -> ControlFlow<()>,
@@ -153,7 +151,7 @@ impl Points<Float64> for Seen<'_> {
         } else {
             cells.extend_from_slice(state);
         }
-        // The state has the length of the chain, so these calls succeed.
+        // The state has the length of the chain, so this call succeeds.
         cells.extend(map.integrals(state).into_iter().flatten());
         cells.extend(map.hamiltonian(state).ok().flatten());
         cells.extend(map.modified_energy(state).ok().flatten());

@@ -115,7 +115,7 @@ of_float!(
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
-    // The remainder from the nearest double is a double.
+    // The remainder after rounding to double is a double.
     |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
     |study, at, _| Study::lifted_step(study, at)
 );
@@ -156,10 +156,8 @@ impl Moving for Exact {
 struct Floats<'a, T: RuntimeFloat> {
     at: MapAt<T>,
     composition: Composition,
-    /// The steps of a lifted field that may end orbits early.
     lifted: Option<LiftedStep<'a, MapAt<T>>>,
     x: Vec<T>,
-    /// The points of the current block of rows.
     points: Vec<T>,
 }
 

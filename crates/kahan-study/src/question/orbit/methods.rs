@@ -1,4 +1,4 @@
-//! Methods to compare Kahan's map with: explicit methods, and the flow itself.
+//! Methods for comparison with Kahan's map: explicit methods, and the flow itself.
 
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::Plan;
@@ -66,7 +66,6 @@ impl<A: Moving> Explicit<'_, A> {
     /// Returns the point after a time step h = 2ε.
     fn next(&self) -> Vec<A::Value> {
         let arithmetic = self.arithmetic;
-        // h/2 is ε.
         let (half, h) = (&self.eps, arithmetic.add(&self.eps, &self.eps));
         let first = self.field(&self.x);
         if self.method == Method::Euler {
@@ -105,7 +104,7 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        // The digits of exact numbers double in each step.
+        // Exact numbers get twice as many digits in each step.
         if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
     }
 
@@ -163,15 +162,15 @@ pub(super) fn flow<A: Moving>(
 }
 
 impl Solution {
-    /// Advances by `steps` steps, and shows each point. Follows the solution over many steps at
-    /// once, and over fewer near a singularity.
+    /// Advances by `steps` steps, and shows each point. Computes the solution for many steps at
+    /// once, fewer near a singularity.
     fn walk<A: Moving>(
         &mut self,
         steps: u64,
         progress: &Count<'_>,
         mut see: impl FnMut(&Self, u64),
     ) -> Result<(), Halt> {
-        /// The most series of one stretch; a series takes some kilobytes.
+        /// The most Taylor series computed at once; each takes some kilobytes.
         const MOST_SERIES: usize = 1 << 16;
 
         let (mut made, mut span) = (0, 1 << 10);

@@ -1,4 +1,4 @@
-//! The choice of an orbit's points for rows, and a run along them in floats.
+//! The steps of an orbit at which rows are taken, and a run along them in floats.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use kahan_runtime::{DimensionError, End, Follow, Followed};
 pub struct Paces {
     /// The number of steps before the first row.
     pub transient: u64,
-    /// The number of steps after the first row; the last ones may lead to no row.
+    /// The number of steps after the first row; the last ones may lie after the last row.
     pub steps: u64,
     /// The number of steps between rows.
     pub every: NonZeroU64,
@@ -63,7 +63,7 @@ impl Paces {
         let (first, rest) = rows.split_at_mut(x.len());
         first.copy_from_slice(x);
         let Followed { report, end } = step.rows(x, self.every, rest, &mut watch)?;
-        // The steps after the last row show whether the orbit reaches its full length.
+        // The steps after the last row show whether the orbit can be completed.
         let left = self.steps % self.every;
         let end = match end {
             End::Complete if left > 0 => step.follow(x, left, watch)?.end.after(self.in_all() - left),

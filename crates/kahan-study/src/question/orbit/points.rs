@@ -21,19 +21,19 @@ use super::maps::Moving;
 use super::paces::Paces;
 
 pub(super) enum Halt {
-    /// The watch stopped it, after this number of steps.
+    /// The watch stopped the orbit after this number of steps.
     Stopped(u64),
-    /// There is no next point, after this number of steps.
+    /// No next point exists, after this number of steps.
     Ended(u64, Why),
 }
 
 #[derive(Clone, Copy)]
 pub(super) enum Why {
-    /// det A = 0; only a reduced map is known to have no value there.
+    /// det A = 0; only for a reduced map is it certain that no value exists.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
-    /// The projective map has no value, because it has no limit independent of the direction.
+    /// The projective map has no limit that is independent of the direction.
     NoLimit(Option<SingularStep>),
     /// A step of the map leaves the range of the scalar.
     Range,
@@ -52,7 +52,7 @@ pub(super) trait Points<A: Moving> {
     /// Advances by `steps` steps, or to the last point.
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
 
-    /// Appends the cells of `count` rows, each after `every` steps. A [`Halt`] counts steps since
+    /// Appends the cells of `count` rows, each after `every` steps. A [`Halt`] counts steps from
     /// the call.
     fn rows(
         &mut self,
@@ -68,8 +68,7 @@ pub(super) trait Points<A: Moving> {
         Ok(())
     }
 
-    /// Returns the number of rows in a block that takes a moment to compute, so that readers see
-    /// rows soon.
+    /// Returns the number of rows of a block, small enough that readers see rows soon.
     fn at_once(&self, _every: u64) -> usize {
         1
     }
@@ -135,8 +134,8 @@ pub(super) struct Course<'a, A: Moving> {
 }
 
 impl<A: Moving> Course<'_, A> {
-    /// Passes on a range of rows in reused blocks. If the point stops earlier, the [`Halt`] counts
-    /// steps from the first point.
+    /// Passes a range of rows to a consumer, in reused blocks. A [`Halt`] counts steps from the
+    /// first point.
     pub(super) fn hand_on(
         &self,
         points: &mut dyn Points<A>,
@@ -213,7 +212,6 @@ impl<A: Moving> Block<A> {
     }
 }
 
-/// Describes the end of an orbit at the point `at` after `n` steps.
 pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> Ending {
     let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
     let point = study.place(at, &asked.eps);

@@ -1,8 +1,7 @@
 //! Rows for questions about one point or one map, asked at the cells of a grid.
 //!
-//! In: the place of a cell, and the field at its parameters. Out: an entry for each column.
-//! Searches end by degree and have no time limit, so that results do not depend on the speed of the
-//! machine.
+//! In: point and ε of a cell, and the field at its parameters. Out: an entry for each column.
+//! Searches end by degree and not by time, so that results do not depend on the machine's speed.
 
 use kahan_algebra::rational::Rational;
 
@@ -12,18 +11,16 @@ use crate::study::Study;
 
 /// A question that [`Over`](super::Over) can ask at each of its cells.
 pub(in crate::question) trait AtCell: Sync {
-    /// Returns the ε and the point of the question, if it has them.
     fn place(&self) -> (Option<&Rational>, Option<&[Rational]>);
 
     /// Returns the columns of the results, in a field with these variables, including lifted ones.
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
 
-    /// Asks the question at another ε and point; for a lifted field, a point of its original
-    /// variables. Returns an entry for each column even without an answer.
+    /// Asks the question at another ε and point (for a lifted field, in its original variables).
+    /// Returns an entry for each column even without an answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 
-/// Returns a column with an empty list for its entries.
 pub(in crate::question) fn column<V>(name: &str, meaning: &str, kind: fn(Vec<V>) -> Kept) -> (Column, Kept) {
     (Column { name: name.to_owned(), meaning: meaning.to_owned() }, kind(Vec::new()))
 }

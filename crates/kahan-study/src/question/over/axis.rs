@@ -130,7 +130,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Builds the values of the axis at `place`; drawn axes have `draws` values by `seed`.
+    /// Builds the values of the axis with index `place`; drawn axes have `draws` values by `seed`.
     pub(super) fn of(axes: &'a [Varied], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol = |axis: &&Varied| matches!(axis.through, Through::Drawn { source: Source::Sobol, .. });
         match &axes[place].through {
@@ -169,7 +169,6 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Returns the number of values; `None` for a drawn axis.
     pub(super) fn count(&self) -> Option<u64> {
         match self {
             Values::List(values) => Some(values.len() as u64),
@@ -191,7 +190,6 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Returns the value at an index, rounded to a double.
     pub(super) fn double(&self, index: u64) -> f64 {
         match self {
             Values::List(values) => values[index as usize].to_f64(),

@@ -1,7 +1,7 @@
 //! The cells of a question over axes, accessed by number.
 //!
-//! In: the field, and the question. Out: the place of each cell, exactly and in doubles, and the
-//! columns that describe it.
+//! In: the field, and the question. Out: point, parameters and ε of each cell, exactly and in
+//! doubles, and the columns that describe the cell.
 
 use kahan_algebra::rational::Rational;
 
@@ -12,7 +12,6 @@ use crate::error::StudyError;
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
-/// The quantity that an axis varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::question) enum Target {
     Variable(usize),
@@ -22,14 +21,13 @@ pub(in crate::question) enum Target {
     Scalar,
 }
 
-/// An axis resolved in a field.
 pub(in crate::question) struct Along<'a> {
     axis: &'a Varied,
     pub(in crate::question) target: Target,
     values: Values<'a>,
 }
 
-/// The place of a cell: point, parameters and ε.
+/// Point, parameters and ε of a cell.
 #[derive(Clone, Debug)]
 pub(in crate::question) struct Place<V> {
     pub(in crate::question) at: Vec<V>,
@@ -37,7 +35,7 @@ pub(in crate::question) struct Place<V> {
     pub(in crate::question) eps: V,
 }
 
-/// All cells. Draws run fastest, then the axes from the last to the first, then the first points.
+/// All cells. Drawn axes vary fastest, then the axes from last to first, then the first points.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<Along<'a>>,
     /// The number of trailing axes with one value for each first point.
@@ -47,7 +45,6 @@ pub(in crate::question) struct Cells<'a> {
     exactly: Place<Rational>,
     in_doubles: Place<f64>,
     draws: u64,
-    /// The number of cells.
     pub(in crate::question) count: u64,
 }
 
@@ -108,7 +105,7 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// Returns whether consecutive cells mostly differ only in their first points.
+    /// Returns whether most consecutive cells differ only in their first points.
     pub(super) fn neighbours_share_a_map(&self) -> bool {
         let is_start = |along: &Along<'_>| matches!(along.target, Target::Variable(_));
         if self.draws > 1 {
@@ -158,7 +155,6 @@ impl<'a> Cells<'a> {
         names.collect()
     }
 
-    /// Selects the values of the varying axes.
     pub(in crate::question) fn varying(&self, values: &[f64]) -> Vec<f64> {
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
         varying.map(|(_, value)| *value).collect()
@@ -175,12 +171,11 @@ impl<'a> Cells<'a> {
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
     }
 
-    /// Returns the place of a cell in doubles, with the value of each axis.
+    /// Returns point, parameters and ε of a cell in doubles, with the value of each axis.
     pub(in crate::question) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
-    /// Returns the exact place of a cell.
     pub(in crate::question) fn exactly(&self, index: u64) -> Place<Rational> {
         self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }

@@ -1,9 +1,8 @@
-//! A question at every value of some axes: a chart, or a sweep.
+//! A question at every combination of values on some axes: a chart, or a sweep.
 //!
-//! In: a question, and axes. Out: a table with a row for each cell. Cells are numbered: first
-//! points vary slowest, then the axes, the last one fastest, and draws fastest of all; all drawn
-//! axes share one index. A row depends only on its number, not on the thread, the time, or its
-//! neighbours.
+//! In: a question, and axes. Out: a table with a row for each cell. First points vary slowest, then
+//! the axes, the last one fastest, and drawn axes, which share one index, fastest of all. A row
+//! depends only on its number, not on threads, time, or other cells.
 
 mod at_cell;
 mod axis;
@@ -68,7 +67,7 @@ struct Beside {
     seed: u64,
 }
 
-/// A row for each cell: its place, and the results there. NaN is null in JSON.
+/// A row for each cell: its coordinates, and the results. NaN is null in JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct OverFound {
     /// The name of the system.
@@ -104,7 +103,7 @@ impl Over {
         if object.contains_key("seconds") {
             return Err(Misread::at("seconds", "no clock ends a row; leave `seconds` out"));
         }
-        // A search has no start, and may leave ε generic.
+        // A search has no first point, and may leave ε generic.
         if name != "discover" {
             object.entry("at").or_insert_with(|| json!([]));
             if over.iter().any(|axis| axis.name == "eps") {
@@ -157,7 +156,7 @@ impl Over {
         Ok(Cells::of(self, study)?.count)
     }
 
-    /// Passes on the rows of a range of cells, block by block. For an empty range, passes on one
+    /// Passes the rows of a range of cells to a consumer, block by block. An empty range gives one
     /// block without rows, which describes the columns.
     pub(super) fn rows(
         &self,
@@ -184,7 +183,7 @@ impl Over {
             return Ok(End::Complete);
         }
         let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
-            // Consecutive cells often have equal parameters, so the last field is kept.
+            // Consecutive cells often have equal parameters, so cache the last field.
             let (mut table, mut field) = (empty.clone(), None);
             match &found {
                 Found::Orbits(orbits) if goes_on(0) => {
@@ -212,7 +211,6 @@ impl Over {
         Ok(in_waves(range, block, &make, rows, watch))
     }
 
-    /// Returns ε and the first point before axes replace them.
     fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
         let is_varied = |name: &str| self.over.iter().any(|axis| axis.name == name);
         let (eps, at) = match &*self.question {
@@ -247,9 +245,9 @@ impl Serialize for Over {
 }
 
 enum Found<'a> {
-    /// Side by side, as orbits.
+    /// Orbits, in SIMD lanes.
     Orbits(Orbits<'a>),
-    /// One by one, by the question.
+    /// Cells one by one, by the question.
     OneByOne(&'a dyn AtCell),
 }
 

@@ -1,7 +1,7 @@
 //! Observes the orbits of cells.
 //!
-//! In: cells, and the observables. Out: a row for each cell. Orbits with any maps are followed side
-//! by side; a cell whose field divides by zero has no orbit.
+//! In: cells, and the observables. Out: a row for each cell. Orbits with any maps share SIMD lanes;
+//! a cell whose field divides by zero has no orbit.
 
 use std::ops::ControlFlow;
 
@@ -16,7 +16,6 @@ use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
-/// The number of orbits that fill the registers.
 const LANES: u64 = 16;
 /// The number of steps, of all orbits together, in one block.
 const AT_ONCE: u64 = 1 << 24;
@@ -30,7 +29,6 @@ pub(super) struct Orbits<'a> {
     numbers: usize,
 }
 
-/// The start of an orbit, with its order and scalar.
 struct Begun {
     index: u64,
     place: Place<f64>,
@@ -67,13 +65,13 @@ impl<'a> Orbits<'a> {
     }
 
     /// Returns the least and the largest number of cells in a block: enough to fill registers, and
-    /// few enough to be done in a moment.
+    /// few enough to finish soon.
     pub(super) fn at_once(&self) -> [u64; 2] {
         [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
 
-    /// Returns the rows of consecutive cells; none if `tell`, which receives numbers of steps, ends
-    /// the work.
+    /// Returns the rows of consecutive cells, or no rows if `tell`, which receives numbers of
+    /// steps, ends the work.
     pub(super) fn rows(
         &self,
         cells: std::ops::Range<u64>,
@@ -140,7 +138,7 @@ impl<'a> Orbits<'a> {
         let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
-        // Orbits of a lifted field may end where the map goes on.
+        // Orbits of a lifted field may end although the map has a next point.
         let is_plain = own.first().is_none_or(|map| self.study.steps(map, self.asked.reembed).is_none());
         let found = match own[..] {
             [] => Vec::new(),
@@ -165,8 +163,8 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// Returns the last point of each orbit, without observers. Orbits that share a map with their
-    /// neighbours use its faster step for columns.
+    /// Returns the last point of each orbit, without observers. Neighbouring orbits with one map
+    /// use its faster step for columns.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],

@@ -1,4 +1,4 @@
-//! Computes blocks of rows on all threads of a watch, and passes them on in order.
+//! Computes blocks of rows on all threads of a watch, and passes them to a consumer in order.
 //!
 //! In: a function that computes the rows of some cells. Out: blocks.
 
@@ -13,12 +13,13 @@ use crate::rows::{Rows, Table};
 /// The number of blocks for each thread that are computed before their rows are passed on.
 const WAVE: u64 = 64;
 
-/// A function that computes rows of cells; it reports finished cells, and ends on the answer
+/// A function that computes rows of cells; it reports finished cells, and ends if that returns
 /// `false`.
 pub(super) type Make<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Passes on the rows of a range, up to the first missing one, whose number is in [`End::Stopped`].
-/// Blocks have between `least` and `most` cells, and each thread gets several, for a balanced load.
+/// Passes the rows of a range to a consumer, up to the first missing one, whose number is in
+/// [`End::Stopped`]. Blocks have between `least` and `most` cells, and each thread gets several,
+/// for a balanced load.
 pub(super) fn in_waves(
     range: Range<u64>,
     [least, most]: [u64; 2],

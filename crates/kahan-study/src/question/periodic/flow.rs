@@ -1,4 +1,4 @@
-//! Cycles of the flow: ε is found with the points, from an orbit that comes back close to itself.
+//! Limit cycles of the flow: ε is found with the points, starting from close returns of an orbit.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
@@ -16,26 +16,27 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The most numbers that Newton's method carries along a cycle of N points, those of a cycle of 4N
-/// points being the last: some second each round.
+/// The most numbers stored along a cycle of N points; the refined cycle of 4N points then takes
+/// about a second per Newton step.
 const MOST_NUMBERS: usize = 4_000_000;
 
-/// The numbers that are carried along a cycle of a field of n variables, each step.
+/// Returns the numbers stored for each point of a cycle in n variables.
 fn numbers(n: usize) -> usize {
     n * (n + 4)
 }
 
-/// Numbers of a cycle of the flow, extrapolated from N, 2N, 4N, … steps.
+/// Period and parameter of a limit cycle, extrapolated from N, 2N, 4N, … steps.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowFound {
     /// The period.
     pub period: Extrapolated,
-    /// The parameter that changes along a branch.
+    /// The parameter that varies along a branch.
     pub parameter: Extrapolated,
 }
 
 impl FlowFound {
-    /// Extrapolates from the cycles at N, 2N, 4N, … steps, and puts the multipliers into the first.
+    /// Extrapolates from the cycles at N, 2N, 4N, … steps; the returned point has extrapolated
+    /// multipliers.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -65,8 +66,8 @@ impl FlowFound {
     }
 }
 
-/// An object of JSON about a cycle, whose period is that of the map, without an error, where finer
-/// cycles were not found.
+/// Describes a cycle in JSON. Without finer cycles, the period is that of the map, without an
+/// error.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -79,17 +80,16 @@ pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64)
     })
 }
 
-/// The period 2εN of the map's cycle.
+/// Returns the period 2εN of the map's cycle.
 fn period(cycle: &PeriodicPoint, eps: f64) -> f64 {
     2.0 * eps * cycle.points.len() as f64
 }
 
-/// The steps of a field's map between points in the original variables, with derivatives: those of
-/// a lifted field begin on its relations, which have no multipliers then.
+/// The field's map between points in the original variables, with derivatives. For a lifted field
+/// each step starts on the relations, so that these contribute no multipliers.
 struct FlowAt<'a> {
     family: &'a Family,
     at: ParametricAt,
-    /// The values of all parameters.
     values: Vec<f64>,
 }
 
@@ -150,7 +150,7 @@ impl Parametric for FlowAt<'_> {
         rates.truncate(x.len());
         let place = self.family.parameter.filter(|place| self.at.place() == *place);
         let Some((place, _)) = place.zip(self.family.study.relations()) else { return rates };
-        // New variables may depend on the parameter, too.
+        // New variables may also depend on the parameter.
         let width = 1e-6 * self.values[place].abs().max(1e-3);
         let [below, above] = [-width, width].map(|shift| {
             let mut values = self.values.clone();
@@ -165,8 +165,9 @@ impl Parametric for FlowAt<'_> {
 }
 
 impl Family {
-    /// The map at a value of what changes and an ε, its derivative being by the parameter that
-    /// changes or by ε; without a value once the watch ended the work, so that all searches end.
+    /// Returns the map at a value of the varied parameter and an ε, with its derivative with
+    /// respect to parameter `by`, or ε for `None`. Once the watch has ended the work, all values
+    /// are NaN, which ends every search.
     fn flow_at(&self, value: f64, eps: f64, by: Option<usize>, count: &Count<'_>) -> OnLeaf<'_, FlowAt<'_>> {
         let values = self.values_at(value);
         let eps = if count.tell(0).is_break() { f64::NAN } else { eps };
@@ -176,26 +177,27 @@ impl Family {
         OnLeaf { map: FlowAt { family: self, at: at.by(by), values }, leaf: &self.leaf }
     }
 
-    /// Looks for a cycle of the flow near the start, and near where its orbit comes back.
+    /// Searches for a limit cycle near the start, then near close returns of its orbit.
     pub(super) fn flow_cycle(
         &self,
         asked: &Periodic,
         begin: f64,
         count: &Count<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The longest orbit, the longest return of one where no number of steps was asked for, and
-        /// how far the steps of a return may be from those that were asked for.
+        /// The longest orbit; the longest return, if no number of steps is requested; and the
+        /// accepted relative deviation of a return from the requested steps.
         const MOST_POINTS: usize = 256_000;
         const MOST_STEPS: usize = 20_000;
         const NEAR: f64 = 0.1;
-        /// The steps at once between two looks at the watch.
+        /// The number of steps between two checks of the watch.
         const AT_ONCE: u64 = 100_000;
 
         let map = |eps| self.flow_at(begin, eps, None, count);
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            // Of several rounds it is the first.
+            // A cycle that winds several times is replaced by a single round, which then has the
+            // wrong number of steps.
             let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
@@ -230,7 +232,8 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // Half the points of an even number are those of a period that doubles.
+                // An even number, so that a cycle after a period doubling consists of two rounds of
+                // equal length.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -243,7 +246,7 @@ impl Family {
         Err(why)
     }
 
-    /// The cycle at N steps, extrapolated from N, 2N, 4N, … steps, with its branch.
+    /// Returns the cycle at N steps, extrapolated from N, 2N, 4N, … steps, with its branch.
     pub(super) fn flow_found(
         &self,
         asked: &Periodic,
@@ -254,7 +257,8 @@ impl Family {
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
-        // Steps that begin on the relations of a lifted field each are not inverse to those at −ε.
+        // Steps that start on the relations of a lifted field have no inverse at −ε, so odd powers
+        // occur.
         let powers = if self.study.lifted().is_some() { Extrapolated::ALL } else { Extrapolated::EVEN };
         let begin = asked.begin();
         let map = |eps| self.flow_at(begin, eps, None, count);
@@ -296,14 +300,14 @@ impl Family {
     }
 }
 
-/// A branch, and its points' numbers where the branches of finer steps have them, too.
+/// A branch, and for each of its points the extrapolated numbers, if the finer branches have it
+/// too.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
-/// The branch at N steps, extrapolated from those at N, 2N, 4N, … steps.
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let is_like = |mark: Mark| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
-        // The branch may go through a value several times.
+        // A branch may pass a value several times; count the earlier passages.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());

@@ -1,9 +1,8 @@
-//! Follows orbits side by side, and shows sign changes of the formula to their sections.
+//! Follows orbits in SIMD lanes, and shows sign changes of the formula to their sections.
 //!
 //! In: orbits at their first points, with a map and a plane each. Out: orbits at their ends, or
-//! with full buffers of crossings. The formula is evaluated for a group of orbits at once. A
-//! section sees only the two points around a sign change, so crossings have the bits of a single
-//! orbit's.
+//! with full buffers of crossings. The formula is evaluated for a group at once. A section sees
+//! only the two points around a sign change, so crossings have the bits of a single orbit's.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -18,12 +17,12 @@ use crate::study::Study;
 use super::course::{Course, Taking};
 use super::plane::Plane;
 
-/// The number of steps between checks of which orbits go on.
+/// The number of steps between checks of which orbits continue.
 const STEPS: u64 = 1024;
-/// The number of orbits below which each orbit is followed by itself.
+/// The number of orbits below which orbits are followed singly.
 const FEWEST: usize = 4;
 
-/// The part of the question that all orbits share.
+/// The data of the question that all orbits share.
 pub(super) struct Asked<'a> {
     pub(super) study: &'a Study,
     pub(super) direction: Direction,
@@ -33,7 +32,7 @@ pub(super) struct Asked<'a> {
     pub(super) tell: &'a dyn Fn(u64) -> ControlFlow<()>,
 }
 
-/// An orbit with its section and its last seen point.
+/// An orbit with its section and its last observed point.
 struct Lane<'a, F> {
     section: Section<&'a dyn Step<Scalar = f64>, F, Taking<'a>>,
     level: F,
@@ -71,7 +70,6 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> Lane<'a, F> {
     }
 }
 
-/// A lane during a run of its group.
 struct Looking<'c, 'a, F> {
     lane: &'c mut Lane<'a, F>,
     /// The formula of the whole group; `None` if it depends on integrals.
@@ -100,8 +98,8 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Evaluates the formula for all orbits at once if the last points are finite; all earlier
-    /// points are then finite, too.
+    /// Evaluates the formula for all orbits at once if the last points are finite, which implies
+    /// that all earlier points are.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();
@@ -128,7 +126,7 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for Looking<'_, '_, F> {
                     go_on[lane] = own.lane.goes_on();
                 }
             }
-            // NaN keeps a finished orbit from further sign changes.
+            // NaN prevents further sign changes of a finished orbit.
             for ((height, now), goes_on) in heights.iter_mut().zip(now).zip(go_on) {
                 *height = if goes_on { now } else { f64::NAN };
             }

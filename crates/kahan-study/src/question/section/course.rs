@@ -1,4 +1,4 @@
-//! The progress of one orbit: its point, and its crossings not yet passed on.
+//! The state of one orbit: its point, and its crossings not yet passed on.
 
 use std::ops::ControlFlow;
 
@@ -12,7 +12,6 @@ use crate::study::Study;
 /// An orbit that is followed while its buffer of crossings has room, and can be resumed.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
-    /// The last point, in all variables.
     pub(super) x: Vec<f64>,
     pub(super) made: u64,
     pub(super) kept: Kept,
@@ -38,7 +37,7 @@ impl Kept {
     }
 }
 
-/// A sink that stores crossings in the form of the table.
+/// A consumer that stores crossings in the form of the table.
 pub(super) struct Taking<'a> {
     pub(super) kept: &'a mut Kept,
     pub(super) study: &'a Study,
@@ -158,7 +157,7 @@ impl Course {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes on the crossings and empties the buffer; `values` precede each crossing.
+    /// Passes the crossings to a consumer and empties the buffer; `values` precede each crossing.
     pub(super) fn hand_on(
         &mut self,
         columns: &[Column],

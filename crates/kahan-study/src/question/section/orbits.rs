@@ -1,8 +1,8 @@
 //! The orbits of a section, in groups on all threads, with their crossings in order.
 //!
 //! In: a question, and its orbits as cells. Out: rows, and the end of each orbit. An orbit with a
-//! full buffer of crossings waits and is resumed when its rows are due. Memory is therefore
-//! bounded, and rows and ends do not depend on threads.
+//! full buffer of crossings is suspended until its rows are due, so memory is bounded, and rows and
+//! ends do not depend on threads.
 
 use std::ops::{ControlFlow, Range};
 
@@ -33,7 +33,6 @@ pub(super) struct Orbits<'a> {
     columns: Vec<Column>,
     /// The number of steps to the last point of an orbit, including the transient.
     limit: u64,
-    /// The capacity of all buffers of crossings together.
     room: usize,
 }
 
@@ -55,7 +54,7 @@ impl<'a> Orbits<'a> {
         let (place, (in_doubles, _)) = (cells.exactly(0), cells.in_doubles(0));
         Plane::of(system, &place.parameters, &place.eps, &asked.plane)?;
         if !asked.is_of_many() {
-            // With one orbit, a mistake in it is an error.
+            // If only one orbit is requested, a mistake in it is an error.
             study.in_floats(&place.at, &place.eps)?;
         }
         study.within_range(&in_doubles.at, in_doubles.eps)?;
@@ -82,7 +81,7 @@ impl<'a> Orbits<'a> {
         }
     }
 
-    /// Follows one orbit by itself until its end, or until its buffer is full.
+    /// Follows a single orbit until its end, or until its buffer is full.
     fn alone(&self, begun: &Begun, course: &mut Course, count: &Count<'_>) {
         let (tell, reembed) = (|steps| count.tell(steps), self.asked.reembed);
         let lifted = self.study.steps(&begun.at, reembed);
@@ -95,7 +94,7 @@ impl<'a> Orbits<'a> {
         }
     }
 
-    /// Follows orbits side by side until their ends, or until their buffers are full.
+    /// Follows a group of orbits until their ends, or until their buffers are full.
     fn group(&self, cells: Range<u64>, room: usize, count: &Count<'_>) -> Vec<Course> {
         let begun = cells.map(|index| self.begun(index, room));
         let (begun, mut courses): (Vec<Option<Begun>>, Vec<Course>) = begun.unzip();
@@ -116,8 +115,8 @@ impl<'a> Orbits<'a> {
         courses
     }
 
-    /// Passes on all crossings of an orbit, resuming it as needed, and appends its end to `found`.
-    /// Returns the orbit at its end.
+    /// Passes all crossings of an orbit to a consumer, resuming it as needed, and appends its end
+    /// to `found`. Returns the orbit at its end.
     fn finish(
         &self,
         index: u64,
@@ -165,9 +164,9 @@ impl<'a> Orbits<'a> {
         if self.asked.carry { self.carried(rows, &count) } else { self.in_waves(rows, &count) }
     }
 
-    /// Follows a wave of groups on all threads, then passes on their rows.
+    /// Follows many groups on all threads, then passes their rows on, and so forth.
     fn in_waves(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
-        /// The number of groups for each thread in a wave.
+        /// The number of groups for each thread before rows are passed on.
         const GROUPS: u64 = 4;
 
         let (all, threads) = (self.cells.count, count.threads() as u64);
@@ -195,7 +194,7 @@ impl<'a> Orbits<'a> {
         found
     }
 
-    /// Follows one orbit after another, each from the end of the orbit before it.
+    /// Follows one orbit after another, each from the last point of the previous one.
     fn carried(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
         let (mut found, mut last) = (Vec::new(), None::<Vec<f64>>);
         for index in 0..self.cells.count {

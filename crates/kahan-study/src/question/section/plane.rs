@@ -79,7 +79,7 @@ impl Plane {
             }
             let mut known: RuntimePoint<f64> = x.iter().copied().collect();
             known.resize(x.len() + integrals, 0.0);
-            // Both slices have the lengths of the field, so the call succeeds.
+            // Both slices have the lengths of the field, so this call succeeds.
             let _ = at.integrals(x, &mut known[x.len()..]);
             formula(&known)
         }

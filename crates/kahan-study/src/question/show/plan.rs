@@ -18,7 +18,7 @@ pub struct Planned {
     pub objects: Vec<Costs>,
     /// The step as a straight-line program; `None` if it eliminates in a loop.
     pub step: Option<Listing>,
-    /// The step for every scalar, if the other one divides by the time step.
+    /// The step for every scalar, if the main form divides by the time step.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
