@@ -2,8 +2,8 @@
 //!
 //! Numerator and denominator are coprime, and the denominator is primitive with positive leading
 //! coefficient, so equal functions are equal as data. Each operation exists with and without a
-//! [`Budget`]. Operands are in lowest terms, so only a few factors can cancel (Henrici), which
-//! keeps each gcd small. Absent: evaluation, and unreduced quotients.
+//! [`Budget`]. Operands are in lowest terms, so only few factors can cancel (Henrici's algorithm),
+//! which keeps each gcd small. Absent: evaluation, and unreduced quotients.
 
 mod common;
 #[cfg(test)]

@@ -27,7 +27,8 @@ pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Within<T
                     continue;
                 }
                 let product = minor.mul_within(entry, budget)?;
-                // The entry moves past the chosen columns to its right.
+                // The entry moves past the chosen columns to its right, with one sign change for
+                // each.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
                 let sum = next.or_default(chosen | 1 << column);

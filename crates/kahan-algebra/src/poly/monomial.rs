@@ -145,7 +145,8 @@ impl Ord for Monomial {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
         let (left, right) = (self.powers(), other.powers());
-        // At equal degree neither list is a proper prefix of the other.
+        // Of two monomials with equal degree, neither list of powers is a proper prefix of the
+        // other.
         let mut index = 0;
         while index < left.len() && index < right.len() {
             let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);

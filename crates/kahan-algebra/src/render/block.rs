@@ -26,7 +26,6 @@ fn used_parameters(system: &System) -> Vec<String> {
     names.filter(|(k, _)| is_used(*k)).map(|(_, name)| name.clone()).collect()
 }
 
-/// Returns whether a name occurs in a relation.
 fn mentions(condition: &Condition, name: &str) -> bool {
     let mut found = false;
     condition.written.visit_names(&mut |written, _| found |= written == Reference::Name(name));

@@ -104,7 +104,7 @@ impl Scope {
         }
     }
 
-    /// Declares the free names of the equations as parameters, for a block without header.
+    /// Declares every undeclared name in the equations as a parameter, for a block without header.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
@@ -120,7 +120,7 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // The later lookup reports it as undeclared.
+                // Skips the name: its later lookup reports it as undeclared.
                 continue;
             }
             if is_keyword(text) {

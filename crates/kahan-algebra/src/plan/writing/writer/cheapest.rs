@@ -9,7 +9,7 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// Writes a polynomial in plain symbols and ε with the cheapest distribution of powers of ε.
+    /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
@@ -35,8 +35,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Keeps the attempt with the fewest operations plus the result's `price`, the first of equals,
-    /// and undoes the others. There must be at least one attempt.
+    /// Tries all ways to write a value; keeps the one with the lowest sum of operations and
+    /// `price`, the first of equals. Requires at least one way.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
@@ -54,7 +54,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // Write the first attempt last: it is often the best and then needs no rewrite.
+        // Writes the first attempt last: it is often the best and then needs no rewriting.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {
