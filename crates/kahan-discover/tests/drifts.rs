@@ -13,7 +13,6 @@ fn report(text: &str, degree: Option<u32>) -> Report {
     discover(&system, &options, &Unwatched).expect("there is a map")
 }
 
-/// Returns the lines of a report's drifts; checks that they compile after the other claims.
 fn drifts(text: &str, report: &Report) -> Vec<String> {
     check_lines(text, report);
     report.drifts.iter().map(|drift| drift.text.clone()).collect()

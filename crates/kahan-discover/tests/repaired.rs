@@ -24,7 +24,6 @@ const OF_DEGREE_6: [&str; 2] = [
      ydot = -y*(1 + 4*(1 + eps^2)/(1 + 3*eps^2)*x + y);",
 ];
 
-/// Returns the report of a field, whose claims are proved in a block of the field.
 fn found(text: &str, eps: Option<Rational>) -> Report {
     let options = Options { seconds: 3600.0, eps, ..Options::default() };
     let report = discover(&system(text), &options, &Unwatched).expect("there is a map");

@@ -11,26 +11,25 @@ use serde::Deserialize;
 pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) system: System,
-    /// The values of fixed parameters.
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) known: Known,
-    /// The reason why a known fact is out of reach.
+    /// The reason why a known fact cannot be found, if any.
     pub(crate) limit: Option<String>,
-    /// Proved claims in their shortest known form.
+    /// Published claims in their shortest known form, each proved.
     pub(crate) shortest: Vec<String>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Known {
-    /// The number of independent integrals, exactly.
+    /// The exact number of independent integrals.
     pub(crate) independent_integrals: Option<usize>,
     /// The growth class of degrees, as one word.
     pub(crate) growth: Option<String>,
-    /// The least number of densities.
+    /// A lower bound on the number of densities.
     #[serde(default)]
     pub(crate) densities: usize,
-    /// The least number of drifts.
+    /// A lower bound on the number of drifts.
     #[serde(default)]
     pub(crate) drifts: usize,
     /// Ranks of invariant Poisson brackets.
@@ -82,7 +81,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read on its own, but after earlier drifts.
+    // Names may repeat, so each claim is read separately, after the earlier drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;
