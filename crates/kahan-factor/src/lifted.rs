@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a unit.
+/// Monic polynomials whose product is, up to a unit, a given polynomial modulo `modulus`.
 pub(super) struct Lifted {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
