@@ -1,5 +1,5 @@
-//! Evaluation of formulas at a point, in any arithmetic: rational functions, prime fields,
-//! rationals, degree bounds or 256-bit floats.
+//! Evaluates formulas at a point in any arithmetic: rational functions, prime fields, rationals,
+//! degree bounds or 256-bit floats.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use super::model::Model;
 
 /// An arithmetic with some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
-    /// Evaluates a function by name; the default knows none.
+    /// Evaluates a function by name; by default none is known.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown(name.to_owned()))
     }
@@ -61,7 +61,6 @@ pub(super) struct Evaluator<'a, A> {
 }
 
 impl<A: Calculus> Evaluator<'_, A> {
-    /// Evaluates `formula`.
     pub(super) fn value(&self, formula: &Formula, frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
         let arithmetic = self.arithmetic;
         match formula {
@@ -193,7 +192,6 @@ impl<A: Calculus> Evaluator<'_, A> {
         self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
     }
 
-    /// Returns the values of the system's variables.
     fn here(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         let value = |name: String| frame.values.get(&name).cloned().ok_or(Trouble::Unknown(name));
         self.model.names().into_iter().map(value).collect()
@@ -216,7 +214,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 }
 
-/// Says whether a call refers to a system's field or map.
+/// Returns whether a call refers to a system's field or map.
 fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

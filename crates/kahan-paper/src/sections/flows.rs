@@ -64,7 +64,6 @@ pub(super) fn claims() -> Vec<Claim> {
     ROWS.iter().flat_map(row).chain(other_tops()).collect()
 }
 
-/// Makes the claims of a row: each component solves its equation; H and K have the stated values.
 fn row(row: &Row) -> Vec<Claim> {
     let Row { system, solution, values } = row;
     let orbit: String =

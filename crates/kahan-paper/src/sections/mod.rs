@@ -71,7 +71,6 @@ pub const OPEN: &[Open] = &[
     },
 ];
 
-/// Returns all claims in the order of the paper, then those of further systems.
 pub(super) fn claims(models: &Models) -> Vec<Claim> {
     [
         general::claims(),
