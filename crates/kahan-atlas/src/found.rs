@@ -35,8 +35,8 @@ impl<'a> Found<'a> {
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
-        // Establishing the claims also measures the orbits, in parallel; below they are only looked
-        // up.
+        // Establishing the claims also measures the orbits, in parallel; `measurement` then returns
+        // the stored results.
         let established = paper.for_all(&claims, None, |claim| {
             let established = paper.establish(claim);
             each();

@@ -1,4 +1,4 @@
-//! The systems: field, A(x,ε) and map of each, derived from the blocks of the catalog, with claims.
+//! The systems: for each its field, A(x,ε) and map, derived from the catalog, and its claims.
 
 use maud::{Markup, html};
 

@@ -18,7 +18,7 @@ const SHOWN: f64 = 4.2;
 
 type Point = SVector<f64, 2>;
 
-/// Values of r; the initial points are (1 − r, 1).
+/// The orbits start at (1 − r, 1) for these r.
 const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
 
 /// Returns log(xy) − (x + y), the integral of the flow.
@@ -26,7 +26,6 @@ fn integral(point: &Point) -> f64 {
     (point[0] * point[1]).ln() - (point[0] + point[1])
 }
 
-/// Computes the orbits from the initial points by a method.
 fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
     let steps = STEPS as u64 - 1;
     let orbit = |radius: &f64| {
