@@ -1,6 +1,6 @@
-//! Accuracy of tangent vectors for long steps, compared with double-double. Where elimination with
-//! pivoting errs by at most 10 u, the planner refuses forms whose median error exceeds 45 times
-//! that, for ‖εf′‖∞ up to 1000. The test repeats this at points of its own.
+//! Accuracy of tangent vectors for long steps, compared with double-double. For ‖εf′‖∞ up to 1000,
+//! the planner refuses forms whose median error exceeds 45 times that of elimination with pivoting,
+//! if the latter is at most 10 u. The test measures this at other points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;

@@ -2,7 +2,6 @@
 
 use kahan_core::prelude::*;
 
-/// Defines a block, and its text for run time.
 macro_rules! block {
     ($text:ident: $($block:tt)*) => {
         kahan! { $($block)* }

@@ -1,4 +1,4 @@
-//! Drifts, functions whose next value depends on their value only, and `drift` and `by` as names.
+//! Drifts, and the keywords `drift` and `by` used as names.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Parts of a header besides the name: attributes, documentation and all visibilities.
+//! Optional parts of a header: attributes, documentation and all visibilities.
 
 use std::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Scopes in which names used by generated code, and names of the states, have other meanings.
+//! Scopes in which names of generated code, and names of the states, have other meanings.
 
 #[allow(
     dead_code,

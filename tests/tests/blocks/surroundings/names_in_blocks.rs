@@ -1,4 +1,4 @@
-//! Blocks with names of the prelude, of keywords, and of items in generated code.
+//! Blocks with names of the prelude, names that are keywords, and names of generated items.
 
 use kahan_core::prelude::*;
 
@@ -124,7 +124,7 @@ fn claims_may_have_the_names_of_methods() {
     let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
     let claims = Claims { k: ratio(3, 2) };
     assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
-    // Claims by their own names, where no other item has that name.
+    // Claims under their own names, where no other item has that name.
     let own = [
         claims.integral_step(&x, ratio(1, 2)),
         claims.integral_VARIABLES(&x, ratio(1, 2)),
@@ -154,11 +154,9 @@ kahan! {
 
 #[test]
 fn a_state_has_a_constant_of_its_name() {
-    // The constants need no type argument.
     assert_eq!([Places::X, Places::Y, Places::SS], [0, 1, 6]);
     let point = vector![1, 2, 3, 4, 5, 6, 7].map(|state| ratio(state, 1));
     assert_eq!(Places { mu: ratio(3, 1) }.H(&point, ratio(1, 9)), ratio(3, 1) + point[Places::Y].pow(2));
     assert_eq!(Places::<f32>::VARIABLES[Places::SS], "ß");
-    // A type without parameters.
     assert_eq!(argument::x::Y + argument::x::X, 1);
 }

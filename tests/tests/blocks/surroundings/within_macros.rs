@@ -1,4 +1,4 @@
-//! Blocks written by a user's macro, with all kinds of fragments that formulas can hold.
+//! Blocks written by a user's macro, with all kinds of fragments that formulas can contain.
 
 use kahan_core::prelude::*;
 
@@ -29,7 +29,7 @@ mod in_one_piece {
     }
 }
 
-/// Steps a system made of an expression and a name of the caller.
+/// Defines a map from an expression and a name of the caller, and takes a step.
 macro_rules! decay {
     ($rate:ident, $x:expr) => {{
         let x = $x;
@@ -37,7 +37,6 @@ macro_rules! decay {
     }};
 }
 
-/// Passes a whole block on.
 macro_rules! pass_on {
     ($($tokens:tt)*) => { kahan! { $($tokens)* } };
 }

@@ -1,4 +1,4 @@
-//! Scopes without the prelude, so even `Option` and `Clone` have no names.
+//! Scopes without the prelude, where even `Option` and `Clone` are unknown.
 
 mod bare {
     #![no_implicit_prelude]
