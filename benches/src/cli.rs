@@ -111,12 +111,10 @@ pub(crate) fn run() -> Result<bool> {
     }
 }
 
-/// Returns the root of the repository from which this program was built.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, Path::to_path_buf)
 }
 
-/// Returns the named systems, or all without names.
 fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     let all = systems::all();
     for name in names {
@@ -129,7 +127,6 @@ fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     Ok(all.into_iter().filter(wanted).collect())
 }
 
-/// Prints the missed limits, and returns whether none is missed.
 fn hold(limits: &[Limit]) -> bool {
     let missed = limits.iter().filter(|limit| limit.is_missed());
     missed.inspect(|limit| eprintln!("does not hold: {}", limit.figure)).count() == 0

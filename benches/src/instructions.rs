@@ -1,6 +1,5 @@
 //! Instructions per step, counted by valgrind's callgrind and free of timing noise. The program
-//! runs a contender twice with different numbers of steps; the ratio of the differences isolates
-//! the loop.
+//! runs a contender twice with different numbers of steps; the difference counts only the loop.
 
 use std::env;
 use std::process::{Command, Stdio};

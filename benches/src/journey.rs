@@ -1,6 +1,6 @@
-//! Integrations over a fixed time, by which integrators of different kinds are compared: methods to
-//! reach [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at
-//! the end.
+//! Integrations over a fixed time, which compare integrators of different kinds: methods to reach
+//! [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at the
+//! end.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
@@ -37,7 +37,6 @@ impl Journey {
     }
 }
 
-/// Returns all methods for a system, Kahan's first.
 pub(crate) fn journeys<M, const N: usize>(map: M, start: [f64; N]) -> Vec<Journey>
 where
     M: KahanMap<f64, N> + Copy + 'static,

@@ -1,4 +1,5 @@
-//! Many trajectories at once, by the macro's code and at run time; a unit has [`POINTS`] steps.
+//! Many trajectories in lanes, by the macro's code and by machine code made at run time; a unit has
+//! [`POINTS`] steps.
 
 use std::hint::black_box;
 
@@ -10,7 +11,7 @@ use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// The number of trajectories, as in the section on ensembles.
+/// The number of trajectories, equal to that of the ensembles.
 const POINTS: usize = 512;
 
 /// Returns the tasks of one map on all available levels.

@@ -1,4 +1,5 @@
-//! Compilation of plans to machine code: steps of catalog fields, with integrals or with columns.
+//! Times the compilation of plans to machine code: steps of catalog fields, with integrals or in
+//! columns.
 
 use std::hint::black_box;
 
@@ -67,7 +68,7 @@ fn with_integrals(map: &Map, state: &[f64]) {
     black_box(integrals);
 }
 
-/// Compiles both forms for columns: scalar and vector registers.
+/// Compiles for columns, both for scalar and for vector registers.
 fn with_columns(map: &Map, state: &[f64]) {
     let mut columns: Vec<[f64; 8]> = state.iter().map(|x| [*x; 8]).collect();
     let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(|column| &mut column[..]).collect();
