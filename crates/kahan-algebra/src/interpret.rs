@@ -175,7 +175,6 @@ impl<A: OverRationals> At<'_, A> {
         Some(entries.chunks(self.point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 
-    /// Returns the outputs of a plan, if all are defined.
     fn run(&self, plan: &Plan) -> Option<Vec<A::Value>> {
         self.run_with(plan, &self.point.state)
     }

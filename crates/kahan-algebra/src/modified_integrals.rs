@@ -150,7 +150,6 @@ impl<'a> Flow<'a> {
         })
     }
 
-    /// Adds the linear integrals, and those by polarisation.
     fn add_polarised(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         let symbols = self.symbols;
         let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();

@@ -112,7 +112,6 @@ impl Relations {
         Ok(name)
     }
 
-    /// Refuses a relation that is a product.
     fn refuse_product(&mut self, polynomial: &Polynomial) -> Result<(), Obstacle> {
         let mut own = polynomial.clone();
         for index in 0..self.nonzero.len() {

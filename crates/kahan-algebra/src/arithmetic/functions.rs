@@ -106,7 +106,6 @@ impl Functions {
         Some(())
     }
 
-    /// Returns 1/b for nonzero b; `None` beyond the budget.
     fn inverted(&self, numerator: &Polynomial, denominator: &[(Polynomial, u32)]) -> Option<Function> {
         let above = self.expand_to(&Polynomial::one(), &[], denominator)?;
         let primitive = numerator.primitive_part();

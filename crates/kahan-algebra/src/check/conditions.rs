@@ -78,7 +78,6 @@ fn one_relation(
     Ok(Some(name))
 }
 
-/// Returns the numerator of left − right in lowest terms.
 fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     let above = &(&left.numerator * &right.denominator) - &(&right.numerator * &left.denominator);
     let below = &left.denominator * &right.denominator;

@@ -54,7 +54,6 @@ impl Expansion {
         Expansion::polynomial(Polynomial::zero())
     }
 
-    /// Returns the function; the fraction must be in lowest terms.
     pub(super) fn function(self) -> RationalFunction {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }
@@ -88,7 +87,6 @@ pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, D
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Returns the budget of one expansion, a share of the block's remaining budget.
 fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }

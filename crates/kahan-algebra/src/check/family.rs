@@ -20,7 +20,6 @@ use super::names::{Scope, references};
 use super::stand_in::StandIn;
 use super::{report_names, report_size};
 
-/// Checks the family of a block; returns a stand-in, and a family without mistakes.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,
@@ -78,7 +77,6 @@ pub(crate) fn check_family(
     (stand_in, diagnostics.is_empty().then_some(family))
 }
 
-/// Reports items that a family cannot contain.
 fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
     for (index, equation) in block.equations.iter().enumerate() {
         if !(head.equations_before..head.equations_until).contains(&index) {

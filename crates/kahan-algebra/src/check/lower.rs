@@ -28,13 +28,11 @@ pub(super) trait Target {
     /// Returns a/b; b is not identically zero.
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// Returns whether a is known to be identically 0.
     fn is_zero(&self, a: &Self::Value) -> bool;
     /// Returns whether negative exponents are allowed.
     fn inverts(&self) -> bool;
 }
 
-/// Lowers an expression with known names.
 pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
     match &expr.kind {
         ExprKind::Number(value) => Ok(target.number(value)),

@@ -101,7 +101,6 @@ impl Checked {
     }
 }
 
-/// Reports a block with too many names; returns whether it is too large.
 fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         let message = format!("the block has more than {MOST_EQUATIONS} equations");

@@ -30,13 +30,11 @@ pub(super) struct Scope {
     places: FxHashMap<String, Symbol>,
     /// Values of constants; `None` if the declaration has a mistake.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
-    /// The claims checked so far.
     pub(super) claims: Vec<String>,
     /// Names whose mistake was reported; further uses are silent.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
     all_claims: FxHashSet<String>,
-    /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
     /// The term products spent on expansions so far.
     pub(super) products: Cell<u64>,

@@ -58,7 +58,6 @@ pub struct Derived {
     made: Made,
 }
 
-/// Plans computed on first use.
 #[derive(Clone, Debug, Default)]
 struct Made {
     planned: OnceLock<Planned>,

@@ -23,7 +23,6 @@ pub struct ValueNames {
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
     taken: FxHashSet<String>,
-    /// The number of numbered values of each kind.
     numbered: Table<&'static str, usize>,
 }
 

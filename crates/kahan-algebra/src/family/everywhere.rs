@@ -54,7 +54,6 @@ impl<'a> Middle<'a> {
         Middle { chain: family.chain(sites), site: sites / 2 }
     }
 
-    /// Moves a function of site i to the site `offset` from the middle.
     pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
         let site = (self.site as i64 + offset) as usize;
         self.chain.moved(component, site).expect("no two sites are one in a long chain")

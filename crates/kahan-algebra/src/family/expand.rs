@@ -101,7 +101,6 @@ impl Chain<'_> {
         function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
-    /// Moves a variable; `None` beyond the end of an open chain.
     fn moved_variable(&self, variable: Variable, site: usize) -> Option<Variable> {
         let Chain { family, symbols, sites } = self;
         let neighbour = |offset: i64| {
@@ -122,7 +121,6 @@ impl Chain<'_> {
     }
 }
 
-/// Formats a sum of quotients as an expression at the place of the claim.
 fn written(terms: &[RationalFunction], symbols: &Symbols, span: Span) -> Expr {
     let expr = |kind| Expr { kind, span };
     let factor = |divides, expr| Factor { divides, expr };

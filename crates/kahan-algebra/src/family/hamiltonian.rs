@@ -17,7 +17,6 @@ use super::conserved::{plural, too_long};
 use super::everywhere::{Extent, Middle, budget, product};
 use super::{Family, Role, SiteSum};
 
-/// Proves that some K satisfies ẋ = K∇H for every number of sites.
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: &str, help: &str| {
@@ -74,7 +73,6 @@ pub(super) struct Missing {
     sites: usize,
 }
 
-/// A term in the middle of a long chain.
 struct Term {
     monomial: Monomial,
     coefficient: Rational,
@@ -206,7 +204,6 @@ fn row(
     Ok(terms)
 }
 
-/// Formats a monomial with sites relative to the middle.
 fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
     let family = middle.chain.family;
     let name = |variable| match middle.chain.symbols.symbol(variable) {

@@ -16,7 +16,6 @@ use super::hamiltonian::missing;
 /// A coefficient, and array names with offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
 
-/// The equations of a random family, one for each array.
 struct Random {
     is_open: bool,
     arrays: Vec<(&'static str, Vec<Term>)>,

@@ -9,7 +9,6 @@ use crate::symbols::Symbols;
 
 use super::{Node, Plan, PlanBuilder};
 
-/// The minimal dimension of a dense field.
 const FEWEST_VARIABLES: usize = 10;
 /// The minimal number of products of two variables; straight-line code is faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
@@ -95,7 +94,6 @@ impl DenseField {
         (0..n * n).map(move |place| (place / n, place % n))
     }
 
-    /// Returns whether ∂fᵢ/∂xⱼ is not identically zero.
     pub(crate) fn depends(&self, (i, j): (usize, usize)) -> bool {
         let coefficients = &self.components[i];
         let product = |k: usize| &coefficients[self.place(j.min(k), j.max(k))];

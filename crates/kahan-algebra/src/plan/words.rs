@@ -8,7 +8,6 @@ use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};
 
-/// The longest description that serves as a name.
 const LONGEST: usize = 24;
 
 /// The outermost operation of a description, which decides how it combines with others.

@@ -137,7 +137,6 @@ impl Polynomial {
         Ok(power)
     }
 
-    /// Returns an upper bound on the number of terms of a power.
     fn power_size(&self, exponent: u32) -> usize {
         // C(e+t−1, t−1) is the product of the (e+k)/k; each partial product is an integer.
         let mut choices: u128 = 1;

@@ -61,7 +61,6 @@ fn degrees(polynomial: &Polynomial) -> Table<Variable, u32> {
     degrees
 }
 
-/// Returns the powers of the value of a variable.
 fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     let mut rng = SplitMix64::new(u64::from(variable.0));
     let value = 1 + rng.below(FIELD.prime() - 1);

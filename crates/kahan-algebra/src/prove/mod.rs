@@ -69,7 +69,6 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     verdicts
 }
 
-/// Returns whether conditions have equal solutions.
 fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     let values = |conditions: &[Condition]| {
         conditions.iter().map(|condition| (condition.variable, condition.value.clone())).collect::<Vec<_>>()

@@ -31,7 +31,6 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     Some(holds)
 }
 
-/// Takes one step at a symbolic point.
 fn sample(
     scheme: &Scheme,
     map: &RationalMap,

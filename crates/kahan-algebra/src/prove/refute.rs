@@ -102,7 +102,6 @@ impl Refutation {
     }
 }
 
-/// Returns a number in full, or its first digits and its length.
 fn shorten(value: &Rational) -> String {
     let text = value.to_string();
     if text.len() <= 80 {

@@ -37,7 +37,6 @@ pub enum Place {
     Jacobi(usize, usize, usize),
 }
 
-/// A claim at a sample point.
 pub(super) struct Test<'a, A: Arithmetic> {
     pub(super) claim: &'a Claim,
     pub(super) arithmetic: &'a A,
@@ -134,7 +133,6 @@ impl<A: OverRationals> Test<'_, A> {
         Some(pairs)
     }
 
-    /// Returns the claim's values with their gradients in the states.
     pub(super) fn gradients(&self) -> Option<Vec<DualNumber<A::Value>>> {
         let (here, n) = (&self.sample.here, self.n());
         let dual = Dual { base: self.arithmetic, directions: n };

@@ -50,7 +50,6 @@ fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
 /// The most columns of the line with the caret.
 const WIDTH: usize = 80;
 
-/// Cuts a line of more than `width` characters around its place.
 fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     let length = line.chars().count();
     if length <= width {

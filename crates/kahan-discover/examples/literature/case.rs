@@ -24,7 +24,6 @@ pub(crate) struct Case {
 pub(crate) struct Known {
     /// The exact number of independent integrals.
     pub(crate) independent_integrals: Option<usize>,
-    /// The growth class of degrees, as one word.
     pub(crate) growth: Option<String>,
     /// A lower bound on the number of densities.
     #[serde(default)]
@@ -32,7 +31,6 @@ pub(crate) struct Known {
     /// A lower bound on the number of drifts.
     #[serde(default)]
     pub(crate) drifts: usize,
-    /// Ranks of invariant Poisson brackets.
     #[serde(default)]
     pub(crate) bracket_ranks: Vec<usize>,
     /// The most seconds for the whole discovery.
@@ -72,7 +70,6 @@ impl Case {
     }
 }
 
-/// Reads a field and proves claims about it.
 fn proved(field: &str, claims: &[String]) -> Result<System, String> {
     let read = |text: &str| {
         let reading = read(&lexer::lex(text).tokens);

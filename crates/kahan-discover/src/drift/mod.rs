@@ -36,7 +36,6 @@ use normal::{Next, carried};
 use spaces::{Carried, Points};
 use triangular::Triangle;
 
-/// The share of the time for drifts.
 pub(crate) const SHARE: f64 = 0.03;
 
 const HIGHEST: u32 = 4;

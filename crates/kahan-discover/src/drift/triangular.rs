@@ -37,7 +37,6 @@ pub(super) struct Triangle {
 /// A candidate for a drift w·F^k, with a state w and an earlier drift F.
 pub(super) struct Link {
     state: usize,
-    /// The drift as a function of states.
     pub(super) value: RationalFunction,
     pub(super) value_text: String,
     pub(super) next_text: String,

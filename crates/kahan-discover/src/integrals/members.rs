@@ -157,7 +157,6 @@ fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Opt
 /// Properties of a special element that do not depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Kind {
-    /// The multiplicity of c as a root.
     multiplicity: usize,
     /// The dimension of the space of solutions G, H.
     solutions: usize,

@@ -87,7 +87,6 @@ impl Stepping for ConstrainedMap<'_> {
         self.base.next(point)
     }
 
-    /// Samples a point with P − cQ = 0, solved for the linear coordinate.
     fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         let modulus = *self.modulus();
         loop {

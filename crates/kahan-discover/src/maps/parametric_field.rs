@@ -13,7 +13,6 @@ use crate::modular::modulus::Modulus;
 pub struct Family {
     dimension: usize,
     symbols: Symbols,
-    /// The denominators qᵢ of the components.
     divisors: Vec<Polynomial>,
     terms: Vec<FamilyTerm>,
 }

@@ -145,7 +145,6 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// Returns the entries above the diagonal of the bracket with the chosen Casimirs.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],

@@ -140,7 +140,6 @@ pub fn flow_integrals(
     integrals
 }
 
-/// Returns a basis of the polynomial integrals of the flow up to a degree, without constants.
 fn flow_space(
     searched: &SearchField,
     degree: u32,

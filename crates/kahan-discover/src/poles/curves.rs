@@ -16,7 +16,6 @@ const MOST_WORK: u64 = 20_000_000;
 pub(crate) struct Curves {
     /// The components N₁ … Nₙ, D of the map x̃ᵢ = Nᵢ/D.
     pub(crate) components: Vec<Polynomial>,
-    /// The irreducible factors that contain states.
     pub(crate) factors: Vec<Polynomial>,
     /// Whether the factors of the Jacobian determinant are included; `false` if it is too long to
     /// expand.

@@ -92,7 +92,6 @@ impl Products {
         self.lists.into_iter().map(&mut product).collect()
     }
 
-    /// Returns the pair that most products contain, if at least two do.
     fn shared_pair(&self) -> Option<(Node, Node)> {
         let mut best: Option<(usize, (Node, Node))> = None;
         for list in &self.lists {

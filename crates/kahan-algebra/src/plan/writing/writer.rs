@@ -43,7 +43,6 @@ pub(in crate::plan) struct Writer {
     steps: Vec<Signed>,
     /// The indices of remembered polynomials with several terms.
     sums: Vec<usize>,
-    /// The nodes that replace symbols.
     put: Vec<(Variable, Node)>,
     /// The gathered coefficients: sums of constants, each prepared as one constant.
     coefficients: Vec<Polynomial>,

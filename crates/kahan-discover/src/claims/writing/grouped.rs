@@ -40,7 +40,6 @@ impl Writer<'_> {
         [expanded].into_iter().chain(texts).min_by_key(String::len).expect("there is one at least")
     }
 
-    /// Splits the polynomial into sums of shorter polynomials, in several ways.
     fn groupings(&self, polynomial: &Polynomial, budget: &mut Budget) -> Vec<Vec<Polynomial>> {
         let epsilon = self.symbols.epsilon();
         let powers = polynomial.coefficients_in(epsilon).into_iter().map(|(exponent, part)| {

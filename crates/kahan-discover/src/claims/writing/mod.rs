@@ -88,7 +88,6 @@ struct Product {
     sums: Vec<(Sum, u32)>,
 }
 
-/// A factor with more than one term.
 #[derive(Clone, Debug, PartialEq)]
 enum Sum {
     Plain(Polynomial),

@@ -49,7 +49,6 @@ pub(super) fn prime_of_stability(
     })
 }
 
-/// A map in homogeneous coordinates.
 struct Forms {
     map: ModularMap,
 }
@@ -163,7 +162,6 @@ impl Forms {
         point.map(|entry| self.modulus().times(entry, inverse))
     }
 
-    /// Evaluates κ.
     fn cubic(&self, point: Point) -> u64 {
         let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
         let quotients = back.iter().zip(point);
@@ -172,7 +170,6 @@ impl Forms {
         quotients.next().map_or(0, |(above, inverse)| self.modulus().times(above, inverse))
     }
 
-    /// Evaluates Φ.
     fn image(&self, point: Point) -> Point {
         self.forms(point, self.map.eps())
     }

@@ -459,7 +459,6 @@ struct Element {
 #[derive(Clone)]
 pub(super) struct Tensor {
     pub(super) entries: Vec<Vec<u64>>,
-    /// The gradient of each entry.
     pub(super) slopes: Vec<Vec<Vec<u64>>>,
 }
 

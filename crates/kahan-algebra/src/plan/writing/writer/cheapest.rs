@@ -15,7 +15,6 @@ impl Writer {
         self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
     }
 
-    /// Writes a matrix entry with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
         let ways = self.scaling.ways(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| Entry {
@@ -25,7 +24,6 @@ impl Writer {
         self.cheapest(&ways, write, |_| 0)
     }
 
-    /// Returns the factors of a term and its sign, with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
@@ -65,7 +63,6 @@ impl Writer {
         }
     }
 
-    /// Returns the lengths of the writer's lists, for [`Self::truncate`].
     fn lengths(&self) -> [usize; 5] {
         [self.draft.length(), self.steps.len(), self.sums.len(), self.put.len(), self.coefficients.len()]
     }
