@@ -118,7 +118,7 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 /// below) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Entries of f′
 /// and f are quotients of planned polynomials, rounded once; A has two more roundings, of the
 /// product with ε and of 1 − εf′. With the sum E of both matrix errors, in maximum norms:
-///     ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
+///   ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {

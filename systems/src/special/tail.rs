@@ -2,7 +2,7 @@
 //!
 //! The terms at w = N + j + 1/2, j ≥ 0, expand as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The
 //! midpoint form of the Euler–Maclaurin formula sums each power:
-//!     Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
+//!   Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
 //! Derivatives in s yield the logarithms; they are computed by jets in s + η.
 
 use super::Real;

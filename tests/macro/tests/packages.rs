@@ -3,7 +3,7 @@
 //! 1. Pack every published crate and unpack it into a temporary folder.
 //! 2. Check its licences and its README.
 //! 3. A crate that depends on `kahan-core` of the registry gets these folders instead. It runs the
-//!   example of the packed README.
+//!    example of the packed README.
 //! 4. Check that cargo read no file of the repository.
 //!
 //! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this; usual test runs skip

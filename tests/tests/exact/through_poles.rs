@@ -3,7 +3,7 @@
 //! 1. Take a rational point on each curve that a map sends to infinity or contracts.
 //! 2. The projective orbit is at infinity exactly where the curve's image is.
 //! 3. Move the point by a tiny rational δ and compute the ordinary exact orbit. The simplest
-//!   rationals near its coordinates, or near their quotients, are those of the projective orbit.
+//!    rationals near its coordinates, or near their quotients, are those of the projective orbit.
 //! 4. Over `f64`, the orbit from the rounded point agrees with the exact orbit from there.
 
 use kahan_algebra::prime_field::SplitMix64;

@@ -166,8 +166,9 @@ impl Derived {
     /// for other fields. Each component lists its constant, the coefficients of the variables, and
     /// those of the products xⱼxₖ with j ≤ k, row by row of the triangle.
     ///
-    ///     fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j
-    ///     ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j counts twice
+    /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
+    ///
+    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j counts twice.
     ///
     /// Plans add in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {

@@ -10,12 +10,11 @@ use crate::special::Real;
 ///
 /// * inner branch, |εz| < 1: (x, y) = (cos θ, sin θ) sinh δ/(ε cosh T), z = tanh δ tanh T/ε, with
 ///   K̂ = tanh² δ/(2ε²);
-/// * outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh T), z
-///   = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
+/// * outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh T),
+///   z = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
 ///
 /// On both branches Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of
-/// the point's norm times (1 + |T|) max(1, |ε| norm), where the second factor is the condition of
-/// the formula.
+/// the point's norm times the condition of the formula, (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.

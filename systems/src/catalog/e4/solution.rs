@@ -9,15 +9,15 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// An orbit of dE4 (Theorem 3, i = 4). With v = 2δn + κ, modulus k, s = x + y and d = x − y:
 ///
 /// * inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn v/ε;
-/// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′): s = (−1)ⁿ cn v/(ε dn δ sn
-///   v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
+/// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′):
+///   s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
 /// Both hold up to the map's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). The
 /// inner formula has xy > 0, the outer one xy < 0. If xy = 0, k is 1 and the functions are
 /// hyperbolic. Only orbits through fixed points (0, 0, z) or through |εz| = 1 are excluded.
 ///
-/// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm),
-/// where the second factor is the condition of the formula. On the inner branch with xy > 0:
+/// In `f64` the error at n is at most 6 ulp of the point's norm times the condition of the
+/// formula, (1 + |v|) max(1, |ε| norm). On the inner branch with xy > 0:
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]

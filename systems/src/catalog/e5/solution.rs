@@ -11,11 +11,11 @@ use crate::special::Real;
 /// * inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T + (1/ε +
 ///   μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
 /// * outer branch, |εy| > 1 (not in the paper): x = s(−1)ⁿ cosh δ/(ε sinh T), y = −coth δ coth T/ε,
-///   z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²), K̂ = μ cosh δ/ε
-///   + coth² δ/ε².
+///   z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²),
+///   K̂ = μ cosh δ/ε + coth² δ/ε².
 ///
-/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times (1 +
-/// |T|) max(1, |ε| norm), where the second factor is the condition of the formula.
+/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times the
+/// condition of the formula, (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.

@@ -1,6 +1,6 @@
 //! Writes a polynomial P in powers of a polynomial F that is linear in a variable v:
 //!
-//!     P = Σ dₖ Fᵏ, with dₖ free of v.
+//! P = Σ dₖ Fᵏ, with dₖ free of v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
