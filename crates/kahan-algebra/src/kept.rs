@@ -16,7 +16,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// The quantity by which points of an orbit are differentiated.
+/// The variable by which the points of an orbit are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum By {
     /// A coordinate of the first point.
@@ -55,7 +55,7 @@ pub struct Kept {
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// The field with sums that depend on states; `None` if there are no such sums.
+    /// The field with sums that depend on states; `None` if it has only state-independent sums.
     pub(crate) kept: Option<Kept>,
     /// For each added parameter the index of its subexpression.
     pub(crate) places: Vec<usize>,

@@ -64,7 +64,7 @@ impl RationalFunction {
         Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
-    /// Returns the numerator, which carries the rational content and the sign.
+    /// Returns the numerator, which includes the rational factor and the sign.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }

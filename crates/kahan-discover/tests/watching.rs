@@ -1,4 +1,4 @@
-//! Tests that a watch hears all claims, can end a search, and needs no clock.
+//! Tests that a watch is told all claims, can end a search, and needs no clock.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;

@@ -16,7 +16,7 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. A broken claim is dropped; the stand-in keeps its name.
+/// Compiles the claims in order. A claim with a mistake is dropped; the stand-in still declares it.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],

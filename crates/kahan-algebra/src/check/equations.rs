@@ -15,7 +15,7 @@ use crate::render::{Notation, Text};
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::{Scope, is_epsilon};
 
-/// Expands every equation and keeps its written form; a broken one becomes zero.
+/// Expands every equation, with its written form; an equation with a mistake becomes zero.
 pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,

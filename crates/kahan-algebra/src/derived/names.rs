@@ -93,7 +93,7 @@ pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[Strin
     listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// Names each value of a kernel; the names in `constants` are taken.
+/// Names each value of a kernel; the names in `constants` must not be used again.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,
